@@ -1,0 +1,54 @@
+#ifndef samara_analysis_analysis_h
+#define samara_analysis_analysis_h
+
+#include <samara/base/log.h>
+#include <samara/model/system.h>
+
+namespace samara
+{
+  /** What an analysis starts from, and leaves for the next one. */
+  struct Context
+  {
+    const System            &system;
+    Log                     &log;
+    std::string              folder; ///< of the results
+    std::vector<Probe>       probes;
+    bool                     pictures = true;
+    State                    state;
+    std::vector<double>      speeds; ///< of the model's rotations at present [rad/s]
+    std::vector<double>      sweep;  ///< rotor speeds to go through, of the first rotation; empty: none
+    bool                     is_equilibrium = false; ///< whether the state has been found by a static analysis
+
+    /** All rotations in proportion to their own speeds, so that the first has @p speed. */
+    std::vector<double> speeds_at(double speed) const;
+  };
+
+
+
+  /** One kind of analysis: reads its subsection, then advances the context. */
+  class Analysis
+  {
+  public:
+    virtual ~Analysis() = default;
+
+    Parameters parameters;
+
+    virtual void add_parameters(Parameters &prm) = 0;
+
+    /** Before the first of several runs of a sweep. */
+    virtual void
+    start(Context &)
+    {}
+    /** At the context's speeds. */
+    virtual void run(Context &context) = 0;
+    /** After the last one. */
+    virtual void
+    finish(Context &)
+    {}
+  };
+
+  /** A number for the names of files and for messages: 12.5, 1e+06. */
+  std::string short_text(double number);
+} // namespace samara
+
+#endif

@@ -1,0 +1,95 @@
+#ifndef samara_base_evaluation_h
+#define samara_base_evaluation_h
+
+#include <samara/base/tokens.h>
+#include <samara/base/units.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mu
+{
+  class Parser;
+}
+
+namespace samara
+{
+  /** What a word in an expression stands for. `lb`, and what is computed from it, has two readings: mass and force. */
+  struct Meaning
+  {
+    std::array<Quantity, 2> readings;
+    bool                    is_unit = false;
+  };
+
+
+
+  /**
+   * One expression with units, ready to be evaluated and measured by muParser.
+   *
+   * The dimension is found by evaluating with rescaled base units: if metres count double and the result becomes four
+   * times itself, it is an area; if the factors for twice and eight times are not powers that agree, lengths were added
+   * to something else. Powers of two scale without any rounding, so that the finding does not depend on the numbers.
+   */
+  class Evaluation
+  {
+  public:
+    /** Faults of @p text are thrown as std::invalid_argument. Variables hide other words. */
+    Evaluation(const std::string                    &text,
+               const std::map<std::string, Meaning> &words,
+               const std::vector<std::string>       &variables = {});
+
+    ~Evaluation();
+
+    struct Measure
+    {
+      double    value = 0; ///< in SI units; of an expression with variables, at some point
+      Dimension dimension{{0, 0, 0, 0, 0}};
+      bool      is_consistent = true; ///< the dimension is meaningful
+    };
+
+    /**
+     * Evaluate and measure. With @p natural_units, the variable t is a time and s a length, otherwise variables are
+     * pure numbers.
+     */
+    Measure measure(unsigned int reading, bool natural_units = false) const;
+
+    /** Whether the two readings may differ. */
+    bool is_ambiguous() const;
+
+    bool has_variables() const;
+
+    bool has_units() const;
+
+    /** Whether @p word, which is no variable, is used. */
+    bool uses(const std::string &word) const;
+
+    /** The text with numbers in place of all words except variables. */
+    std::string si_text(unsigned int reading) const;
+
+  private:
+    /** A word, or a variable, and the number that muParser sees. */
+    struct Used
+    {
+      std::string name;
+      Meaning     meaning;
+      bool        is_variable;
+      double      seen = 0;
+    };
+
+    void collect_words(const std::map<std::string, Meaning> &words, const std::vector<std::string> &variables);
+
+    void prepare_parser();
+
+    double value(unsigned int reading, bool natural_units, double variable, unsigned int base, double scale) const;
+
+    const std::string           text;
+    std::vector<Token>          tokens;
+    mutable std::vector<Used>   used; ///< muParser points into it
+    std::unique_ptr<mu::Parser> parser;
+  };
+} // namespace samara
+
+#endif

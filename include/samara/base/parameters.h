@@ -1,0 +1,147 @@
+#ifndef samara_base_parameters_h
+#define samara_base_parameters_h
+
+#include <samara/base/errors.h>
+#include <samara/base/outline.h>
+#include <samara/base/quantity.h>
+#include <samara/base/value.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  /**
+   * The entries which one object has in its subsection of a .prm file, bound to its variables.
+   *
+   * An object declares each entry once with add(); there is no twin function that parses. parse() reads what the
+   * Outline has, with units and constants, checks it by the patterns of dealii::ParameterHandler, and writes the
+   * variables, which must stay where they are until then. A variable of which the file says nothing keeps its value.
+   *
+   * The unit of a number is what stands in the last brackets of its documentation, "Mass [kg].". Numbers without
+   * brackets, or with [1] or [-], have no unit. Only SI units can be declared.
+   */
+  class Parameters
+  {
+  public:
+    /** @p name and @p kind of the object, "hub" and "rigid body", are for complaints. */
+    explicit Parameters(const std::string &name = "", const std::string &kind = "");
+
+    /** Bind the entry @p name to @p variable, whose present value is the default. */
+    template <typename T>
+    void add(const std::string                   &name,
+             T                                   &variable,
+             const std::string                   &documentation,
+             const dealii::Patterns::PatternBase &pattern = *Value<T>::pattern());
+
+    /** The entries of the nested subsection @p name; a new one at the first call. */
+    Parameters &subsection(const std::string &name);
+
+    /** There may be a nested subsection of this name, which somebody else reads. */
+    void ignore_subsection(const std::string &name);
+
+    /**
+     * Read @p section into the variables. Everything that is wrong or not known goes to @p complaints; the variable
+     * then keeps its value. `Type` and `Copy of` are skipped unless they were added.
+     */
+    void parse(const Outline &section, const Quantities &quantities, Complaints &complaints);
+
+    /** Whether the file said something about the entry. */
+    bool is_set(const std::string &name) const;
+
+    /** "file:line" of the entry; of the subsection if the entry was not given. */
+    std::string where(const std::string &name) const;
+
+    /** "file:line" of the subsection. */
+    const std::string &where() const;
+
+    /** Complain if the entry was not given. */
+    void require(const std::string &name, Complaints &complaints) const;
+
+    /**
+     * All values in SI units, as they are used, in the format of a .prm file; of the whole object, nested subsections
+     * among them.
+     */
+    void print(std::ostream &out) const;
+
+    /** A Markdown table of all entries. */
+    void document(std::ostream &out) const;
+
+  private:
+    struct Entry
+    {
+      std::string                                    name;
+      std::string                                    documentation;
+      std::string                                    unit;
+      std::string                                    default_value;
+      std::string                                    where;
+      std::unique_ptr<dealii::Patterns::PatternBase> pattern;
+
+      /** Make SI text from the user's, refuse it or write the variable. */
+      std::function<std::string(const std::string &text, const Quantities &, const Entry &)> read;
+    };
+
+    /** Throws std::invalid_argument if the pattern does not match. */
+    static void check_pattern(const std::string &users_text, const std::string &si_text, const Entry &entry);
+
+    void declare(Entry entry, bool has_unit);
+
+    void read_entry(Entry &entry, const Outline::Entry &given, const Quantities &quantities, Complaints &complaints);
+
+    void complain_about_entry(const Outline::Entry &given, Complaints &complaints) const;
+
+    void complain_about_subsection(const Outline &given, Complaints &complaints) const;
+
+    void set_place(const std::string &where);
+
+    void document_rows(const std::string &prefix, std::ostream &out) const;
+
+    const Entry &existing(const std::string &name) const;
+
+    /** "<hub> (rigid body)" */
+    std::string description() const;
+
+    /** Call @p action while the handler is inside of our subsection. */
+    void inside(const std::function<void(dealii::ParameterHandler &)> &action) const;
+
+    std::string                               name;
+    std::string                               kind;
+    std::string                               place;
+    std::vector<Entry>                        entries;
+    std::vector<std::unique_ptr<Parameters>>  subsections;
+    std::vector<std::string>                  ignored;
+    std::vector<std::string>                  path;    ///< of this subsection in the handler
+    std::shared_ptr<dealii::ParameterHandler> handler; ///< one for all nested subsections
+  };
+
+
+
+  template <typename T>
+  void
+  Parameters::add(const std::string                   &name,
+                  T                                   &variable,
+                  const std::string                   &documentation,
+                  const dealii::Patterns::PatternBase &pattern)
+  {
+    Entry entry;
+    entry.name          = name;
+    entry.documentation = documentation;
+    entry.default_value = Value<T>::write(variable);
+    entry.pattern       = pattern.clone();
+    entry.read          = [&variable](const std::string &text, const Quantities &quantities, const Entry &self) {
+      T                 value   = Value<T>::read(text, self.unit, quantities);
+      const std::string si_text = Value<T>::write(value);
+      check_pattern(text, si_text, self);
+      variable = std::move(value);
+      return si_text;
+    };
+    declare(std::move(entry), Value<T>::has_unit);
+  }
+} // namespace samara
+
+#endif

@@ -1,0 +1,73 @@
+#ifndef samara_base_quantity_h
+#define samara_base_quantity_h
+
+#include <samara/base/errors.h>
+#include <samara/base/evaluation.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  /**
+   * Reads numbers as people write them: with units ("6.0 ft", "1e6 lb*ft^2", "45 deg"), with named constants, and as
+   * expressions of both ("2*L + 3 in"). All results are in SI units.
+   *
+   * - White space multiplies: "6 ft" is 6*ft, and "(1 - cos(t)) N" is (1 - cos(t))*N. It binds like `*`, so that
+   *   "1/2 m" is half a metre.
+   * - What is a pure number when evaluated is taken to be in the declared unit.
+   * - Zero is zero in every unit.
+   * - An angle is a number: N*m/rad is N*m. But deg, rev and rpm convert to rad and rad/s, and to give Hz for rad/s or
+   *   rpm for Hz is refused, because nobody can tell whether a factor of 2 pi is meant.
+   * - `lb` is a mass. If that contradicts the declared unit and a force agrees with it, it is a force.
+   *
+   * muParser does all of the parsing; how dimensions are found is told at Evaluation.
+   *
+   * Faults of the text are thrown as std::invalid_argument with a message for the user, without a place.
+   */
+  class Quantities
+  {
+  public:
+    /** Knows the units, and the constants pi, e and g0. */
+    Quantities();
+
+    /** Define a constant. It may use units and constants defined before and keeps its dimension. */
+    void
+    add_constant(const std::string &name, const std::string &text, const std::string &where, Complaints &complaints);
+
+    /** The value of @p text in SI, which must have the dimension of @p unit; "" for @p unit accepts any dimension. */
+    double number(const std::string &text, const std::string &unit) const;
+
+    /**
+     * @p text in which all units and constants are replaced by their values in SI; functions and @p variables remain. A
+     * variable hides a unit of that name: with the variable s, 3 N*s is no momentum. "table: x1 y1; x2 y2; ..." is
+     * converted number by number; write "x1, y1" if the numbers have units or are expressions.
+     *
+     * The dimension is checked as far as it is certain. A variable may count as a pure number or be in its natural
+     * unit (t in seconds, s in metres): "3 m/s * t" and "3 m * t" are both lengths.
+     */
+    std::string
+    expression(const std::string &text, const std::string &unit, const std::vector<std::string> &variables) const;
+
+    /** Whether @p text contains the name of a unit. */
+    bool names_a_unit(const std::string &text) const;
+
+    /** Whether @p text is a product of SI units, which a bare number can be in. For checks of declared units. */
+    static bool is_si_unit(const std::string &text);
+
+    /** All that may stand in an expression: units, constants, functions. */
+    std::vector<std::string> known_words() const;
+
+  private:
+    /** Why nothing can be called @p name; "" if it can. */
+    std::string fault_of_name(const std::string &name) const;
+
+    std::string
+    expression_of_table(const std::string &rows, const std::string &unit, const std::string &variable) const;
+
+    std::map<std::string, Meaning> words;
+  };
+} // namespace samara
+
+#endif

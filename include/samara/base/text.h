@@ -1,0 +1,40 @@
+#ifndef samara_base_text_h
+#define samara_base_text_h
+
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  /** @p text without white space at its ends. */
+  std::string trim(const std::string &text);
+
+  /**
+   * The trimmed pieces of @p text between separators that stand outside all parentheses; "" has no pieces. Parentheses
+   * protect, so that "atan2(1, 2), 3" are two numbers.
+   */
+  std::vector<std::string> split_top_level(const std::string &text, char separator);
+
+  /** The pieces with @p separator between them. */
+  std::string join(const std::vector<std::string> &pieces, const std::string &separator);
+
+  /** How many letters must be inserted, removed or replaced to turn @p a into @p b. */
+  unsigned int edit_distance(const std::string &a, const std::string &b);
+
+  /**
+   * The end of a complaint about a @p wrong name: "; did you mean <X>?" with the nearest candidate; if none is near,
+   * "; known: a, b, c." provided that they are few; and otherwise ".". Upper and lower case are not told apart.
+   */
+  std::string did_you_mean(const std::string &wrong, const std::vector<std::string> &candidates);
+
+  /** The shortest text that reads as exactly this number. */
+  std::string number_to_text(double number);
+
+  /**
+   * Read @p text as one plain number, all of it, with an optional sign. Returns whether it is one. The point is a point
+   * in every locale.
+   */
+  bool text_to_number(const std::string &text, double &number);
+} // namespace samara
+
+#endif

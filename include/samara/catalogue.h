@@ -1,0 +1,27 @@
+#ifndef samara_catalogue_h
+#define samara_catalogue_h
+
+#include <samara/analysis/analysis.h>
+#include <samara/base/registry.h>
+#include <samara/model/contribution.h>
+
+namespace samara
+{
+  /** Contributions of one subsection of the input file ("Bodies") with all kinds that can be named there. */
+  struct Group
+  {
+    std::string            subsection, noun;
+    Registry<Contribution> kinds;
+  };
+
+  /** Every kind of everything that can be named in a .prm file, in the order in which a model is built. */
+  struct Catalogue
+  {
+    Catalogue();
+
+    std::vector<Group>   groups;
+    Registry<Analysis> analyses;
+  };
+} // namespace samara
+
+#endif

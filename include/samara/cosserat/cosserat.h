@@ -1,0 +1,134 @@
+#ifndef samara_cosserat_cosserat_h
+#define samara_cosserat_cosserat_h
+
+#include <samara/cosserat/element_table.h>
+#include <samara/cosserat/kernel.h>
+#include <samara/model/system.h>
+
+#include <array>
+
+namespace samara
+{
+  /**
+   * Finite elements of a Cosserat continuum of dimension @p dim: a beam (1) or a shell (2). A position and a triad at
+   * every point, 6 dim strains, a 6×6 inertia. Energy ½ ∫ eᵀ C e with a symmetric positive definite C; inertia lumped at
+   * the nodes by the Gauss–Lobatto rule.
+   *
+   * A derived class (Beam) knows geometry and material: it fills @p table, the elements with add_element(), and that is
+   * all; everything that is computed is here. Strains at a point are those of direction 1, then 2: for a beam
+   * Γ₁ Γ₂ Γ₃ [1], K₁ K₂ K₃ [1/m] in the section axes d₁ (tangent) d₂ d₃, minus their reference values; stresses are the
+   * conjugate section forces [N] and moments [N m].
+   *
+   * Source: the paper, section 2.1 and [20]; interpolation of directors: Romero & Armero 2002, Betsch & Steinmann 2002.
+   */
+  template <int dim>
+  class Cosserat : public Evaluated<Cosserat<dim>, Body>
+  {
+  public:
+    static constexpr unsigned int n = 6 * dim; ///< strains at a point
+    using VectorN                   = Eigen::Matrix<double, n, 1>;
+    using MatrixN                   = Eigen::Matrix<double, n, n>;
+
+    void connect(Layout &layout) override;
+
+    unsigned int
+    n_strains() const override
+    {
+      return n * points.size();
+    }
+    void   strain_rates(const Point<double> &point, double *rates) const override;
+    void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void   damping(const Point<double> &point, SparseMatrix &C) const override;
+    double strain_energy(const double *e) const override;
+
+    template <typename Number>
+    void strains_at(const Point<Number> &point, Number *e) const;
+    template <typename Number>
+    void stresses_of(const Number *e, const Number *rates, Number *stress) const;
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+
+    unsigned int
+    n_elements() const
+    {
+      return elements.size();
+    }
+    unsigned int
+    n_points_per_element() const
+    {
+      return table->n_points;
+    }
+
+  protected:
+    /** Stiffness and viscosity (per rate of strain) of a point. */
+    struct Material
+    {
+      MatrixN stiffness, viscosity;
+    };
+    std::vector<Material> materials;
+
+    std::shared_ptr<const ElementTable<dim>> table;
+
+    /**
+     * One more element on frames, one for each node of the table; @p material_of_point gives the index of a material for
+     * each integration point. Reference strains follow from the frames' places in the model.
+     */
+    void add_element(const Model                     &model,
+                     const std::vector<Frame>        &frames,
+                     const std::vector<unsigned int> &material_of_point);
+
+    /** Positions and triads of an element's nodes in a state. */
+    template <typename Number>
+    void gather(unsigned int element, const Number *q, std::vector<kernel::NodeValues<Number>> &nodes) const;
+
+    struct Element
+    {
+      std::vector<Frame> frames;
+      bool               all_nodes = true; ///< no frame is offset from its node
+      Block              block;
+    };
+    std::vector<Element> elements;
+
+  private:
+    using LocalMap = Eigen::Matrix<double, dim, dim>;
+
+    /** Integration points of all elements, one after another. */
+    struct IntegrationPoint
+    {
+      double       weight; ///< [m] or [m²]
+      LocalMap     T;      ///< from derivatives by unit coordinates to derivatives by length in the local axes
+      VectorN      reference; ///< strain of the reference configuration
+      unsigned int material;
+    };
+    std::vector<IntegrationPoint> points;
+
+    /** Strains of an element at its integration points from those at the tying points. */
+    template <typename Number>
+    void to_points(unsigned int element, const std::vector<Vec6<Number>> &tied, Number *e) const;
+
+    /** Section forces at the tying points, weights included, from stresses at the integration points. */
+    template <typename Number>
+    void to_tying(unsigned int element, const Number *stress, std::vector<Vec6<Number>> &tied) const;
+
+    void add_material(unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const;
+    void add_geometric(const std::vector<Vec6<double>> &tied, Eigen::MatrixXd &K) const;
+
+    /** Work space of one element, kept so that the loop over elements allocates nothing. */
+    struct Scratch
+    {
+      std::vector<kernel::NodeValues<double>>  nodes;
+      std::vector<kernel::PointValues<double>> at;
+      std::vector<Vec6<double>>                tied;
+      Eigen::MatrixXd                          K, B_tied, B, CB;
+      std::vector<Vector3>                     n, m; // sums over the points for pairs of nodes
+    };
+    static Scratch &scratch();
+  };
+
+  extern template class Cosserat<1>;
+  extern template class Cosserat<2>;
+  extern template class Evaluated<Cosserat<1>, Body>;
+  extern template class Evaluated<Cosserat<2>, Body>;
+} // namespace samara
+
+#endif

@@ -1,0 +1,148 @@
+#ifndef samara_cosserat_kernel_h
+#define samara_cosserat_kernel_h
+
+#include <samara/rotation/rotation.h>
+
+#include <vector>
+
+namespace samara
+{
+  /**
+   * The algebra of a Cosserat continuum at one point, along one parameter direction: what beams and shells share.
+   *
+   * With positions x and directors d_k interpolated componentwise, ( )' the derivative in that direction:
+   *
+   *     Γ = dᵀ x'         K = axial(dᵀ d'),  i.e. K_k = ½ (d_j · d_i' − d_i · d_j') for (k, i, j) cyclic
+   *
+   * Both are quadratic in the nodal x_a, D_a. Virtual displacements and increments are twists (u, θ) in the nodes' own
+   * frames: δx_a = D_a u, δD_a = D_a θ~. With P = D_aᵀ d, P' = D_aᵀ d', w = D_aᵀ x', V = N P' − N' P, the six columns of
+   * node a are
+   *
+   *     B_a = [ N' Pᵀ   N w~             ]
+   *           [ 0       ½ (V − tr(V) I)  ]
+   *
+   * (doc/theory/formulation.md, section 3; formulas of the same element in spatial increments in the design notes.)
+   */
+  namespace kernel
+  {
+    template <typename Number>
+    struct NodeValues
+    {
+      Vec3<Number> x;
+      Mat3<Number> D;
+    };
+
+    template <typename Number>
+    struct PointValues
+    {
+      Vec3<Number> dx; ///< x'
+      Mat3<Number> d, dd; ///< directors and their derivatives, as columns
+    };
+
+
+
+    template <typename Number>
+    PointValues<Number>
+    interpolate(const std::vector<NodeValues<Number>> &nodes, const double *N, const double *dN)
+    {
+      PointValues<Number> p{Vec3<Number>::Zero(), Mat3<Number>::Zero(), Mat3<Number>::Zero()};
+      for (unsigned int a = 0; a < nodes.size(); ++a)
+        {
+          p.dx += dN[a] * nodes[a].x;
+          p.d += N[a] * nodes[a].D;
+          p.dd += dN[a] * nodes[a].D;
+        }
+      return p;
+    }
+
+
+
+    /** (Γ, K) */
+    template <typename Number>
+    Vec6<Number>
+    strain(const PointValues<Number> &p)
+    {
+      Vec6<Number> e;
+      e << p.d.transpose() * p.dx, axial(p.d.transpose() * p.dd);
+      return e;
+    }
+
+
+
+    /** How (Γ, K) changes when positions and directors change by @p v (x' by v.dx, ...). */
+    template <typename Number>
+    Vec6<Number>
+    strain_rate(const PointValues<Number> &p, const PointValues<Number> &v)
+    {
+      Vec6<Number> e;
+      e << v.d.transpose() * p.dx + p.d.transpose() * v.dx, axial(v.d.transpose() * p.dd + p.d.transpose() * v.dd);
+      return e;
+    }
+
+
+
+    /** Forces conjugate to x', d and d' from section forces s = (n, m). */
+    template <typename Number>
+    PointValues<Number>
+    force(const PointValues<Number> &p, const Vec6<Number> &s)
+    {
+      const Vec3<Number> n = s.template head<3>(), m = s.template tail<3>();
+      const Mat3<Number> m_skew = Number(0.5) * skew(m);
+      return {p.d * n, p.dx * n.transpose() - p.dd * m_skew, p.d * m_skew};
+    }
+
+
+
+    /** B_a, see above; @p scale multiplies all of it. */
+    inline void
+    strain_matrix(const PointValues<double>                      &p,
+                  const Matrix3                                  &D,
+                  const double                                    N,
+                  const double                                    dN,
+                  Eigen::Ref<Matrix6, 0, Eigen::OuterStride<>>    B)
+    {
+      const Matrix3 P        = D.transpose() * p.d;
+      const Matrix3 V        = N * (D.transpose() * p.dd) - dN * P;
+      B.topLeftCorner<3, 3>() = dN * P.transpose();
+      B.bottomLeftCorner<3, 3>().setZero();
+      B.topRightCorner<3, 3>()    = skew((N * (D.transpose() * p.dx)).eval());
+      B.bottomRightCorner<3, 3>() = 0.5 * (V - V.trace() * Matrix3::Identity());
+    }
+
+
+
+    /**
+     * Geometric stiffness of a pair of nodes (a, b) without the part of a alone: derivative of the forces on a with
+     * respect to the twist of b at fixed section forces, summed over the points of the element,
+     * @p n_ab = Σ N'_a N_b n, @p n_ba = Σ N_a N'_b n and @p m_ab = Σ (N_a N'_b − N'_a N_b) m.
+     */
+    inline Matrix6
+    geometric_pair(const Matrix3 &R_ab, const Vector3 &n_ab, const Vector3 &n_ba, const Vector3 &m_ab)
+    {
+      Matrix6 K;
+      K.topLeftCorner<3, 3>().setZero();
+      K.topRightCorner<3, 3>()    = -R_ab * skew(n_ab);
+      K.bottomLeftCorner<3, 3>()  = skew(n_ba) * R_ab;
+      K.bottomRightCorner<3, 3>() = 0.5 * skew((R_ab.transpose() * m_ab).eval()) + m_ab * axial(R_ab).transpose();
+      return K;
+    }
+
+
+
+    /**
+     * The part of one node: its forces turn with it. @p F is the total director force D_aᵀ F_a (columns: the forces on
+     * d₁ d₂ d₃) and @p f the force on x, both in the node's frame.
+     */
+    inline Matrix6
+    geometric_node(const Vector3 &f, const Matrix3 &F)
+    {
+      // torque 2 axial(Dᵀ F); δ(Dᵀ F) = −θ~ Dᵀ F at fixed F, and 2 axial(θ~ F) = (tr(F) I − F) θ
+      Matrix6 K                   = Matrix6::Zero();
+      K.topRightCorner<3, 3>()    = skew(f);
+      K.bottomRightCorner<3, 3>() = F - F.trace() * Matrix3::Identity();
+      return K;
+    }
+  } // namespace kernel
+} // namespace samara
+
+#endif

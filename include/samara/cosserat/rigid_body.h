@@ -1,0 +1,46 @@
+#ifndef samara_cosserat_rigid_body_h
+#define samara_cosserat_rigid_body_h
+
+#include <samara/model/model.h>
+
+namespace samara
+{
+  /**
+   * A rigid body: one node, the Cosserat continuum of dimension 0. The node stands at "Position"; the centre of mass may
+   * be off it. The inertia tensor is about the centre of mass, in the body's axes.
+   */
+  class RigidBody : public Body
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+
+    /** "centre" (the node), "centre of mass" and the user's frames. */
+    Frame                    frame(const std::string &point) const override;
+    std::vector<std::string> points() const override;
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
+    void                     draw(const State &state, Drawing &drawing) const override;
+
+  private:
+    double                   mass = 0;
+    Vector3                  position = Vector3::Zero(), centre_of_mass = Vector3::Zero(), rotation = Vector3::Zero();
+    std::vector<double>      inertia = {0, 0, 0};
+    std::vector<std::string> frame_entries;
+    std::string              sequence = "321", shape = "automatic";
+    std::vector<double>      size;
+
+    struct Point
+    {
+      Frame   frame;
+      Vector3 x; ///< reference
+      Matrix3 D;
+    };
+    std::map<std::string, Point> named;
+
+    bool read_frames(Model &model, const Frame &node);
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,146 @@
+#ifndef samara_cosserat_section_h
+#define samara_cosserat_section_h
+
+#include <samara/model/model.h>
+
+namespace samara
+{
+  /**
+   * What a beam needs to know of its cross-section at one abscissa, in the section's axes: 1 along the beam's reference
+   * line, 2 and 3 across.
+   */
+  struct SectionValues
+  {
+    /** Section forces (N₁ N₂ N₃ M₁ M₂ M₃) from strains (Γ₁ Γ₂ Γ₃ K₁ K₂ K₃) [N, N m, N m²]. */
+    Matrix6 stiffness = Matrix6::Zero();
+
+    /** Per length: [m I, −m c~; m c~, J], J about the reference line [kg/m, kg, kg m]. */
+    Matrix6 inertia = Matrix6::Zero();
+
+    /** Corners (y₂, y₃) of the outline that is drawn [m]. */
+    std::vector<Eigen::Vector2d> outline;
+  };
+
+  /** (1 − w) a + w b */
+  SectionValues interpolate(const SectionValues &a, const SectionValues &b, double w);
+
+
+
+  /** A named cross-section that beams refer to. It adds nothing to the system by itself. */
+  class Section : public Contribution
+  {
+  public:
+    void initialize(Model &model) override;
+
+    /** Values at the relative abscissa @p x from 0 (start of the beam) to 1 (its end). */
+    virtual SectionValues at(double x) const = 0;
+
+    /** Relative abscissae at which the values have kinks, where elements should end. */
+    virtual std::vector<double>
+    kinks() const
+    {
+      return {};
+    }
+
+  protected:
+    /** Complain about what is not physical. */
+    virtual void check(Model &model) const;
+  };
+
+
+
+  /** Stiffnesses and masses by their engineering names, with the positions of the centres. */
+  struct EngineeringConstants
+  {
+    double EA = 0, GA2 = 0, GA3 = 0, GJ = 0, EI2 = 0, EI3 = 0, EI23 = 0;
+    double mass = 0, I2 = 0, I3 = 0, I23 = 0;
+    std::vector<double> shear_centre = {0, 0}, tension_centre = {0, 0}, mass_centre = {0, 0};
+
+    void          add_parameters(Parameters &prm);
+    SectionValues values() const;
+  };
+
+
+
+  /**
+   * Engineering constants. The axial strain of the tension centre (y₂, y₃) is Γ₁ + y₃ K₂ − y₂ K₃, the shear strains of
+   * the shear centre Γ₂ − y₃ K₁ and Γ₃ + y₂ K₁; EI₂, EI₃ refer to the tension centre, GJ to the shear centre, I₂ = ∫ρ y₃²,
+   * I₃ = ∫ρ y₂² to the mass centre.
+   */
+  class EngineeringSection : public Section
+  {
+  public:
+    void          add_parameters(Parameters &prm) override;
+    SectionValues at(double x) const override;
+
+  private:
+    EngineeringConstants constants;
+  };
+
+
+
+  /** Full 6×6 matrices of stiffness (or compliance) and inertia: 36 numbers by rows, or 21 of the upper triangle, or 6. */
+  class MatrixSection : public Section
+  {
+  public:
+    void          add_parameters(Parameters &prm) override;
+    void          initialize(Model &model) override;
+    SectionValues at(double x) const override;
+
+  private:
+    std::vector<double> stiffness, compliance, inertia;
+    SectionValues       values;
+  };
+
+
+
+  /** Properties linear between stations: other sections at relative abscissae, or a file of engineering constants. */
+  class TableSection : public Section
+  {
+  public:
+    void                add_parameters(Parameters &prm) override;
+    void                initialize(Model &model) override;
+    SectionValues       at(double x) const override;
+    std::vector<double> kinks() const override;
+
+  private:
+    std::vector<std::string> stations;
+    std::string              file;
+    std::vector<double>      abscissae;
+    std::vector<SectionValues> values;
+
+    void read_stations(Model &model);
+    void read_file(Model &model);
+  };
+
+
+
+  /** A solid rectangle of isotropic material. Saint-Venant torsion constant, shear factor 5/6. */
+  class RectangularSection : public Section
+  {
+  public:
+    void          add_parameters(Parameters &prm) override;
+    SectionValues at(double x) const override;
+
+  private:
+    double E = 0, nu = 0.3, density = 0, width_2 = 0, width_3 = 0, shear_factor = 5. / 6.;
+  };
+
+
+
+  /** A circular tube (or rod) of isotropic material; shear factor of Cowper (1966). */
+  class TubularSection : public Section
+  {
+  public:
+    void          add_parameters(Parameters &prm) override;
+    SectionValues at(double x) const override;
+
+  protected:
+    void check(Model &model) const override;
+
+  private:
+    double E = 0, nu = 0.3, density = 0, outer = 0, inner = 0, shear_factor = 0;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,50 @@
+#ifndef samara_input_h
+#define samara_input_h
+
+#include <samara/catalogue.h>
+#include <samara/model/model.h>
+
+namespace samara
+{
+  /** What an input file says: a model, and what is to be done with it. */
+  class Input
+  {
+  public:
+    /**
+     * Read a file with overrides "Bodies/shaft/Degree = 4" from the command line.
+     * @throws InputError with every complaint at once.
+     */
+    Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides = {});
+
+    std::string title;
+    Model       model;
+
+    std::vector<std::unique_ptr<Analysis>> analyses;
+    std::vector<std::string>               probes;
+    std::vector<double>                    rotor_speeds;
+    bool                                   pictures = true;
+    bool                                   drop_redundant = false;
+
+    /** The probes, once the system is assembled. @throws InputError */
+    std::vector<Probe> make_probes() const;
+
+    /** All values as they are used, in the format of a .prm file. */
+    void print(std::ostream &out) const;
+
+    /** Declare the entries that stand outside of named objects; for reading and for the documentation. */
+    void add_parameters(Parameters &prm);
+
+  private:
+    Parameters               root;
+    std::vector<std::string> analysis_names;
+    std::string              redundant = "refuse";
+
+    void read_objects(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);
+    void read_analyses(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);
+  };
+
+  /** "static" -> "Static", the name of the subsection of an analysis. */
+  std::string subsection_of_analysis(const std::string &kind);
+} // namespace samara
+
+#endif

@@ -1,0 +1,135 @@
+#ifndef samara_joints_joint_h
+#define samara_joints_joint_h
+
+#include <samara/joints/pair.h>
+#include <samara/model/system.h>
+
+#include <deque>
+
+namespace samara
+{
+  /**
+   * A relative motion that a joint leaves free: a displacement d along, or a rotation θ about, an axis of frame A. It
+   * becomes an unknown of the system only if something uses it: a spring, a damper, a force, a prescribed motion, a gear.
+   */
+  struct FreeMotion
+  {
+    std::string name, unit; ///< "rotation" in rad, "displacement" in m
+
+    /** The functions that tell it: d = value of the first; θ = atan2(± second, first). */
+    PairFunction first, second;
+    double       sign = 1;
+
+    // entries
+    double         spring = 0, rest = 0, damper = 0;
+    FunctionOfTime force, prescribed;
+    bool           is_prescribed = false;
+
+    int coordinate = -1; ///< its number in the model, negative while nothing uses it
+
+    bool
+    is_angle() const
+    {
+      return unit == "rad";
+    }
+    void add_parameters(Parameters &prm);
+    bool is_used() const;
+  };
+
+
+
+  /**
+   * What all joints between two frames A and B have in common (the paper, section 2.2; formulation, 5.5).
+   *
+   * In the reference configuration both frames are at the same place with the same axes E₁ E₂ E₃; a kind of joint says
+   * which functions of them stay zero and which relative motions are free, and nothing more. Relative motions are those
+   * of B seen from A. Multipliers are the forces [N] and moments [N m] that hold A and B together.
+   *
+   * Rows of the residual, one a multiplier, in this order:
+   *
+   *     locked            function − its reference value = 0
+   *     free d, used      E_iᴬ·Δ − d = 0
+   *     free θ, used      sinθ c − cosθ s = 0 with c = cosθ, s = sinθ from the axes of A and B
+   *     prescribed        d − f(t) = 0, θ − f(t) = 0
+   *     screw             d − p θ = 0
+   */
+  class Joint : public Evaluated<Joint>
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+
+    std::optional<unsigned int> use_coordinate(Model &model, const std::string &motion) override;
+
+    unsigned int n_strains() const override;
+    void         strain_rates(const Point<double> &point, double *rates) const override;
+    void         tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void         damping(const Point<double> &point, SparseMatrix &C) const override;
+    double       strain_energy(const double *e) const override;
+
+    template <typename Number>
+    void strains_at(const Point<Number> &point, Number *e) const;
+    template <typename Number>
+    void stresses_of(const Number *e, const Number *rates, Number *stress) const;
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+
+    /** The free motions by name, "reaction 1" ... in the order of the locked functions. */
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
+    void                     draw(const State &state, Drawing &drawing) const override;
+
+  protected:
+    /** @name What a kind of joint says in add_parameters() @{ */
+    struct Locked
+    {
+      PairFunction function;
+      std::string  name;
+      double       value = 0; ///< that it keeps
+    };
+    std::vector<Locked>    locked;
+    std::deque<FreeMotion> free; // a deque, because parameters keep references to what is in it
+
+    void lock_displacement(unsigned int axis);
+    /** Keep E_iᴬ normal to E_jᴮ. */
+    void        lock_rotation(unsigned int i, unsigned int j);
+    FreeMotion &free_displacement(unsigned int axis, const std::string &name = "displacement");
+    FreeMotion &free_rotation_about_3(const std::string &name = "rotation");
+    /** @} */
+
+    /** The joint's axes in the reference configuration; by default E₃ along "Axis". */
+    virtual Matrix3 axes() const;
+
+    /** Where the two frames are in the reference configuration; by default both at "Position" with axes(). */
+    virtual void place(Model &model, const Frame &body_a, const Frame &body_b);
+
+    std::string body_a, body_b;
+    Vector3     position = Vector3::Zero(), axis = Vector3::UnitZ(), axis_1 = Vector3::Zero();
+
+    /** d = pitch θ for the first free displacement and rotation, if not zero [m/rad]. */
+    double pitch      = 0;
+    bool   is_screw   = false;
+    double draw_size  = 0.05;
+
+    Frame        frame_a, frame_b;
+    unsigned int first_multiplier = 0;
+
+  private:
+    Block                   block;
+    std::vector<FreeMotion *> used;
+    std::vector<std::string>  rows; ///< names of the multipliers
+
+    void complain(Model &model, const std::string &entry, const std::string &text) const;
+
+    /** Local unknowns: 12 twists, used coordinates, multipliers. */
+    template <typename Number>
+    Number measure(const FreeMotion &motion, const PairValues<Number> &pair, const Number &value) const;
+    double angle_or_gap(const FreeMotion &motion, const State &state) const;
+  };
+
+  // instantiated where the templates of the classes are defined
+  extern template class Evaluated<Joint>;
+} // namespace samara
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef samara_joints_lower_pairs_h
+#define samara_joints_lower_pairs_h
+
+#include <samara/joints/joint.h>
+
+namespace samara
+{
+  /**
+   * The six lower pairs (the paper, table 1 and fig. 2) with joint axis 3 along "Axis". Each kind only says which
+   * relative displacements d₁ d₂ d₃ and rotations θ₁ θ₂ θ₃ stay zero, and names those that can be used.
+   */
+
+  /** θ₃ free. */
+  class Revolute : public Joint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+
+  /** d₃ free. */
+  class Prismatic : public Joint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+
+  /** θ₃ free, d₃ = p θ₃ with the pitch p [m/rad]. */
+  class Screw : public Joint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+
+  /** d₃ and θ₃ free. */
+  class Cylindrical : public Joint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+
+  /** d₁, d₂ and θ₃ free: B slides on the plane normal to axis 3. */
+  class Planar : public Joint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+
+  /** All rotations free. */
+  class Spherical : public Joint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,146 @@
+#ifndef samara_loads_loads_h
+#define samara_loads_loads_h
+
+#include <samara/model/system.h>
+
+#include <array>
+
+namespace samara
+{
+  /** The weight of everything: the inertia of each node times the acceleration of gravity. */
+  class Gravity : public Evaluated<Gravity>
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+    void tangent(const Point<double> &point, SparseMatrix &K) const override;
+
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+
+  private:
+    Vector3            acceleration = Vector3(0, 0, -9.80665);
+    const Model       *model        = nullptr;
+    std::vector<Block> blocks; // of all nodes but the ground
+  };
+
+
+
+  /** A force f and a moment m at a frame, with the sparse block they act on. */
+  struct PointLoad
+  {
+    Frame  frame;
+    double weight   = 1; ///< of a distributed load
+    double abscissa = 0;
+    Block  block;
+  };
+
+
+
+  /**
+   * Forces and moments per point: what concentrated and distributed loads have in common. Dead loads keep their direction
+   * in the inertial frame, followers in the frame they act on. A dead moment about a fixed axis is not conservative.
+   */
+  class WrenchLoad : public Evaluated<WrenchLoad>
+  {
+  public:
+    void connect(Layout &layout) override;
+    void tangent(const Point<double> &point, SparseMatrix &K) const override;
+
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+
+    void draw(const State &state, Drawing &drawing) const override;
+
+  protected:
+    void add_axes_parameter(Parameters &prm);
+
+    std::vector<PointLoad>        points;
+    std::array<FunctionOfTime, 3> force, moment;
+    std::string                   axes = "inertial";
+
+    /** How the load varies along a body. */
+    virtual double
+    shape(const double /*abscissa*/) const
+    {
+      return 1;
+    }
+
+  private:
+    Vector3
+    vector(const std::array<FunctionOfTime, 3> &f, const PointLoad &load, double time, double factor) const
+    {
+      return factor * load.weight * shape(load.abscissa) * Vector3(f[0](time), f[1](time), f[2](time));
+    }
+  };
+
+
+
+  /** A force and a moment at a point of a body. */
+  class ConcentratedLoad : public WrenchLoad
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+
+  private:
+    std::string at;
+  };
+
+
+
+  /** A force and a moment per length along a beam, at the Gauss–Lobatto nodes. */
+  class LineLoad : public WrenchLoad
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+
+  protected:
+    double
+    shape(const double abscissa) const override
+    {
+      return variation(abscissa);
+    }
+
+  private:
+    std::string body;
+    Expression  variation{1.};
+  };
+
+
+
+  /**
+   * A steady rotation, the load case of statics and the state about which modes are sought: of the whole model about an
+   * axis fixed in space, or of a joint, with everything that is carried along. A joint is held at its angle in statics;
+   * in modes and dynamics it is free to turn unless its motion is prescribed.
+   */
+  class SteadyRotation : public Evaluated<SteadyRotation>
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+    void tangent(const Point<double> &point, SparseMatrix &K) const override;
+
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+
+  private:
+    Model::Rotation rotation;
+    std::string     joint;
+    double          azimuth = 0;
+    bool            holding = false; ///< nothing else prescribes the joint's motion
+    Model          *model   = nullptr;
+    unsigned int    multiplier = 0;
+    Block           block;
+  };
+
+  // instantiated where the templates of the classes are defined
+  extern template class Evaluated<Gravity>;
+  extern template class Evaluated<WrenchLoad>;
+  extern template class Evaluated<SteadyRotation>;
+} // namespace samara
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef samara_model_matrix_h
+#define samara_model_matrix_h
+
+#include <samara/model/frame.h>
+
+#include <memory>
+#include <vector>
+
+namespace samara
+{
+  /** Compressed columns of a square matrix with a symmetric pattern; rows are sorted in each column. */
+  struct Pattern
+  {
+    std::vector<int> column_start, rows;
+
+    int
+    size() const
+    {
+      return column_start.size() - 1;
+    }
+    int
+    n_nonzeros() const
+    {
+      return rows.size();
+    }
+
+    /** Position of an entry in the array of values; -1 if it is not in the pattern. */
+    int position(int row, int column) const;
+  };
+
+
+
+  /** Values on a shared pattern; one more value behind the last takes what belongs to fixed nodes. */
+  struct SparseMatrix
+  {
+    std::shared_ptr<const Pattern> pattern;
+    std::vector<double>            values;
+
+    explicit SparseMatrix(const std::shared_ptr<const Pattern> &pattern)
+      : pattern(pattern)
+      , values(pattern->n_nonzeros() + 1, 0.)
+    {}
+
+    void clear();
+    void add(double factor, const SparseMatrix &other);
+    /** y = A x */
+    void            multiply(const double *x, double *y) const;
+    Eigen::MatrixXd dense() const;
+  };
+
+
+
+  /**
+   * The unknowns a local matrix couples, with the places of its entries in the global one, found once. Local unknowns
+   * are, in this order: 6 twists for each frame in the frame's own axes, joint coordinates, multipliers.
+   */
+  class Block
+  {
+  public:
+    unsigned int
+    size() const
+    {
+      return rows.size();
+    }
+
+    template <typename Number>
+    void
+    add(Eigen::Matrix<Number, Eigen::Dynamic, 1> &local, Number *global) const
+    {
+      for (const auto &[i, T] : transfers)
+        local.template segment<6>(6 * i) = (T.transpose() * local.template segment<6>(6 * i)).eval();
+      for (unsigned int i = 0; i < rows.size(); ++i)
+        global[rows[i]] += local(i);
+    }
+
+    void add(Eigen::MatrixXd &local, SparseMatrix &global) const;
+
+  private:
+    friend class Layout;
+
+    std::vector<int>                              rows;      // global unknowns, those of the ground behind the last
+    std::vector<int>                              positions; // of the entries, column by column
+    std::vector<std::pair<unsigned int, Matrix6>> transfers; // of the frames that are not nodes themselves
+  };
+} // namespace samara
+
+#endif

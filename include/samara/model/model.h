@@ -1,0 +1,143 @@
+#ifndef samara_model_model_h
+#define samara_model_model_h
+
+#include <samara/base/errors.h>
+#include <samara/model/contribution.h>
+#include <samara/model/frame.h>
+
+#include <memory>
+
+namespace samara
+{
+  /** A place on a body where distributed loads act, with the length [m] (or area) that belongs to it. */
+  struct Station
+  {
+    Frame  frame;
+    double abscissa; ///< arc length from the body's start [m]
+    double weight;   ///< [m]
+  };
+
+
+
+  /** A contribution that others can be attached to. */
+  class Body : public Contribution
+  {
+  public:
+    /**
+     * The frame of a named point ("start", "end", "middle", "centre" or one the user has named).
+     * @throws std::invalid_argument naming the points there are.
+     */
+    virtual Frame frame(const std::string &point) const = 0;
+
+    virtual std::vector<std::string> points() const = 0;
+
+    /** Points with weights at which loads per length are applied; empty for a body without extent. */
+    virtual std::vector<Station>
+    stations() const
+    {
+      return {};
+    }
+  };
+
+
+
+  /**
+   * What a model is made of before it is solved: nodes with their inertia, welds between them, joint coordinates, and
+   * the contributions that own all of these. Node 0 is the ground.
+   */
+  class Model
+  {
+  public:
+    struct Node
+    {
+      std::string name;
+      Vector3     x; ///< reference position [m]
+      Matrix3     D; ///< reference triad
+      Matrix6     inertia; ///< in the node's frame: [m I, −m c~; m c~, J], J about the node [kg, kg m, kg m²]
+    };
+
+    Model();
+
+    /** @name Building @{ */
+    Frame ground() const;
+    Frame add_node(const std::string &name, const Vector3 &x, const Matrix3 &D);
+
+    /** Add the inertia @p M seen in @p frame to its node. */
+    void add_inertia(const Frame &frame, const Matrix6 &M);
+
+    /** Let two frames keep their relative position and orientation of the reference configuration. */
+    void weld(const Frame &a, const Frame &b);
+
+    /** A scalar unknown of a joint; @p unit is "m" or "rad". Returns its number. */
+    unsigned int add_coordinate(const std::string &name, const std::string &unit);
+
+    /** Merge welded nodes. Afterwards frames must be taken through resolved(). */
+    void close();
+    /** @} */
+
+    /** The same frame attached to the node that is left after merging. */
+    Frame resolved(const Frame &frame) const;
+
+    /** Reference position and triad of a frame. */
+    Vector3 position(const Frame &frame) const;
+    Matrix3 triad(const Frame &frame) const;
+
+    /** The frame at the reference position @p x with reference axes @p D, rigidly attached to @p frame. */
+    Frame frame_at(const Frame &frame, const Vector3 &x, const Matrix3 &D) const;
+
+    /** A frame by its path: "ground", "shaft 1.start". @throws std::invalid_argument saying what is known. */
+    Frame frame(const std::string &path) const;
+
+    /** A contribution by name, as the type that is wanted. @throws std::invalid_argument */
+    template <typename Kind>
+    Kind &find(const std::string &name, const std::string &noun) const;
+
+    /** The probe "shaft 1.middle.displacement y". @throws std::invalid_argument */
+    Probe probe(const std::string &path) const;
+
+    /**
+     * A steady rotation that the model is in: as a whole, ground included, about an axis; or a part of it, whatever is
+     * carried along when the coordinate of a joint turns at the given speed.
+     */
+    struct Rotation
+    {
+      std::string name;
+      double      speed      = 0; ///< [rad/s]
+      int         coordinate = -1; ///< of the joint; negative: the whole model turns
+      Vector3     axis = Vector3::UnitZ(), through = Vector3::Zero();
+    };
+    std::vector<Rotation> rotations;
+
+    std::vector<std::unique_ptr<Contribution>> contributions;
+    std::vector<Node>                          nodes;       ///< after close(): those that are left
+    std::vector<std::string>                   coordinates, coordinate_units;
+    std::vector<unsigned int> holds; ///< multipliers that act only while steady rotations hold their joints
+    Complaints                complaints;
+
+  private:
+    std::string nearest_name(const std::string &wrong, const std::vector<const Contribution *> &of) const;
+
+    std::vector<Frame> parent;  // of every node that was added: a frame on the node it is welded to, or itself
+    std::vector<int>   kept_as; // number of a root among the nodes that are left
+    Frame              root_of(const Frame &frame) const;
+  };
+
+
+
+  template <typename Kind>
+  Kind &
+  Model::find(const std::string &name, const std::string &noun) const
+  {
+    std::vector<const Contribution *> candidates;
+    for (const auto &c : contributions)
+      if (auto *const wanted = dynamic_cast<Kind *>(c.get()))
+        {
+          if (c->name == name)
+            return *wanted;
+          candidates.push_back(c.get());
+        }
+    throw std::invalid_argument("there is no " + noun + " <" + name + ">" + nearest_name(name, candidates));
+  }
+} // namespace samara
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef samara_model_state_h
+#define samara_model_state_h
+
+#include <samara/rotation/rotation.h>
+
+#include <vector>
+
+namespace samara
+{
+  /**
+   * Where the system is evaluated: plain pointers, so that contributions can be evaluated with any number type (double
+   * in computations, std::complex<double> to check tangents). What an analysis does not have is a vector of zeros.
+   */
+  template <typename Number>
+  struct Point
+  {
+    const Number *q           = nullptr; ///< 12 a node: x [m], d₁ d₂ d₃
+    const Number *coordinates = nullptr; ///< joint coordinates [m] or [rad]
+    const Number *y           = nullptr; ///< 6 a node: twist in the node's own frame [m/s, rad/s]
+    const Number *rates       = nullptr; ///< of the joint coordinates
+    const Number *multipliers = nullptr; ///< [N] or [N m]
+    const Number *stress      = nullptr; ///< section forces and the like, one a strain
+    double        time        = 0;       ///< [s], of functions of time
+    double        factor      = 1;       ///< of all loads and prescribed motions; the load steps of statics
+    bool          held        = true;    ///< steady rotations hold their joints (statics), or leave them free
+  };
+
+
+
+  /** Everything that changes while a model moves. Sizes are fixed by the System. */
+  struct State
+  {
+    std::vector<double> q, coordinates, y, rates, multipliers, stress;
+
+    /**
+     * Steady rigid motion of each node, in the inertial frame: spin ω [rad/s] and velocity v [m/s] at the place x₀;
+     * the nodal twist at x is y = (Dᵀ(v + ω×(x − x₀)), Dᵀω). All zero for a model at rest.
+     */
+    struct Motion
+    {
+      Vector3 spin = Vector3::Zero(), velocity = Vector3::Zero(), at = Vector3::Zero();
+    };
+    std::vector<Motion> motion;
+
+    double time = 0, factor = 1;
+    bool   held = true;
+
+    Vector3
+    position(const unsigned int node) const
+    {
+      return Eigen::Map<const Vector3>(&q[12 * node]);
+    }
+
+    Matrix3
+    triad(const unsigned int node) const
+    {
+      return Eigen::Map<const Matrix3>(&q[12 * node + 3]);
+    }
+
+    Point<double>
+    point() const
+    {
+      return {q.data(), coordinates.data(), y.data(), rates.data(), multipliers.data(), stress.data(), time, factor, held};
+    }
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,151 @@
+#ifndef samara_model_system_h
+#define samara_model_system_h
+
+#include <samara/model/model.h>
+
+namespace samara
+{
+  /**
+   * The numbering of all unknowns: 6 twists of each node but the ground, joint coordinates, multipliers; the six of the
+   * ground follow behind the last unknown, where residuals collect the total reaction of the ground.
+   */
+  class Layout
+  {
+  public:
+    Layout(Model &model);
+
+    const Model &model;
+
+    unsigned int n_nodes = 0, n_coordinates = 0, n_multipliers = 0, n_strains = 0;
+
+    unsigned int
+    n_unknowns() const
+    {
+      return 6 * (n_nodes - 1) + n_coordinates + n_multipliers;
+    }
+    /** First of the six unknowns of a node. */
+    int
+    of_node(const unsigned int node) const
+    {
+      return node == 0 ? n_unknowns() : 6 * (node - 1);
+    }
+    int
+    of_coordinate(const unsigned int i) const
+    {
+      return 6 * (n_nodes - 1) + i;
+    }
+    int
+    of_multiplier(const unsigned int i) const
+    {
+      return 6 * (n_nodes - 1) + n_coordinates + i;
+    }
+
+    /** @name For Contribution::connect() @{ */
+    /** Numbers for as many multipliers as there are names; returns the first. */
+    unsigned int add_multipliers(const std::vector<std::string> &names);
+
+    /** Declare that these unknowns are coupled; the block is filled when the layout is complete. */
+    void couple(Block                           &block,
+                const std::vector<Frame>        &resolved_frames,
+                const std::vector<unsigned int> &coordinates = {},
+                const std::vector<unsigned int> &multipliers = {});
+    /** @} */
+
+    std::vector<std::string> multiplier_names;
+
+    /** What an unknown is, for messages: "shaft 1, node 3 at (2, 0, 0): rotation about d1". */
+    std::string name_of(unsigned int unknown) const;
+
+    std::shared_ptr<const Pattern> pattern;
+
+  private:
+    struct Coupling
+    {
+      Block                    *block;
+      std::vector<Frame>        frames;
+      std::vector<unsigned int> coordinates, multipliers;
+    };
+    std::vector<Coupling> couplings;
+
+    void number_rows(const Coupling &coupling) const;
+    void make_pattern();
+    void find_positions(Block &block) const;
+  };
+
+
+
+  /**
+   * The assembled model, all that analyses see of it. No function here knows an element or a joint.
+   */
+  class System
+  {
+  public:
+    explicit System(Model &model);
+
+    const Model &model;
+    const Layout layout;
+
+    unsigned int
+    size() const
+    {
+      return layout.n_unknowns();
+    }
+
+    /** The reference configuration, at rest and free of stress. */
+    State reference() const;
+
+    /** e(q) of all contributions. */
+    void strains(const State &state, std::vector<double> &e) const;
+
+    /** σ = C e(q) + C_d B y for the state's own configuration and velocities, without changing the state. */
+    void stresses(const State &state, std::vector<double> &stress) const;
+
+    /**
+     * Forces and constraints, r = Bᵀσ + Gᵀλ − loads − ad*_y(M y), g, with the stress given; the last six entries are the
+     * force and moment on the ground, seen at the origin. Size size() + 6.
+     */
+    void residual(const State &state, const std::vector<double> &stress, std::vector<double> &r) const;
+
+    /** Its derivative with δσ = C B ζ, at the stress the state has (mixed Newton: not that of its configuration). */
+    void tangent(const State &state, SparseMatrix &K) const;
+
+    /** Derivative of the residual with respect to velocities; K and C refer to ζ̇ in axes turning with each node. */
+    void damping(const State &state, SparseMatrix &C) const;
+    void mass(SparseMatrix &M) const;
+
+    /**
+     * Add the increments @p z (nodal twists, joint coordinates, multipliers) to the state; its stress becomes
+     * C (e + B z), the stress of the linearised motion.
+     */
+    void update(State &state, const std::vector<double> &z) const;
+
+    /** Give every node the twist of its steady motion at its present place. */
+    void update_twists(State &state) const;
+
+    /**
+     * Leave out constraints that others repeat: their multipliers are kept at zero. (Rows that a configuration makes
+     * dependent only for a moment must not be dropped.)
+     */
+    void drop(const std::vector<unsigned int> &multipliers);
+
+    struct Energy
+    {
+      double kinetic, strain;
+    };
+    Energy energy(const State &state) const;
+
+    /** Total mass [kg], centre of mass [m], inertia about it [kg m²] in a configuration. */
+    struct MassProperties
+    {
+      double  mass;
+      Vector3 centre;
+      Matrix3 inertia;
+    };
+    MassProperties mass_properties(const State &state) const;
+
+  private:
+    std::vector<unsigned int> dropped;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,45 @@
+#ifndef samara_output_pictures_h
+#define samara_output_pictures_h
+
+#include <samara/model/drawing.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace samara
+{
+  /**
+   * A series of pictures for ParaView:
+   *
+   *     FOLDER/NAME.pvd                   the series: open this one
+   *     FOLDER/NAME.objects.txt           which number in the field `object` is which object of the model
+   *     FOLDER/pictures/NAME.0000.vtu     one file a picture
+   *
+   * The fields at the points are those of Sample: displacement [m], section force [N], section moment [N m], strain,
+   * curvature [1/m], velocity [m/s]. The place before the deformation is x − displacement.
+   *
+   * Every file is complete or absent, and the series is rewritten after each picture, so that what a run left when it
+   * was killed can be opened. What cannot be written is a std::runtime_error with the name of the file.
+   */
+  class Pictures
+  {
+  public:
+    /** Makes the folder if there is none; no file is written before the first picture. */
+    Pictures(const std::string &folder, const std::string &name);
+
+    /** Write a picture. @p time is what ParaView orders the series by: seconds, a load factor, a phase. */
+    void add(const Drawing &drawing, double time);
+
+  private:
+    void write_picture(const std::string &file, const Drawing &drawing) const;
+    void write_objects(const std::vector<std::string> &objects);
+    void write_series() const;
+
+    const std::string                           folder, name;
+    std::vector<std::pair<double, std::string>> times_and_files;
+    std::vector<std::string>                    written_objects;
+  };
+} // namespace samara
+
+#endif

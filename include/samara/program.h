@@ -1,0 +1,26 @@
+#ifndef samara_program_h
+#define samara_program_h
+
+#include <samara/base/log.h>
+
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  /** What the command line asks for. */
+  struct Options
+  {
+    std::string              model, output, help_about;
+    std::vector<std::string> overrides;
+    bool                     check = false, parameters = false, quiet = false;
+  };
+
+  /** Run, check or explain; returns on success. @throws InputError, NotConverged */
+  void run(const Options &options, Log &log);
+
+  /** Reference of all kinds and their entries as Markdown; of one kind if its name is given. @throws InputError */
+  void print_reference(std::ostream &out, const std::string &about = "");
+} // namespace samara
+
+#endif

@@ -1,0 +1,47 @@
+#ifndef samara_solvers_linear_h
+#define samara_solvers_linear_h
+
+#include <samara/model/matrix.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace samara
+{
+  /** The matrix has no inverse; @p unknown is where elimination found no pivot, or -1. */
+  class SingularMatrix : public std::runtime_error
+  {
+  public:
+    explicit SingularMatrix(const int unknown)
+      : std::runtime_error("the matrix is singular")
+      , unknown(unknown)
+    {}
+    int unknown;
+  };
+
+
+
+  /** Solves A x = b for matrices of one pattern; what depends on the pattern alone is done once, in the constructor. */
+  class LinearSolver
+  {
+  public:
+    virtual ~LinearSolver() = default;
+
+    /** @throws SingularMatrix */
+    virtual void factorize(const SparseMatrix &A) = 0;
+
+    /** Replace the right-hand side @p b by the solution. */
+    virtual void solve(double *b) const = 0;
+
+    /** Rough reciprocal condition number of the last factorisation. */
+    virtual double reciprocal_condition() const = 0;
+
+    unsigned int n_factorizations = 0; ///< for reports
+  };
+
+  /** KLU of SuiteSparse: left-looking LU for matrices as sparse as those of chains of bodies. */
+  std::unique_ptr<LinearSolver> make_klu(const std::shared_ptr<const Pattern> &pattern);
+} // namespace samara
+
+#endif

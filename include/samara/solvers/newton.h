@@ -1,0 +1,53 @@
+#ifndef samara_solvers_newton_h
+#define samara_solvers_newton_h
+
+#include <samara/model/system.h>
+#include <samara/solvers/linear.h>
+
+namespace samara
+{
+  struct NewtonResult
+  {
+    bool         converged  = false;
+    unsigned int iterations = 0;
+    double       last_step  = 0; ///< largest displacement relative to the size of the model, or rotation
+    double       residual   = 0; ///< largest force left [N] or [N m]
+    unsigned int worst      = 0; ///< the unknown where it is
+    std::string  reason;         ///< in words, if not converged
+  };
+
+
+
+  /**
+   * Equilibrium of a system at fixed load factor by mixed Newton iterations (Magisano et al. 2017): the stress is an unknown
+   * at each point, condensed there. Residuals use the stress of the configuration, tangents the stress of the last
+   * linearisation, so that stiff axial and shear strains do not spoil the geometric stiffness of large steps.
+   */
+  class Newton
+  {
+  public:
+    Newton(const System &system, LinearSolver &solver, double tolerance = 1e-9, unsigned int max_iterations = 30);
+
+    /** Iterate from @p state. On success its stress is that of its configuration. */
+    NewtonResult solve(State &state);
+
+    unsigned int n_iterations = 0; ///< of all calls, for reports
+
+  private:
+    const System      &system;
+    LinearSolver      &solver;
+    const double       tolerance;
+    const unsigned int max_iterations;
+    double             length; // of the model, to make displacements comparable with rotations
+    SparseMatrix       K;
+    std::vector<double> stress, residual, step;
+
+    double size_of_step() const;
+    void   find_worst(NewtonResult &result) const;
+  };
+
+  /** Diagonal of the box around the reference positions of all nodes; 1 for a single node at the origin. */
+  double model_length(const Model &model);
+} // namespace samara
+
+#endif

@@ -1,0 +1,203 @@
+#include <samara/analysis/static.h>
+#include <samara/solvers/steady_motion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  void
+  StaticAnalysis::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Load steps", initial_steps, "Number of load steps to begin with; they grow and shrink by themselves.", Integer(1));
+    prm.add("Smallest step", smallest_step, "Fraction of the load below which a step is given up [1].", Double(0, 1));
+    prm.add("Time", time, "Time at which functions of time are taken [s].");
+    prm.add("Tolerance",
+            tolerance,
+            "Newton stops when displacements, relative to the size of the model, and rotations change by less [1].",
+            Double(0));
+    prm.add("Iterations", max_iterations, "Most Newton iterations in a step.", Integer(1));
+  }
+
+
+
+  namespace
+  {
+    std::vector<double>
+    values_of(const Context &context, const State &state, const double first)
+    {
+      std::vector<double> row(1, first);
+      for (const auto &probe : context.probes)
+        row.push_back(probe.value(state));
+      return row;
+    }
+
+    std::vector<std::pair<std::string, std::string>>
+    columns_of(const Context &context, const std::string &name, const std::string &unit)
+    {
+      std::vector<std::pair<std::string, std::string>> columns = {{name, unit}};
+      for (const auto &probe : context.probes)
+        columns.emplace_back(probe.name, probe.unit);
+      return columns;
+    }
+  } // namespace
+
+
+
+  void
+  StaticAnalysis::start(Context &context)
+  {
+    solver = make_klu(context.system.layout.pattern);
+    if (context.folder.empty())
+      return;
+    history = std::make_unique<History>(context.folder, "static", columns_of(context, "load factor", "1"));
+    if (!context.sweep.empty())
+      speed_history =
+        std::make_unique<History>(context.folder, "static_speeds", columns_of(context, "speed", "rad/s"));
+    if (context.pictures)
+      pictures = std::make_unique<Pictures>(context.folder, "static");
+  }
+
+
+
+  NewtonResult
+  StaticAnalysis::equilibrium(const Context             &context,
+                              Newton                    &newton,
+                              State                     &state,
+                              const std::vector<double> &speeds) const
+  {
+    const auto &rotations = context.system.model.rotations;
+    const bool  at_joints = std::any_of(rotations.begin(), rotations.end(), [](const auto &r) { return r.coordinate >= 0; });
+    NewtonResult        total;
+    std::vector<double> before;
+    for (unsigned int pass = 0; pass < 20; ++pass)
+      {
+        set_steady_motion(context.system, state, speeds);
+        const NewtonResult result = newton.solve(state);
+        const auto         iterations = total.iterations + result.iterations;
+        total                         = result;
+        total.iterations              = iterations;
+        // axes that follow their deformed supports: until the motion no longer changes with the configuration
+        if (!result.converged || !at_joints)
+          return total;
+        double change = 0, size = 1e-300;
+        for (unsigned int i = 0; i < before.size(); ++i)
+          {
+            change = std::max(change, std::abs(state.y[i] - before[i]));
+            size   = std::max(size, std::abs(state.y[i]));
+          }
+        if (!before.empty() && change <= 1e-10 * size)
+          return total;
+        before = state.y;
+      }
+    total.converged = false;
+    total.reason    = "the steady motion does not settle";
+    return total;
+  }
+
+
+
+  void
+  StaticAnalysis::run(Context &context)
+  {
+    const System             &system       = context.system;
+    Newton                    newton(system, *solver, tolerance, max_iterations);
+    const std::vector<double> speeds       = context.speeds;
+    const double              start_factor = context.is_equilibrium ? context.state.factor : 0.;
+    std::vector<double>       start_speeds(speeds.size(), 0.);
+    if (context.is_equilibrium && !context.sweep.empty())
+      {
+        const auto here = std::find(context.sweep.begin(), context.sweep.end(), speeds.empty() ? 0. : speeds[0]);
+        start_speeds    = here == context.sweep.begin() ? start_speeds : context.speeds_at(*(here - 1));
+      }
+
+    n_steps = n_iterations = 0;
+    double fraction = 0, step = 1. / initial_steps;
+    while (fraction < 1.)
+      {
+        const double next  = fraction + step > 1. - 1e-9 ? 1. : fraction + step;
+        State        trial = context.state;
+        trial.time         = time;
+        trial.held         = true;
+        trial.factor       = start_factor + next * (1. - start_factor);
+        std::vector<double> trial_speeds(speeds.size());
+        for (unsigned int i = 0; i < speeds.size(); ++i)
+          trial_speeds[i] = start_speeds[i] + next * (speeds[i] - start_speeds[i]);
+
+        const NewtonResult result = equilibrium(context, newton, trial, trial_speeds);
+        n_iterations += result.iterations;
+        if (!result.converged)
+          {
+            step /= 2;
+            context.log.line("  load step to " + short_text(next) + ": " + result.reason + "; trying " +
+                             short_text(fraction + step));
+            if (step < smallest_step)
+              give_up(context, result, fraction);
+            continue;
+          }
+        ++n_steps;
+        fraction      = next;
+        context.state = trial;
+        record(context, trial, fraction, result);
+        if (result.iterations <= 8)
+          step *= 2;
+      }
+    context.is_equilibrium = true;
+    if (speed_history)
+      speed_history->add(values_of(context, context.state, speeds.empty() ? 0. : speeds[0]));
+    const double condition = solver->reciprocal_condition();
+    if (condition < 1e-17)
+      context.log.warning("static", "the tangent matrix is nearly singular (reciprocal condition number " +
+                                      short_text(condition) + "): is a motion free, or a stability limit near?");
+  }
+
+
+
+  void
+  StaticAnalysis::record(Context &context, const State &state, const double fraction, const NewtonResult &result)
+  {
+    context.log.line("  static: load factor " + short_text(state.factor) +
+                     (context.speeds.empty() ? "" : ", speed " + short_text(context.speeds[0]) + " rad/s") + " (" +
+                     short_text(100 * fraction) + " %), " + std::to_string(result.iterations) + " iterations");
+    if (history)
+      history->add(values_of(context, state, state.factor));
+    if (pictures)
+      {
+        Drawing drawing;
+        for (const auto &c : context.system.model.contributions)
+          c->draw(state, drawing);
+        pictures->add(drawing, fraction);
+      }
+  }
+
+
+
+  void
+  StaticAnalysis::give_up(const Context &context, const NewtonResult &result, const double fraction) const
+  {
+    const std::string place = context.system.layout.name_of(result.worst);
+    std::string       text  = "static analysis: no equilibrium found beyond " + short_text(100 * fraction) +
+                       " % of the load: " + result.reason + ".\n";
+    if (result.reason.find("singular") != std::string::npos)
+      text += "  No stiffness is found for: " + place +
+              ".\n  Something can move freely there: clamp it, hold its joint by a spring or a prescribed motion, or remove "
+              "a constraint that is there twice.";
+    else
+      text += "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place +
+              ".\n  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
+              "limit point of the load no equilibrium exists beyond it.";
+    throw NotConverged(text);
+  }
+
+
+
+  void
+  StaticAnalysis::finish(Context &)
+  {
+    if (history)
+      history->finish();
+    if (speed_history)
+      speed_history->finish();
+  }
+} // namespace samara

@@ -1,0 +1,231 @@
+#include <samara/base/evaluation.h>
+#include <samara/base/text.h>
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    /** The unit in which a variable counts. */
+    Dimension
+    natural_dimension(const std::string &variable)
+    {
+      if (variable == "t")
+        return {{0, 0, 1, 0, 0}};
+      if (variable == "s")
+        return {{1, 0, 0, 0, 0}};
+      return {{0, 0, 0, 0, 0}};
+    }
+
+    std::string
+    reason(const mu::Parser::exception_type &e)
+    {
+      switch (e.GetCode())
+        {
+          case mu::ecUNEXPECTED_EOF:
+            return "something is missing at the end";
+          case mu::ecTOO_FEW_PARAMS:
+            return "a function has too few arguments";
+          case mu::ecTOO_MANY_PARAMS:
+          case mu::ecUNEXPECTED_ARG:
+            return "there is a comma too many";
+          default:
+            return "this is not an expression";
+        }
+    }
+
+    bool
+    contains(const std::vector<std::string> &names, const std::string &name)
+    {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+  } // namespace
+
+
+
+  Evaluation::Evaluation(const std::string                    &text,
+                         const std::map<std::string, Meaning> &words,
+                         const std::vector<std::string>       &variables)
+    : text(text)
+    , tokens(tokens_of(text))
+    , parser(std::make_unique<mu::Parser>())
+  {
+    collect_words(words, variables);
+    prepare_parser();
+  }
+
+
+
+  Evaluation::~Evaluation() = default;
+
+
+
+  void
+  Evaluation::collect_words(const std::map<std::string, Meaning> &words, const std::vector<std::string> &variables)
+  {
+    for (const auto &token : tokens)
+      {
+        const bool is_known =
+          std::any_of(used.begin(), used.end(), [&](const Used &u) { return u.name == token.text; });
+        if (token.kind != Token::word || is_known)
+          continue;
+
+        const auto word = words.find(token.text);
+        if (contains(variables, token.text))
+          used.push_back({token.text, Meaning(), true});
+        else if (word != words.end())
+          used.push_back({token.text, word->second, false});
+        else
+          {
+            auto candidates = function_names();
+            candidates.insert(candidates.end(), variables.begin(), variables.end());
+            for (const auto &known : words)
+              candidates.push_back(known.first);
+            throw std::invalid_argument("<" + text + ">: <" + token.text +
+                                        "> is neither a constant nor a unit nor a function" +
+                                        did_you_mean(token.text, candidates));
+          }
+      }
+  }
+
+
+
+  void
+  Evaluation::prepare_parser()
+  {
+    parser->DefineFun("floor", static_cast<double (*)(double)>(std::floor));
+    parser->DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
+
+    // Names of our own, because some units are called like functions of muParser, and % like nothing it knows.
+    const auto alias = [](const std::size_t i) { return "word_" + std::to_string(i); };
+    for (std::size_t i = 0; i < used.size(); ++i)
+      parser->DefineVar(alias(i), &used[i].seen);
+
+    std::string expression;
+    for (const auto &token : tokens)
+      {
+        const auto u = std::find_if(used.begin(), used.end(), [&](const Used &u) { return u.name == token.text; });
+        expression += token.kind == Token::word ? alias(u - used.begin()) : token.text;
+        if (token.kind != Token::function) // after which muParser wants to see the parenthesis
+          expression += " ";
+      }
+    try
+      {
+        parser->SetExpr(expression);
+        parser->Eval();
+        if (parser->GetNumResults() != 1)
+          throw std::invalid_argument("<" + text + ">: one number is wanted here.");
+      }
+    catch (const mu::Parser::exception_type &e)
+      {
+        throw std::invalid_argument("<" + text + ">: " + reason(e) + ".");
+      }
+  }
+
+
+
+  double
+  Evaluation::value(const unsigned int reading,
+                    const bool         natural_units,
+                    const double       variable,
+                    const unsigned int base,
+                    const double       scale) const
+  {
+    for (auto &u : used)
+      if (u.is_variable)
+        u.seen = variable * (natural_units ? std::pow(scale, natural_dimension(u.name)[base]) : 1);
+      else
+        u.seen = u.meaning.readings[reading].si * std::pow(scale, u.meaning.readings[reading].dimension[base]);
+    return parser->Eval();
+  }
+
+
+
+  Evaluation::Measure
+  Evaluation::measure(const unsigned int reading, const bool natural_units) const
+  {
+    // Where variables are chosen such that something is there: many functions are zero at the beginning, or later.
+    Measure result;
+    double  variable = 0;
+    for (const double x : {0.6180339887, 0.0141421356, 3.3166247904, 17.2626765016})
+      {
+        variable     = x;
+        result.value = value(reading, natural_units, variable, 0, 1);
+        if (!has_variables() || (std::isfinite(result.value) && result.value != 0))
+          break;
+      }
+
+    for (unsigned int base = 0; base < result.dimension.size(); ++base)
+      {
+        const double twice   = value(reading, natural_units, variable, base, 2);
+        const double eight   = value(reading, natural_units, variable, base, 8);
+        const bool   is_zero = result.value == 0 && twice == 0 && eight == 0;
+        const double power   = is_zero ? 0 : std::log2(twice / result.value);
+        const bool   agrees  = is_zero || std::abs(std::log2(eight / result.value) - 3 * power) < 1e-9;
+        if (agrees)
+          result.dimension[base] = power;
+        else if (base != angle_exponent) // sin(30 deg) is all right: the angle is a number
+          result.is_consistent = false;
+      }
+    return result;
+  }
+
+
+
+  bool
+  Evaluation::is_ambiguous() const
+  {
+    return std::any_of(used.begin(), used.end(), [](const Used &u) {
+      return u.meaning.readings[0].si != u.meaning.readings[1].si;
+    });
+  }
+
+
+
+  bool
+  Evaluation::has_variables() const
+  {
+    return std::any_of(used.begin(), used.end(), [](const Used &u) { return u.is_variable; });
+  }
+
+
+
+  bool
+  Evaluation::has_units() const
+  {
+    return std::any_of(used.begin(), used.end(), [](const Used &u) { return u.meaning.is_unit; });
+  }
+
+
+
+  bool
+  Evaluation::uses(const std::string &word) const
+  {
+    return std::any_of(used.begin(), used.end(), [&](const Used &u) { return !u.is_variable && u.name == word; });
+  }
+
+
+
+  std::string
+  Evaluation::si_text(const unsigned int reading) const
+  {
+    std::string result;
+    for (const auto &token : tokens)
+      {
+        const auto u = std::find_if(used.begin(), used.end(), [&](const Used &u) { return u.name == token.text; });
+        if (token.kind != Token::word || u->is_variable)
+          result += token.text;
+        else
+          {
+            const std::string number = number_to_text(u->meaning.readings[reading].si);
+            result += number[0] == '-' ? "(" + number + ")" : number;
+          }
+      }
+    return result;
+  }
+} // namespace samara

@@ -1,0 +1,132 @@
+#include <samara/base/function_of_time.h>
+#include <samara/base/text.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    using Table = std::vector<std::pair<double, double>>;
+
+    /** "x1 y1; x2 y2", with white space or a comma between x and y. */
+    Table
+    table_of(const std::string &text)
+    {
+      Table table;
+      for (std::string row : split_top_level(text, ';'))
+        {
+          std::replace(row.begin(), row.end(), ',', ' ');
+          row              = trim(row);
+          const auto blank = row.find_first_of(" \t");
+          double     x = 0, y = 0;
+          if (blank == std::string::npos || !text_to_number(row.substr(0, blank), x) ||
+              !text_to_number(trim(row.substr(blank)), y))
+            throw std::invalid_argument("<" + row + "> in a table is not two numbers.");
+          if (!table.empty() && x <= table.back().first)
+            throw std::invalid_argument("<" + row + ">: the first numbers in a table must increase.");
+          table.emplace_back(x, y);
+        }
+      if (table.empty())
+        throw std::invalid_argument("the table is empty.");
+      return table;
+    }
+  } // namespace
+
+
+
+  const std::string ScalarFunction::table_prefix = "table:";
+
+
+
+  ScalarFunction::ScalarFunction(const double constant, const std::string &)
+    : source(number_to_text(constant))
+    , formula(constant)
+  {}
+
+
+
+  ScalarFunction::ScalarFunction(const std::string &text, const std::string &variable)
+    : source(trim(text))
+  {
+    if (source.compare(0, table_prefix.size(), table_prefix) == 0)
+      table = table_of(source.substr(table_prefix.size()));
+    else
+      formula = Formula(source, variable);
+  }
+
+
+
+  double
+  ScalarFunction::operator()(const double x) const
+  {
+    return evaluate(x).value;
+  }
+
+
+
+  double
+  ScalarFunction::derivative(const double x) const
+  {
+    return evaluate(x).first;
+  }
+
+
+
+  double
+  ScalarFunction::second_derivative(const double x) const
+  {
+    return evaluate(x).second;
+  }
+
+
+
+  bool
+  ScalarFunction::is_zero() const
+  {
+    return is_constant() && evaluate(0).value == 0;
+  }
+
+
+
+  bool
+  ScalarFunction::is_constant() const
+  {
+    if (table.empty())
+      return formula.is_constant();
+    return std::all_of(table.begin(), table.end(), [&](const auto &row) { return row.second == table[0].second; });
+  }
+
+
+
+  const std::string &
+  ScalarFunction::text() const
+  {
+    return source;
+  }
+
+
+
+  Jet
+  ScalarFunction::evaluate(const double x) const
+  {
+    return table.empty() ? formula(x) : table_value(x);
+  }
+
+
+
+  Jet
+  ScalarFunction::table_value(const double x) const
+  {
+    const auto right =
+      std::upper_bound(table.begin(), table.end(), x, [](const double x, const auto &row) { return x < row.first; });
+    if (right == table.begin())
+      return {table.front().second, 0, 0};
+    if (right == table.end())
+      return {table.back().second, 0, 0};
+    const auto   left  = right - 1;
+    const double slope = (right->second - left->second) / (right->first - left->first);
+    return {left->second + slope * (x - left->first), slope, 0};
+  }
+} // namespace samara

@@ -1,0 +1,263 @@
+#include <samara/base/jet.h>
+
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    using Arguments = const Jet *;
+
+    /** The chain rule: f(x) from f, f', f'' at the value of x. Where f has no derivatives, neither has the result. */
+    Jet
+    chain(const Jet &x, const double f, const double df, const double ddf)
+    {
+      return {f, df * x.first, ddf * x.first * x.first + df * x.second};
+    }
+
+    Jet
+    add(const Jet &x, const Jet &y)
+    {
+      return {x.value + y.value, x.first + y.first, x.second + y.second};
+    }
+
+    Jet
+    multiply(const Jet &x, const Jet &y)
+    {
+      return {x.value * y.value,
+              x.first * y.value + x.value * y.first,
+              x.second * y.value + 2 * x.first * y.first + x.value * y.second};
+    }
+
+    Jet
+    reciprocal(const Jet &x)
+    {
+      const double r = 1 / x.value;
+      return chain(x, r, -r * r, 2 * r * r * r);
+    }
+
+    Jet
+    power(const Jet &x, const Jet &y)
+    {
+      if (y.first != 0 || y.second != 0)
+        {
+          const Jet    ln_x = chain(x, std::log(x.value), 1 / x.value, -1 / (x.value * x.value));
+          const Jet    z    = multiply(y, ln_x);
+          const double f    = std::pow(x.value, y.value);
+          return chain(z, f, f, f);
+        }
+      // A factor of zero comes first, so that t^1 has the second derivative 0 at t = 0 and not 0 * infinity.
+      const double p      = y.value;
+      const double first  = p == 0 ? 0 : p * std::pow(x.value, p - 1);
+      const double second = (p == 0 || p == 1) ? 0 : p * (p - 1) * std::pow(x.value, p - 2);
+      return chain(x, std::pow(x.value, p), first, second);
+    }
+
+    /** f and its derivatives from a logarithm to the base e^(1/scale). */
+    Jet
+    logarithm(const Jet &x, const double f, const double scale)
+    {
+      return chain(x, f, scale / x.value, -scale / (x.value * x.value));
+    }
+
+    Jet
+    arc_tangent_2(const Jet &y, const Jet &x)
+    {
+      const double r2     = x.value * x.value + y.value * y.value;
+      const double cross  = x.value * y.first - y.value * x.first;
+      const double growth = 2 * (x.value * x.first + y.value * y.first);
+      return {std::atan2(y.value, x.value),
+              cross / r2,
+              (x.value * y.second - y.value * x.second) / r2 - cross * growth / (r2 * r2)};
+    }
+
+    double
+    sign(const double x)
+    {
+      return (x > 0) - (x < 0);
+    }
+
+    Jet
+    logical(const bool b)
+    {
+      return {b ? 1. : 0., 0, 0};
+    }
+
+    Jet
+    step(const double f)
+    {
+      return {f, 0, 0};
+    }
+
+    /** One of many, the one that is before all others in an order. */
+    template <typename Before>
+    Jet
+    foremost(const Arguments x, const unsigned int n, const Before &before)
+    {
+      unsigned int best = 0;
+      for (unsigned int i = 1; i < n; ++i)
+        if (before(x[i].value, x[best].value))
+          best = i;
+      return x[best];
+    }
+
+    using N = unsigned int;
+
+    JetOperation
+    of_one(const std::string &name, const JetOperation::Function apply)
+    {
+      return {name, 1, 1, apply};
+    }
+
+    std::vector<JetOperation>
+    trigonometric_functions()
+    {
+      using std::sqrt;
+      return {of_one("sin",
+                     [](Arguments a, N) {
+                       const double x = a->value;
+                       return chain(*a, std::sin(x), std::cos(x), -std::sin(x));
+                     }),
+              of_one("cos",
+                     [](Arguments a, N) {
+                       const double x = a->value;
+                       return chain(*a, std::cos(x), -std::sin(x), -std::cos(x));
+                     }),
+              of_one("tan",
+                     [](Arguments a, N) {
+                       const double f = std::tan(a->value), df = 1 + f * f;
+                       return chain(*a, f, df, 2 * f * df);
+                     }),
+              of_one("asin",
+                     [](Arguments a, N) {
+                       const double x = a->value, r = 1 / sqrt(1 - x * x);
+                       return chain(*a, std::asin(x), r, x * r * r * r);
+                     }),
+              of_one("acos",
+                     [](Arguments a, N) {
+                       const double x = a->value, r = 1 / sqrt(1 - x * x);
+                       return chain(*a, std::acos(x), -r, -x * r * r * r);
+                     }),
+              of_one("atan",
+                     [](Arguments a, N) {
+                       const double x = a->value, r = 1 / (1 + x * x);
+                       return chain(*a, std::atan(x), r, -2 * x * r * r);
+                     }),
+              {"atan2", 2, 2, [](Arguments a, N) { return arc_tangent_2(a[0], a[1]); }}};
+    }
+
+    std::vector<JetOperation>
+    exponential_functions()
+    {
+      using std::sqrt;
+      return {of_one("sinh",
+                     [](Arguments a, N) {
+                       const double x = a->value;
+                       return chain(*a, std::sinh(x), std::cosh(x), std::sinh(x));
+                     }),
+              of_one("cosh",
+                     [](Arguments a, N) {
+                       const double x = a->value;
+                       return chain(*a, std::cosh(x), std::sinh(x), std::cosh(x));
+                     }),
+              of_one("tanh",
+                     [](Arguments a, N) {
+                       const double f = std::tanh(a->value), df = 1 - f * f;
+                       return chain(*a, f, df, -2 * f * df);
+                     }),
+              of_one("asinh",
+                     [](Arguments a, N) {
+                       const double x = a->value, r = 1 / sqrt(x * x + 1);
+                       return chain(*a, std::asinh(x), r, -x * r * r * r);
+                     }),
+              of_one("acosh",
+                     [](Arguments a, N) {
+                       const double x = a->value, r = 1 / sqrt(x * x - 1);
+                       return chain(*a, std::acosh(x), r, -x * r * r * r);
+                     }),
+              of_one("atanh",
+                     [](Arguments a, N) {
+                       const double x = a->value, r = 1 / (1 - x * x);
+                       return chain(*a, std::atanh(x), r, 2 * x * r * r);
+                     }),
+              of_one("exp",
+                     [](Arguments a, N) {
+                       const double f = std::exp(a->value);
+                       return chain(*a, f, f, f);
+                     }),
+              of_one("ln", [](Arguments a, N) { return logarithm(*a, std::log(a->value), 1); }),
+              of_one("log", [](Arguments a, N) { return logarithm(*a, std::log(a->value), 1); }),
+              of_one("log2", [](Arguments a, N) { return logarithm(*a, std::log2(a->value), 1 / std::log(2.)); }),
+              of_one("log10", [](Arguments a, N) { return logarithm(*a, std::log10(a->value), 1 / std::log(10.)); }),
+              of_one("sqrt", [](Arguments a, N) {
+                const double f = sqrt(a->value);
+                return chain(*a, f, 0.5 / f, -0.25 / (f * f * f));
+              })};
+    }
+
+    std::vector<JetOperation>
+    piecewise_functions()
+    {
+      const unsigned int many = 1000;
+      return {of_one("abs", [](Arguments a, N) { return chain(*a, std::abs(a->value), sign(a->value), 0); }),
+              of_one("sign", [](Arguments a, N) { return step(sign(a->value)); }),
+              of_one("rint", [](Arguments a, N) { return step(std::floor(a->value + 0.5)); }),
+              of_one("floor", [](Arguments a, N) { return step(std::floor(a->value)); }),
+              of_one("ceil", [](Arguments a, N) { return step(std::ceil(a->value)); }),
+              {"min", 1, many, [](Arguments a, N n) { return foremost(a, n, std::less<>()); }},
+              {"max", 1, many, [](Arguments a, N n) { return foremost(a, n, std::greater<>()); }}};
+    }
+  } // namespace
+
+
+
+  Jet
+  jet_negative(const Arguments a, unsigned int)
+  {
+    return {-a->value, -a->first, -a->second};
+  }
+
+
+
+  Jet
+  jet_choice(const Arguments a, unsigned int)
+  {
+    return a[0].value != 0 ? a[1] : a[2];
+  }
+
+
+
+  const std::vector<JetOperation> &
+  jet_functions()
+  {
+    static const auto all = []() {
+      auto list = trigonometric_functions();
+      for (const auto &more : {exponential_functions(), piecewise_functions()})
+        list.insert(list.end(), more.begin(), more.end());
+      return list;
+    }();
+    return all;
+  }
+
+
+
+  const std::vector<JetOperation> &
+  jet_operators()
+  {
+    static const std::vector<JetOperation> all = {
+      {"||", 2, 2, [](Arguments a, N) { return logical(a[0].value != 0 || a[1].value != 0); }, 1},
+      {"&&", 2, 2, [](Arguments a, N) { return logical(a[0].value != 0 && a[1].value != 0); }, 2},
+      {"<", 2, 2, [](Arguments a, N) { return logical(a[0].value < a[1].value); }, 3},
+      {"<=", 2, 2, [](Arguments a, N) { return logical(a[0].value <= a[1].value); }, 3},
+      {">", 2, 2, [](Arguments a, N) { return logical(a[0].value > a[1].value); }, 3},
+      {">=", 2, 2, [](Arguments a, N) { return logical(a[0].value >= a[1].value); }, 3},
+      {"==", 2, 2, [](Arguments a, N) { return logical(a[0].value == a[1].value); }, 3},
+      {"!=", 2, 2, [](Arguments a, N) { return logical(a[0].value != a[1].value); }, 3},
+      {"+", 2, 2, [](Arguments a, N) { return add(a[0], a[1]); }, 4},
+      {"-", 2, 2, [](Arguments a, N) { return add(a[0], jet_negative(a + 1, 1)); }, 4},
+      {"*", 2, 2, [](Arguments a, N) { return multiply(a[0], a[1]); }, 5},
+      {"/", 2, 2, [](Arguments a, N) { return multiply(a[0], reciprocal(a[1])); }, 5},
+      {"^", 2, 2, [](Arguments a, N) { return power(a[0], a[1]); }, 6}};
+    return all;
+  }
+} // namespace samara

@@ -1,0 +1,127 @@
+#include <samara/base/outline.h>
+#include <samara/base/outline_reader.h>
+#include <samara/base/text.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace samara
+{
+  Outline
+  Outline::of_file(const std::string &filename, Complaints &complaints)
+  {
+    OutlineReader reader(complaints);
+    Outline       root;
+    root.where = filename;
+    reader.read_file(filename, "", root);
+    root.resolve_copies(complaints);
+    return root;
+  }
+
+
+
+  Outline
+  Outline::of_file(const std::string &filename)
+  {
+    Complaints complaints;
+    Outline    root = of_file(filename, complaints);
+    complaints.throw_if_any();
+    return root;
+  }
+
+
+
+  Outline
+  Outline::of_text(const std::string &text, const std::string &filename, Complaints &complaints)
+  {
+    OutlineReader      reader(complaints);
+    std::istringstream in(text);
+    Outline            root;
+    root.where = filename;
+    reader.read(in, filename, root);
+    root.resolve_copies(complaints);
+    return root;
+  }
+
+
+
+  const Outline *
+  Outline::section(const std::string &wanted) const
+  {
+    const auto s = std::find_if(sections.begin(), sections.end(), [&](const Outline &s) { return s.name == wanted; });
+    return s == sections.end() ? nullptr : &*s;
+  }
+
+
+
+  const Outline::Entry *
+  Outline::entry(const std::string &wanted) const
+  {
+    const auto e = std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == wanted; });
+    return e == entries.end() ? nullptr : &*e;
+  }
+
+
+
+  std::string
+  Outline::value(const std::string &wanted, const std::string &otherwise) const
+  {
+    const Entry *const e = entry(wanted);
+    return e == nullptr ? otherwise : e->value;
+  }
+
+
+
+  std::vector<std::string>
+  Outline::section_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &s : sections)
+      names.push_back(s.name);
+    return names;
+  }
+
+
+
+  void
+  Outline::set(const std::string &path_and_value, Complaints &complaints)
+  {
+    const std::string where = "--set";
+    const auto        equal = path_and_value.find('=');
+    if (equal == std::string::npos)
+      return complaints.add(where, "<" + path_and_value + "> has no '='; write \"Section/name/Entry = value\".");
+
+    const std::string path  = trim(path_and_value.substr(0, equal));
+    const std::string value = trim(path_and_value.substr(equal + 1));
+    if (value.find('{') != std::string::npos)
+      return complaints.add(where, "<" + path + ">: a value must not contain '{'.");
+
+    Outline    *target = this;
+    std::size_t begin  = 0;
+    for (auto slash = path.find('/'); slash != std::string::npos; slash = path.find('/', begin))
+      {
+        const std::string step = trim(path.substr(begin, slash - begin));
+        const auto        next = std::find_if(target->sections.begin(), target->sections.end(), [&](const Outline &s) {
+          return s.name == step;
+        });
+        if (next == target->sections.end())
+          return complaints.add(where,
+                                "<" + path + ">: there is no subsection <" + step + ">" +
+                                  did_you_mean(step, target->section_names()));
+        next->inherited = false; // it now says something of its own
+        target          = &*next;
+        begin           = slash + 1;
+      }
+
+    const std::string name = trim(path.substr(begin));
+    if (name.empty())
+      return complaints.add(where, "<" + path_and_value + "> does not name an entry.");
+    const auto e =
+      std::find_if(target->entries.begin(), target->entries.end(), [&](const Entry &e) { return e.name == name; });
+    if (e == target->entries.end())
+      target->entries.push_back({name, value, where});
+    else
+      *e = {name, value, where};
+    resolve_copies(complaints);
+  }
+} // namespace samara

@@ -1,0 +1,295 @@
+#include <samara/base/parameters.h>
+#include <samara/base/text.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    using dealii::ExcMessage;
+    using dealii::ParameterHandler;
+    using dealii::Patterns::PatternBase;
+
+    /** What stands in the last brackets; "1" if nothing does. */
+    std::string
+    unit_of(const std::string &documentation)
+    {
+      const auto open  = documentation.rfind('[');
+      const auto close = documentation.rfind(']');
+      if (open == std::string::npos || close == std::string::npos || close < open)
+        return "1";
+      const std::string unit = trim(documentation.substr(open + 1, close - open - 1));
+      return unit == "-" ? "1" : unit;
+    }
+
+    /** The words of a selection; none if the pattern is something else. */
+    std::vector<std::string>
+    choices_of(const PatternBase &pattern)
+    {
+      if (dynamic_cast<const dealii::Patterns::Selection *>(&pattern) == nullptr)
+        return {};
+      const std::string head = "[Selection ", text = pattern.description(PatternBase::Machine);
+      return split_top_level(text.substr(head.size(), text.rfind(']') - head.size()), '|');
+    }
+
+    /** A bar would end the cell of a table. */
+    std::string
+    cell(const std::string &text)
+    {
+      std::string result;
+      for (const char c : text)
+        result += (c == '|' ? "\\|" : std::string(1, c));
+      return result;
+    }
+  } // namespace
+
+
+
+  Parameters::Parameters(const std::string &name, const std::string &kind)
+    : name(name)
+    , kind(kind)
+    , handler(std::make_shared<ParameterHandler>())
+  {}
+
+
+
+  void
+  Parameters::declare(Entry entry, const bool has_unit)
+  {
+    for (const auto &other : entries)
+      AssertThrow(other.name != entry.name, ExcMessage("The entry <" + entry.name + "> is added twice."));
+    entry.unit = has_unit ? unit_of(entry.documentation) : "";
+    AssertThrow(!has_unit || Quantities::is_si_unit(entry.unit),
+                ExcMessage("The documentation of the entry <" + entry.name + "> declares [" + entry.unit +
+                           "], which is not an SI unit."));
+    inside([&](ParameterHandler &prm) {
+      prm.declare_entry(entry.name, entry.default_value, *entry.pattern, entry.documentation);
+    });
+    entries.push_back(std::move(entry));
+  }
+
+
+
+  Parameters &
+  Parameters::subsection(const std::string &wanted)
+  {
+    for (const auto &s : subsections)
+      if (s->path.back() == wanted)
+        return *s;
+    auto nested     = std::make_unique<Parameters>(name.empty() ? wanted : name + "/" + wanted, kind);
+    nested->path    = path;
+    nested->handler = handler;
+    nested->path.push_back(wanted);
+    subsections.push_back(std::move(nested));
+    return *subsections.back();
+  }
+
+
+
+  void
+  Parameters::ignore_subsection(const std::string &wanted)
+  {
+    ignored.push_back(wanted);
+  }
+
+
+
+  void
+  Parameters::parse(const Outline &section, const Quantities &quantities, Complaints &complaints)
+  {
+    set_place(section.where);
+    for (const auto &given : section.entries)
+      {
+        const auto mine =
+          std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == given.name; });
+        if (mine != entries.end())
+          read_entry(*mine, given, quantities, complaints);
+        else if (given.name != "Type" && given.name != "Copy of")
+          complain_about_entry(given, complaints);
+      }
+    for (const auto &given : section.sections)
+      {
+        const auto mine = std::find_if(subsections.begin(), subsections.end(), [&](const auto &s) {
+          return s->path.back() == given.name;
+        });
+        if (mine != subsections.end())
+          (*mine)->parse(given, quantities, complaints);
+        else if (std::find(ignored.begin(), ignored.end(), given.name) == ignored.end())
+          complain_about_subsection(given, complaints);
+      }
+  }
+
+
+
+  void
+  Parameters::read_entry(Entry                &entry,
+                         const Outline::Entry &given,
+                         const Quantities     &quantities,
+                         Complaints           &complaints)
+  {
+    entry.where = given.where;
+    try
+      {
+        const std::string si_text = entry.read(given.value, quantities, entry);
+        inside([&](ParameterHandler &prm) { prm.set(entry.name, si_text); });
+      }
+    catch (const std::invalid_argument &e)
+      {
+        complaints.add(given.where,
+                       "<" + entry.name + ">" + (name.empty() ? "" : " of " + description()) + ": " + e.what());
+      }
+  }
+
+
+
+  void
+  Parameters::check_pattern(const std::string &users_text, const std::string &si_text, const Entry &entry)
+  {
+    if (entry.pattern->match(si_text))
+      return;
+    const auto choices = choices_of(*entry.pattern);
+    if (!choices.empty())
+      throw std::invalid_argument("<" + users_text + "> is not a choice" + did_you_mean(users_text, choices));
+    const bool is_plain = entry.unit.empty() || entry.unit == "1";
+    throw std::invalid_argument("<" + users_text +
+                                "> is not accepted. Wanted is: " + trim(entry.pattern->description(PatternBase::Text)) +
+                                (is_plain ? "" : ", in [" + entry.unit + "]") + ".");
+  }
+
+
+
+  void
+  Parameters::complain_about_entry(const Outline::Entry &given, Complaints &complaints) const
+  {
+    std::vector<std::string> names;
+    for (const auto &e : entries)
+      names.push_back(e.name);
+    complaints.add(given.where,
+                   "<" + given.name + "> is not a parameter " + (name.empty() ? "here" : "of " + description()) +
+                     did_you_mean(given.name, names));
+  }
+
+
+
+  void
+  Parameters::complain_about_subsection(const Outline &given, Complaints &complaints) const
+  {
+    std::vector<std::string> names = ignored;
+    for (const auto &s : subsections)
+      names.push_back(s->path.back());
+    complaints.add(given.where,
+                   "<" + given.name + "> is not a subsection " + (name.empty() ? "here" : "of " + description()) +
+                     did_you_mean(given.name, names));
+  }
+
+
+
+  void
+  Parameters::set_place(const std::string &where)
+  {
+    place = where;
+    for (const auto &s : subsections)
+      s->set_place(where);
+  }
+
+
+
+  bool
+  Parameters::is_set(const std::string &wanted) const
+  {
+    return !existing(wanted).where.empty();
+  }
+
+
+
+  std::string
+  Parameters::where(const std::string &wanted) const
+  {
+    const auto &entry = existing(wanted);
+    return entry.where.empty() ? place : entry.where;
+  }
+
+
+
+  const std::string &
+  Parameters::where() const
+  {
+    return place;
+  }
+
+
+
+  void
+  Parameters::require(const std::string &wanted, Complaints &complaints) const
+  {
+    if (!is_set(wanted))
+      complaints.add(place,
+                     (name.empty() ? "" : description() + ": ") + "<" + wanted +
+                       "> must be given: " + existing(wanted).documentation);
+  }
+
+
+
+  void
+  Parameters::print(std::ostream &out) const
+  {
+    handler->print_parameters(out, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
+  }
+
+
+
+  void
+  Parameters::document(std::ostream &out) const
+  {
+    out << "| entry | default | unit | meaning |\n|---|---|---|---|\n";
+    document_rows("", out);
+  }
+
+
+
+  void
+  Parameters::document_rows(const std::string &prefix, std::ostream &out) const
+  {
+    for (const auto &e : entries)
+      {
+        const auto choices = choices_of(*e.pattern);
+        out << "| " << cell(prefix + e.name) << " | " << cell(e.default_value) << " | "
+            << (e.unit == "1" ? "" : cell(e.unit)) << " | " << cell(e.documentation)
+            << (choices.empty() ? "" : " One of: " + cell(join(choices, ", ")) + ".") << " |\n";
+      }
+    for (const auto &s : subsections)
+      s->document_rows(prefix + s->path.back() + " / ", out);
+  }
+
+
+
+  const Parameters::Entry &
+  Parameters::existing(const std::string &wanted) const
+  {
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == wanted; });
+    AssertThrow(entry != entries.end(), ExcMessage("There is no entry <" + wanted + "> in " + description() + "."));
+    return *entry;
+  }
+
+
+
+  std::string
+  Parameters::description() const
+  {
+    return "<" + name + ">" + (kind.empty() ? "" : " (" + kind + ")");
+  }
+
+
+
+  void
+  Parameters::inside(const std::function<void(ParameterHandler &)> &action) const
+  {
+    for (const auto &step : path)
+      handler->enter_subsection(step);
+    action(*handler);
+    for (unsigned int i = 0; i < path.size(); ++i)
+      handler->leave_subsection();
+  }
+} // namespace samara

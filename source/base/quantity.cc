@@ -1,0 +1,251 @@
+#include <samara/base/function_of_time.h>
+#include <samara/base/quantity.h>
+#include <samara/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    using Words = std::map<std::string, Meaning>;
+
+    Words
+    units_and_universal_constants()
+    {
+      Words words;
+      for (const auto &unit : units())
+        words[unit.name] = {{{unit.quantity, unit.quantity}}, true};
+      for (const auto &constant : universal_constants())
+        words[constant.name] = {{{constant.quantity, constant.quantity}}, false};
+      words["lb"].readings[1] = words["lbf"].readings[0];
+      return words;
+    }
+
+    const Words &
+    known_to_all()
+    {
+      static const Words words = units_and_universal_constants();
+      return words;
+    }
+
+    bool
+    is_pure(const Dimension &dimension)
+    {
+      return same_but_angle(dimension, Dimension{{0, 0, 0, 0, 0}});
+    }
+
+    bool
+    fits(const Evaluation::Measure &measure, const Dimension &wanted)
+    {
+      if (measure.value == 0)
+        return true;
+      if (!is_pure(measure.dimension))
+        return same_but_angle(measure.dimension, wanted);
+      // A bare number takes the declared unit. An angle is a number, but no length.
+      return is_pure(wanted) || std::abs(measure.dimension[angle_exponent]) < 1e-6;
+    }
+
+    /** 5 Hz are 31.4 rad/s if a revolution is meant, and 5 rad/s if it is just 1/s: refuse to guess. */
+    void
+    check_cycles(const std::string &text, const Evaluation &evaluation, const Evaluation &unit)
+    {
+      const auto turns = [](const Evaluation &e) {
+        return e.uses("rad") || e.uses("deg") || e.uses("rev") || e.uses("rpm");
+      };
+      if (evaluation.uses("Hz") && !unit.uses("Hz") && turns(unit))
+        throw std::invalid_argument("<" + text + ">: write rev/s or rad/s, <Hz> could mean either.");
+      if (unit.uses("Hz") && turns(evaluation))
+        throw std::invalid_argument("<" + text + ">: cycles a second are wanted; write them in <Hz>.");
+    }
+
+    /** The reading of `lb` under which the evaluation has the dimension of @p unit; "" wants no particular one. */
+    unsigned int
+    fitting_reading(const std::string &text, const Evaluation &evaluation, const std::string &unit)
+    {
+      const Evaluation declared(unit.empty() ? "1" : unit, known_to_all());
+      const auto       wanted = declared.measure(0).dimension;
+      check_cycles(text, evaluation, declared);
+
+      Dimension found{{0, 0, 0, 0, 0}};
+      bool      is_found = false;
+      for (const unsigned int reading : {0, 1})
+        for (const bool natural_units : {false, true})
+          if (const auto measure = evaluation.measure(reading, natural_units); measure.is_consistent)
+            {
+              if (unit.empty() || fits(measure, wanted))
+                return reading;
+              if (!is_found)
+                found = measure.dimension;
+              is_found = true;
+            }
+
+      if (is_found)
+        throw std::invalid_argument("<" + text + "> is " + describe(found) + ", but " +
+                                    (unit.empty() || unit == "1" ? "a number without unit" : "[" + unit + "]") +
+                                    " is wanted.");
+      if (!evaluation.has_variables())
+        throw std::invalid_argument("<" + text + "> mixes dimensions; give each number its unit.");
+      if (evaluation.is_ambiguous())
+        throw std::invalid_argument("<" + text + ">: <lb> could be a mass or a force; write lbf if it is a force, " +
+                                    "and give each number its unit.");
+      return 0;
+    }
+
+    double
+    checked_value(const std::string &text, const Evaluation &evaluation, const std::string &unit)
+    {
+      for (const unsigned int reading : {0, 1})
+        if (!std::isfinite(evaluation.measure(reading).value))
+          throw std::invalid_argument("<" + text + "> is not a finite number.");
+      return evaluation.measure(fitting_reading(text, evaluation, unit)).value;
+    }
+  } // namespace
+
+
+
+  Quantities::Quantities()
+    : words(known_to_all())
+  {}
+
+
+
+  void
+  Quantities::add_constant(const std::string &name,
+                           const std::string &text,
+                           const std::string &where,
+                           Complaints        &complaints)
+  {
+    try
+      {
+        if (const auto fault = fault_of_name(name); !fault.empty())
+          throw std::invalid_argument(fault);
+
+        const Evaluation evaluation(text, words);
+        checked_value(text, evaluation, "");
+
+        // What contradicts itself in one reading is meant in the other one.
+        std::array<Evaluation::Measure, 2> m{{evaluation.measure(0), evaluation.measure(1)}};
+        for (const unsigned int i : {0, 1})
+          if (!m[i].is_consistent)
+            m[i] = m[1 - i];
+        words[name] = {{{{m[0].value, m[0].dimension}, {m[1].value, m[1].dimension}}}, false};
+      }
+    catch (const std::invalid_argument &e)
+      {
+        complaints.add(where, "constant <" + name + ">: " + e.what());
+      }
+  }
+
+
+
+  std::string
+  Quantities::fault_of_name(const std::string &name) const
+  {
+    const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    if (name.empty() || letters.find(name[0]) == std::string::npos ||
+        name.find_first_not_of(letters + "0123456789") != std::string::npos)
+      return "a name consists of letters, digits and _, and does not begin with a digit.";
+
+    const auto functions = function_names();
+    if (std::find(functions.begin(), functions.end(), name) != functions.end())
+      return "there is a function of that name; choose another.";
+    const auto word = words.find(name);
+    if (word == words.end())
+      return "";
+    return word->second.is_unit ? "there is a unit of that name; choose another." :
+                                  "there is already a constant of that name.";
+  }
+
+
+
+  double
+  Quantities::number(const std::string &text, const std::string &unit) const
+  {
+    double plain = 0;
+    if (text_to_number(trim(text), plain))
+      return plain;
+    return checked_value(text, Evaluation(text, words), unit);
+  }
+
+
+
+  std::string
+  Quantities::expression(const std::string              &text,
+                         const std::string              &unit,
+                         const std::vector<std::string> &variables) const
+  {
+    const std::string &prefix  = ScalarFunction::table_prefix;
+    const std::string  trimmed = trim(text);
+    if (trimmed.compare(0, prefix.size(), prefix) == 0)
+      return expression_of_table(trimmed.substr(prefix.size()), unit, variables.empty() ? "" : variables[0]);
+
+    const Evaluation evaluation(trimmed, words, variables);
+    if (!evaluation.has_variables())
+      return number_to_text(number(trimmed, unit));
+    return evaluation.si_text(fitting_reading(trimmed, evaluation, unit));
+  }
+
+
+
+  std::string
+  Quantities::expression_of_table(const std::string &rows, const std::string &unit, const std::string &variable) const
+  {
+    std::vector<std::string> si_rows;
+    for (const auto &row : split_top_level(rows, ';'))
+      {
+        auto pair = split_top_level(row, ',');
+        if (pair.size() == 1)
+          {
+            const auto blank = std::min(row.find_first_of(" \t"), row.size());
+            pair             = {row.substr(0, blank), trim(row.substr(blank))};
+          }
+        if (pair.size() != 2 || pair[1].empty())
+          throw std::invalid_argument("<" + row + "> in a table must be two numbers; write <x, y> if they have units.");
+        const std::string unit_of_x = variable == "t" ? "s" : "";
+        si_rows.push_back(number_to_text(number(pair[0], unit_of_x)) + " " + number_to_text(number(pair[1], unit)));
+      }
+    const std::string table = ScalarFunction::table_prefix + " " + join(si_rows, "; ");
+    ScalarFunction(table, variable); // refuses points that are out of order
+    return table;
+  }
+
+
+
+  bool
+  Quantities::names_a_unit(const std::string &text) const
+  {
+    double plain = 0;
+    return !text_to_number(trim(text), plain) && Evaluation(text, words).has_units();
+  }
+
+
+
+  bool
+  Quantities::is_si_unit(const std::string &text)
+  {
+    try
+      {
+        const Evaluation evaluation(text, known_to_all());
+        const auto       measure = evaluation.measure(0);
+        return measure.is_consistent && std::abs(measure.value - 1) < 1e-12 && !evaluation.uses("lb");
+      }
+    catch (const std::invalid_argument &)
+      {
+        return false;
+      }
+  }
+
+
+
+  std::vector<std::string>
+  Quantities::known_words() const
+  {
+    auto names = function_names();
+    for (const auto &word : words)
+      names.push_back(word.first);
+    return names;
+  }
+} // namespace samara

@@ -1,0 +1,149 @@
+#include <samara/base/text.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace samara
+{
+  namespace
+  {
+    std::string
+    lower_case(std::string text)
+    {
+      for (char &c : text)
+        if (c >= 'A' && c <= 'Z')
+          c = static_cast<char>(c - 'A' + 'a');
+      return text;
+    }
+  } // namespace
+
+
+
+  std::string
+  trim(const std::string &text)
+  {
+    const char *const blanks = " \t\r\n\v\f";
+    const auto        first  = text.find_first_not_of(blanks);
+    if (first == std::string::npos)
+      return "";
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  }
+
+
+
+  std::vector<std::string>
+  split_top_level(const std::string &text, const char separator)
+  {
+    std::vector<std::string> pieces;
+    if (trim(text).empty())
+      return pieces;
+    int         depth = 0;
+    std::string piece;
+    for (const char c : text)
+      {
+        depth += (c == '(') - (c == ')');
+        if (c == separator && depth == 0)
+          {
+            pieces.push_back(trim(piece));
+            piece.clear();
+          }
+        else
+          piece += c;
+      }
+    pieces.push_back(trim(piece));
+    return pieces;
+  }
+
+
+
+  std::string
+  join(const std::vector<std::string> &pieces, const std::string &separator)
+  {
+    std::string all;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      all += (i == 0 ? "" : separator) + pieces[i];
+    return all;
+  }
+
+
+
+  unsigned int
+  edit_distance(const std::string &a, const std::string &b)
+  {
+    // row[j] is the distance between the first i letters of a and the first j letters of b
+    std::vector<unsigned int> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0u);
+    for (std::size_t i = 1; i <= a.size(); ++i)
+      {
+        unsigned int diagonal = row[0]++;
+        for (std::size_t j = 1; j <= b.size(); ++j)
+          {
+            const unsigned int above = row[j];
+            const unsigned int swap  = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            row[j]                   = std::min({above + 1, row[j - 1] + 1, swap});
+            diagonal                 = above;
+          }
+      }
+    return row.back();
+  }
+
+
+
+  std::string
+  did_you_mean(const std::string &wrong, const std::vector<std::string> &candidates)
+  {
+    // Beyond this distance a suggestion is a riddle; and a word of which no letter is kept is no suggestion at all.
+    const auto size     = static_cast<unsigned int>(wrong.size());
+    const auto accepted = size == 0 ? 0 : std::min(1 + size / 3, size - 1);
+
+    std::string  nearest;
+    unsigned int smallest = accepted + 1;
+    for (const auto &candidate : candidates)
+      {
+        const auto distance = edit_distance(lower_case(wrong), lower_case(candidate));
+        if (distance < smallest)
+          {
+            smallest = distance;
+            nearest  = candidate;
+          }
+      }
+    if (!nearest.empty())
+      return "; did you mean <" + nearest + ">?";
+    if (!candidates.empty() && candidates.size() <= 12)
+      return "; known: " + join(candidates, ", ") + ".";
+    return ".";
+  }
+
+
+
+  std::string
+  number_to_text(const double number)
+  {
+    // A bound or default "infinity" is written as the largest number, which every reader understands.
+    const double largest = std::numeric_limits<double>::max();
+    const double finite  = std::isinf(number) ? std::copysign(largest, number) : number;
+
+    char       buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), finite).ptr;
+    return std::string(buffer, end);
+  }
+
+
+
+  bool
+  text_to_number(const std::string &text, double &number)
+  {
+    // from_chars() knows no '+', and would take "inf" and "nan"
+    const bool        has_plus = !text.empty() && text[0] == '+';
+    const char *const begin    = text.data() + (has_plus ? 1 : 0);
+    const char *const end      = text.data() + text.size();
+    const char *const digit    = (!has_plus && begin != end && *begin == '-') ? begin + 1 : begin;
+    if (digit == end || (*digit != '.' && (*digit < '0' || *digit > '9')))
+      return false;
+    const auto result = std::from_chars(begin, end, number);
+    return result.ec == std::errc() && result.ptr == end;
+  }
+} // namespace samara

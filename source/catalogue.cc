@@ -1,0 +1,52 @@
+#include <samara/analysis/modal.h>
+#include <samara/analysis/static.h>
+#include <samara/catalogue.h>
+#include <samara/cosserat/beam.h>
+#include <samara/cosserat/rigid_body.h>
+#include <samara/joints/lower_pairs.h>
+#include <samara/joints/other_joints.h>
+#include <samara/loads/loads.h>
+
+namespace samara
+{
+  Catalogue::Catalogue()
+  {
+    Registry<Contribution> sections;
+    sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
+    sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
+    sections.add<TableSection>("table", "properties that vary along the beam");
+    sections.add<RectangularSection>("rectangle", "solid rectangle of isotropic material");
+    sections.add<TubularSection>("tube", "circular tube or rod of isotropic material");
+
+    Registry<Contribution> bodies;
+    bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
+    bodies.add<Beam>("beam", "geometrically exact composite beam");
+
+    Registry<Contribution> joints;
+    joints.add<Revolute>("revolute", "hinge about axis 3");
+    joints.add<Prismatic>("prismatic", "slide along axis 3");
+    joints.add<Screw>("screw", "rotation about axis 3 with proportional displacement");
+    joints.add<Cylindrical>("cylindrical", "rotation about and displacement along axis 3");
+    joints.add<Planar>("planar", "sliding on the plane normal to axis 3");
+    joints.add<Spherical>("spherical", "ball joint");
+    joints.add<Universal>("universal", "two hinges at a right angle");
+    joints.add<Rigid>("rigid", "weld, however far apart");
+    joints.add<Distance>("distance", "massless rod between two points");
+    joints.add<Gear>("gear", "ratio between the rotations of two joints");
+    joints.add<FlexibleJoint>("flexible joint", "six springs and dampers");
+
+    Registry<Contribution> loads;
+    loads.add<Gravity>("gravity", "weight of everything");
+    loads.add<ConcentratedLoad>("point load", "force and moment at a point of a body");
+    loads.add<LineLoad>("line load", "force and moment per length of a beam");
+    loads.add<SteadyRotation>("steady rotation", "rotation of the model, or of a joint with what it carries along");
+
+    groups = {{"Sections", "section", sections},
+              {"Bodies", "body", bodies},
+              {"Joints", "joint", joints},
+              {"Loads", "load", loads}};
+
+    analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
+    analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
+  }
+} // namespace samara

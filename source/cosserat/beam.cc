@@ -1,0 +1,454 @@
+#include <samara/base/text.h>
+#include <samara/cosserat/beam.h>
+#include <samara/model/frame_probe.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  void
+  Beam::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Shape", shape, "How the reference line is given.", Selection("polyline|arc|expressions"));
+    prm.add("Points", corner_points, "Corners of a polyline, or start, middle and end of an arc: x, y, z; ... [m].");
+    prm.add("Expressions", expressions, "x, y, z of the reference line as functions of s from 0 to 1 [m].");
+    prm.add("Axis 2", axis_2, "Direction near which section axis 2 lies at the start; 0, 0, 0: horizontal [1].");
+    prm.add("Twist", twist, "Initial rotation of the section about axis 1, as a function of the arc length s [rad].");
+    prm.add("Elements", n_elements_wanted, "Number of elements along the beam.", Integer(1));
+    prm.add("Degree", degree, "Polynomial degree p of an element; displacements converge with order 2p.", Integer(1, 4));
+    prm.add("Section", section_name, "Name of the section.");
+    prm.add("Frames", frame_names, "Points others can attach to: name at relative abscissa, name at ...");
+    prm.add("Damping",
+            viscosity,
+            "Stiffness-proportional damping: viscous stress is this time times the rate of elastic stress; one number, or six "
+            "for Gamma1 Gamma2 Gamma3 K1 K2 K3 [s].",
+            List(Double(0), 1, 6));
+    prm.add("Damping ratio",
+            damping_ratio,
+            "The same given as the damping ratio of a mode at the frequency below; one number or six [1].",
+            List(Double(0), 1, 6));
+    prm.add("Damping frequency", damping_frequency, "Frequency at which the damping ratio holds [rad/s].", Double(0));
+  }
+
+
+
+  void
+  Beam::initialize(Model &model_)
+  {
+    model = &model_;
+    try
+      {
+        section = &model->find<Section>(section_name, "section");
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Section"), problem.what());
+      }
+    for (const auto *entry : {&viscosity, &damping_ratio})
+      if (entry->size() != 1 && entry->size() != 6)
+        model->complaints.add(parameters.where(entry == &viscosity ? "Damping" : "Damping ratio"),
+                              "give one number or six, for Gamma1 Gamma2 Gamma3 K1 K2 K3");
+    if (damping_ratio != std::vector<double>(damping_ratio.size(), 0.) && damping_frequency == 0)
+      model->complaints.add(parameters.where("Damping ratio"), "a damping ratio needs the <Damping frequency> it holds at");
+    if (!find_curve() || section == nullptr || !model->complaints.empty())
+      return;
+    make_nodes_and_elements(element_ends());
+  }
+
+
+
+  bool
+  Beam::find_curve()
+  {
+    try
+      {
+        curve = shape == "arc"         ? make_arc(corner_points, axis_2) :
+                shape == "expressions" ? make_expression_curve(expressions, axis_2) :
+                                         make_polyline(corner_points, axis_2);
+        return true;
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where(shape == "expressions" ? "Expressions" : "Points"), problem.what());
+        return false;
+      }
+  }
+
+
+
+  std::vector<double>
+  Beam::element_ends()
+  {
+    const double L = curve->length();
+    named          = {{"start", 0.}, {"middle", L / 2}, {"end", L}};
+    std::vector<double> breaks = curve->corners();
+    breaks.push_back(0.);
+    breaks.push_back(L);
+    for (const double x : section->kinks())
+      breaks.push_back(x * L);
+    for (const auto &text : frame_names)
+      {
+        const auto at = text.rfind(" at ");
+        char      *end;
+        const double x = at == std::string::npos ? -1 : std::strtod(text.c_str() + at + 4, &end);
+        if (x < 0 || x > 1)
+          model->complaints.add(parameters.where("Frames"),
+                                "a frame is written <name at x> with x from 0 (start) to 1 (end), not <" + text + ">");
+        else
+          {
+            named[trim(text.substr(0, at))] = x * L;
+            breaks.push_back(x * L);
+          }
+      }
+    std::sort(breaks.begin(), breaks.end());
+    breaks.erase(std::unique(breaks.begin(),
+                             breaks.end(),
+                             [L](const double a, const double b) { return b - a < 1e-9 * L; }),
+                 breaks.end());
+
+    // as many elements as wanted, in equal lengths as nearly as the breaks allow
+    std::vector<double> ends(1, 0.);
+    unsigned int        left = std::max<unsigned int>(n_elements_wanted, breaks.size() - 1);
+    for (unsigned int i = 0; i + 1 < breaks.size(); ++i)
+      {
+        const double       side   = breaks[i + 1] - breaks[i];
+        const unsigned int others = breaks.size() - 2 - i;
+        const unsigned int n =
+          std::max(1, std::min<int>(left - others, std::lround(left * side / (breaks.back() - breaks[i]))));
+        for (unsigned int k = 1; k <= n; ++k)
+          ends.push_back(breaks[i] + side * k / n);
+        left -= n;
+      }
+    return ends;
+  }
+
+
+
+  Matrix3
+  Beam::triad_at(const double s, const double inside) const
+  {
+    const Matrix3 D = curve->triad(s, inside);
+    return twist.is_zero() ? D : Matrix3(D * rotation_of_vector({twist(s), 0, 0}));
+  }
+
+
+
+  void
+  Beam::make_nodes_and_elements(const std::vector<double> &ends)
+  {
+    table = std::make_shared<ElementTable<1>>(degree);
+
+    std::vector<dealii::Point<3>>    vertices;
+    std::vector<dealii::CellData<1>> cell_data;
+    for (unsigned int i = 0; i < ends.size(); ++i)
+      {
+        const Vector3 x = curve->position(ends[i]);
+        vertices.emplace_back(x(0), x(1), x(2));
+      }
+    for (unsigned int i = 0; i + 1 < ends.size(); ++i)
+      {
+        cell_data.emplace_back();
+        cell_data.back().vertices = {i, i + 1};
+        cells.push_back({ends[i], ends[i + 1]});
+      }
+    dealii::Triangulation<1, 3> triangulation;
+    triangulation.create_triangulation(vertices, cell_data, {});
+    dealii::DoFHandler<1, 3> dof_handler(triangulation);
+    dof_handler.distribute_dofs(dealii::FE_Q<1, 3>(degree));
+
+    // nodes are numbered along the beam, in the order of the cells
+    std::vector<int> node_of_dof(dof_handler.n_dofs(), -1);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        const Cell                                  &c = cells[cell->active_cell_index()];
+        std::vector<dealii::types::global_dof_index> dofs(table->n_nodes);
+        cell->get_dof_indices(dofs);
+        const double middle = 0.5 * (c.start + c.end);
+
+        std::vector<Frame> frames(table->n_nodes);
+        for (unsigned int a = 0; a < table->n_nodes; ++a)
+          {
+            const double  s = c.start + table->nodes[a][0] * (c.end - c.start);
+            const Matrix3 D = triad_at(s, middle);
+            if (node_of_dof[dofs[a]] < 0)
+              {
+                node_of_dof[dofs[a]] = node_frames.size();
+                node_frames.push_back(model->add_node(name, curve->position(s), D));
+                node_abscissae.push_back(s);
+              }
+            frames[a] = node_frames[node_of_dof[dofs[a]]];
+            // beyond a corner the section's axes are turned against those of the shared node
+            const Matrix3 Q = model->triad(frames[a]).transpose() * D;
+            if ((Q - Matrix3::Identity()).norm() > 1e-13)
+              frames[a] = frames[a].then(Vector3::Zero(), Q);
+          }
+
+        for (unsigned int a = 0; a < table->n_nodes; ++a)
+          {
+            Vector3 dx = Vector3::Zero();
+            for (unsigned int b = 0; b < table->n_nodes; ++b)
+              dx += table->gradient_at_nodes[0](a, b) * model->position(frames[b]);
+            const double inside = c.start + (0.999 * (table->nodes[a][0] - 0.5) + 0.5) * (c.end - c.start);
+            model->add_inertia(frames[a],
+                               table->node_weights(a) * dx.norm() * section->at(inside / curve->length()).inertia);
+          }
+        add_element(*model, frames, materials_of_cell(c));
+      }
+  }
+
+
+
+  Vector6
+  Beam::relaxation_times() const
+  {
+    Vector6 times;
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        const double ratio = damping_ratio[damping_ratio.size() == 6 ? i : 0];
+        times(i)           = viscosity[viscosity.size() == 6 ? i : 0] + (ratio > 0 ? 2 * ratio / damping_frequency : 0.);
+      }
+    return times;
+  }
+
+
+
+  Beam::Material
+  Beam::material_at(const double s) const
+  {
+    const Matrix6 C = section->at(s / curve->length()).stiffness;
+    // symmetric and positive semidefinite also when the six times differ
+    const Matrix6 root = relaxation_times().cwiseSqrt().asDiagonal();
+    return {C, root * C * root};
+  }
+
+
+
+  std::vector<unsigned int>
+  Beam::materials_of_cell(const Cell &cell)
+  {
+    std::vector<unsigned int> indices;
+    for (const auto &xi : table->points)
+      {
+        if (materials.empty() || !section->kinks().empty())
+          materials.push_back(material_at(cell.start + xi[0] * (cell.end - cell.start)));
+        indices.push_back(materials.size() - 1);
+      }
+    return indices;
+  }
+
+
+
+  void
+  Beam::connect(Layout &layout)
+  {
+    Cosserat<1>::connect(layout);
+    for (auto &frame : node_frames)
+      frame = model->resolved(frame);
+  }
+
+
+
+  std::optional<double>
+  Beam::abscissa_of(const std::string &point) const
+  {
+    if (named.count(point) == 1)
+      return named.at(point);
+    if (point.substr(0, 3) == "at ")
+      return std::strtod(point.c_str() + 3, nullptr) * curve->length();
+    return {};
+  }
+
+
+
+  int
+  Beam::node_at(const double s) const
+  {
+    for (unsigned int i = 0; i < node_abscissae.size(); ++i)
+      if (std::abs(node_abscissae[i] - s) < 1e-9 * curve->length())
+        return i;
+    return -1;
+  }
+
+
+
+  Frame
+  Beam::frame(const std::string &point) const
+  {
+    const auto s = abscissa_of(point);
+    if (!s)
+      throw std::invalid_argument("beam <" + name + "> has no point <" + point + ">" + did_you_mean(point, points()));
+    if (node_frames.empty())
+      return {}; // the beam itself could not be made; it has complained already
+    const int node = node_at(*s);
+    if (node < 0)
+      throw std::invalid_argument("beam <" + name + "> has no node at <" + point +
+                                  ">; name this place in <Frames>, so that an element ends there");
+    return node_frames[node];
+  }
+
+
+
+  std::vector<std::string>
+  Beam::points() const
+  {
+    std::vector<std::string> names;
+    for (const auto &point : named)
+      names.push_back(point.first);
+    return names;
+  }
+
+
+
+  std::vector<Station>
+  Beam::stations() const
+  {
+    std::vector<Station> result;
+    for (unsigned int i = 0; i < elements.size(); ++i)
+      for (unsigned int a = 0; a < table->n_nodes; ++a)
+        {
+          Vector3 dx = Vector3::Zero();
+          for (unsigned int b = 0; b < table->n_nodes; ++b)
+            dx += table->gradient_at_nodes[0](a, b) * model->position(elements[i].frames[b]);
+          result.push_back({elements[i].frames[a],
+                            cells[i].start + table->nodes[a][0] * (cells[i].end - cells[i].start),
+                            table->node_weights(a) * dx.norm()});
+        }
+    return result;
+  }
+
+
+
+  Beam::Local
+  Beam::local(const State &state, const double s) const
+  {
+    unsigned int i = 0;
+    while (i + 1 < cells.size() && cells[i].end < s - 1e-9 * curve->length())
+      ++i;
+    const dealii::Point<1> xi((s - cells[i].start) / (cells[i].end - cells[i].start));
+
+    std::vector<kernel::NodeValues<double>> nodes;
+    gather(i, state.q.data(), nodes);
+    static const dealii::FE_Q<1> *fe = nullptr;
+    static unsigned int           fe_degree = 0;
+    if (fe_degree != degree)
+      {
+        delete fe;
+        fe        = new dealii::FE_Q<1>(degree);
+        fe_degree = degree;
+      }
+    Local   result;
+    Sample &sample = result.sample;
+    sample.D.setZero();
+    Vector3 spin = Vector3::Zero();
+    for (unsigned int a = 0; a < table->n_nodes; ++a)
+      {
+        const double  N = fe->shape_value(a, xi);
+        const Vector6 y = elements[i].frames[a].twist(state.y.data());
+        sample.x += N * nodes[a].x;
+        sample.D += N * nodes[a].D;
+        sample.velocity += N * nodes[a].D * y.head<3>();
+        spin += N * nodes[a].D * y.tail<3>();
+      }
+    for (unsigned int k = 0; k < 4; ++k)
+      sample.D = renormalised(sample.D);
+    result.D_reference  = triad_at(s, 0.5 * (cells[i].start + cells[i].end));
+    sample.displacement = sample.x - curve->position(s);
+
+    // strains and section forces: the polynomial through the Gauss points
+    const unsigned int  n_points = table->n_points;
+    std::vector<double> e(n_strains());
+    strains_at(state.point(), e.data());
+    result.strain.setZero();
+    result.stress.setZero();
+    for (unsigned int g = 0; g < n_points; ++g)
+      {
+        double L = 1;
+        for (unsigned int k = 0; k < n_points; ++k)
+          if (k != g)
+            L *= (xi[0] - table->points[k][0]) / (table->points[g][0] - table->points[k][0]);
+        const unsigned int first = 6 * (i * n_points + g);
+        result.strain += L * Eigen::Map<const Vector6>(&e[first]);
+        result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + first]);
+      }
+    sample.force     = sample.D * result.stress.head<3>();
+    sample.moment    = sample.D * result.stress.tail<3>();
+    sample.strain    = result.strain.head<3>();
+    sample.curvature = result.strain.tail<3>();
+    return result;
+  }
+
+
+
+  std::optional<Probe>
+  Beam::probe(const std::string &path) const
+  {
+    const auto dot = std::min(path.size(), path.rfind('.'));
+    const auto  s        = abscissa_of(trim(path.substr(0, dot)));
+    const auto  quantity = dot < path.size() ? trim(path.substr(dot + 1)) : "";
+    if (!s)
+      return {};
+    const double abscissa = *s;
+
+    static const std::array<std::pair<std::string, std::string>, 4> of_section = {
+      {{"force", "N"}, {"moment", "N m"}, {"strain", "1"}, {"curvature", "1/m"}}};
+    for (unsigned int k = 0; k < 4; ++k)
+      for (unsigned int i = 0; i < 3; ++i)
+        if (quantity == of_section[k].first + " " + std::to_string(i + 1))
+          return Probe{path, of_section[k].second, [=](const State &state) {
+                         const Local l = local(state, abscissa);
+                         return (k < 2 ? l.stress : l.strain)(3 * (k % 2) + i);
+                       }};
+
+    return frame_probe(quantity, [=](const State &state) -> FrameMotion {
+      const Local l = local(state, abscissa);
+      const int node = node_at(abscissa);
+      Vector3    spin = Vector3::Zero();
+      if (node >= 0)
+        spin = node_frames[node].triad(state.q.data()) * node_frames[node].twist(state.y.data()).tail<3>();
+      return {l.sample.x, l.sample.x - l.sample.displacement, l.sample.D, l.D_reference, l.sample.velocity, spin};
+    });
+  }
+
+
+
+  std::vector<std::string>
+  Beam::probe_names() const
+  {
+    auto quantities = frame_quantities();
+    for (const std::string q : {"force", "moment", "strain", "curvature"})
+      for (const char i : {'1', '2', '3'})
+        quantities.push_back(q + " " + i);
+    std::vector<std::string> names;
+    for (const auto &point : points())
+      for (const auto &q : quantities)
+        names.push_back(point + "." + q);
+    return names;
+  }
+
+
+
+  void
+  Beam::draw(const State &state, Drawing &drawing) const
+  {
+    std::vector<Sample>                        axis;
+    std::vector<std::vector<Eigen::Vector2d>> outlines;
+    const unsigned int                         per_element = std::max(2u, 2 * degree);
+    for (const auto &cell : cells)
+      for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= per_element; ++k)
+        {
+          const double s = cell.start + (cell.end - cell.start) * k / per_element;
+          axis.push_back(local(state, s).sample);
+          outlines.push_back(section->at(s / curve->length()).outline);
+        }
+    drawing.begin_object(name);
+    drawing.tube(axis, outlines);
+  }
+} // namespace samara

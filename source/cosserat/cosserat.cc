@@ -1,0 +1,398 @@
+#include <samara/cosserat/cosserat.h>
+
+namespace samara
+{
+  template <int dim>
+  void
+  Cosserat<dim>::add_element(const Model                     &model,
+                             const std::vector<Frame>        &frames,
+                             const std::vector<unsigned int> &material_of_point)
+  {
+    const ElementTable<dim> &t = *table;
+    elements.push_back({frames, true, {}});
+
+    std::vector<kernel::NodeValues<double>> nodes(t.n_nodes);
+    for (unsigned int a = 0; a < t.n_nodes; ++a)
+      nodes[a] = {model.position(frames[a]), model.triad(frames[a])};
+
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        // derivatives of position by the unit coordinates in the axes of the first node's tangent plane
+        Eigen::Matrix<double, 3, dim> dx = Eigen::Matrix<double, 3, dim>::Zero();
+        Matrix3                       d  = Matrix3::Zero();
+        for (unsigned int a = 0; a < t.n_nodes; ++a)
+          for (unsigned int alpha = 0; alpha < dim; ++alpha)
+            dx.col(alpha) += t.gradient_at_points[alpha](g, a) * nodes[a].x;
+        IntegrationPoint point;
+        point.material = material_of_point[g];
+        if constexpr (dim == 1)
+          {
+            point.T(0, 0) = 1. / dx.norm();
+            point.weight  = t.weights(g) * dx.norm();
+          }
+        else
+          {
+            // local axes: director 1 of the element's middle, made tangent to the surface
+            for (const auto &node : nodes)
+              d += node.D;
+            const Vector3       normal = dx.col(0).cross(dx.col(1)).normalized();
+            Eigen::Matrix<double, 3, 2> axes;
+            axes.col(0) = (d.col(0) - normal * normal.dot(d.col(0))).normalized();
+            axes.col(1) = normal.cross(axes.col(0));
+            point.T     = (axes.transpose() * dx).inverse().transpose();
+            point.weight = t.weights(g) * dx.col(0).cross(dx.col(1)).norm();
+          }
+        point.reference.setZero();
+        points.push_back(point);
+      }
+
+    std::vector<Vec6<double>> tied(dim * t.n_tying);
+    for (unsigned int k = 0; k < tied.size(); ++k)
+      tied[k] = kernel::strain(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)));
+    std::vector<double> e(n * t.n_points);
+    to_points(elements.size() - 1, tied, e.data());
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      points[points.size() - t.n_points + g].reference = Eigen::Map<VectorN>(&e[n * g]);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::connect(Layout &layout)
+  {
+    for (auto &element : elements)
+      {
+        for (auto &frame : element.frames)
+          {
+            frame             = layout.model.resolved(frame);
+            element.all_nodes = element.all_nodes && frame.is_node();
+          }
+        layout.couple(element.block, element.frames);
+      }
+  }
+
+
+
+  template <int dim>
+  typename Cosserat<dim>::Scratch &
+  Cosserat<dim>::scratch()
+  {
+    static thread_local Scratch s;
+    return s;
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::gather(const unsigned int element, const Number *q, std::vector<kernel::NodeValues<Number>> &nodes) const
+  {
+    const Element &el = elements[element];
+    nodes.resize(el.frames.size());
+    for (unsigned int a = 0; a < el.frames.size(); ++a)
+      if (el.all_nodes)
+        {
+          const Number *const node = q + 12 * el.frames[a].node;
+          nodes[a].x               = Eigen::Map<const Vec3<Number>>(node);
+          nodes[a].D               = Eigen::Map<const Mat3<Number>>(node + 3);
+        }
+      else
+        {
+          nodes[a].x = el.frames[a].position(q);
+          nodes[a].D = el.frames[a].triad(q);
+        }
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::to_points(const unsigned int element, const std::vector<Vec6<Number>> &tied, Number *e) const
+  {
+    const ElementTable<dim> &t = *table;
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        const IntegrationPoint                    &point = points[element * t.n_points + g];
+        Eigen::Map<Eigen::Matrix<Number, 6, dim>> e_g(e + n * g);
+        Eigen::Matrix<Number, 6, dim>             covariant;
+        for (unsigned int alpha = 0; alpha < dim; ++alpha)
+          if constexpr (dim == 1)
+            covariant.col(0) = tied[g];
+          else
+            {
+              covariant.col(alpha).setZero();
+              for (unsigned int k = 0; k < t.n_tying; ++k)
+                covariant.col(alpha) += t.interpolation[alpha](g, k) * tied[alpha * t.n_tying + k];
+            }
+        e_g = covariant * point.T.transpose();
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::to_tying(const unsigned int element, const Number *stress, std::vector<Vec6<Number>> &tied) const
+  {
+    const ElementTable<dim> &t = *table;
+    tied.assign(dim * t.n_tying, Vec6<Number>::Zero());
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        const IntegrationPoint             &point = points[element * t.n_points + g];
+        const Eigen::Matrix<Number, 6, dim> s =
+          Eigen::Map<const Eigen::Matrix<Number, 6, dim>>(stress + n * g) * (point.weight * point.T);
+        if constexpr (dim == 1)
+          tied[g] = s;
+        else
+          for (unsigned int alpha = 0; alpha < dim; ++alpha)
+            for (unsigned int k = 0; k < t.n_tying; ++k)
+              tied[alpha * t.n_tying + k] += t.interpolation[alpha](g, k) * s.col(alpha);
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::strains_at(const Point<Number> &point, Number *e) const
+  {
+    const ElementTable<dim>                              &t = *table;
+    static thread_local std::vector<kernel::NodeValues<Number>> nodes;
+    static thread_local std::vector<Vec6<Number>>               tied;
+    tied.resize(dim * t.n_tying);
+    for (unsigned int i = 0; i < elements.size(); ++i)
+      {
+        gather(i, point.q, nodes);
+        for (unsigned int k = 0; k < tied.size(); ++k)
+          tied[k] = kernel::strain(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)));
+        Number *const e_i = e + n * t.n_points * i;
+        to_points(i, tied, e_i);
+        for (unsigned int g = 0; g < t.n_points; ++g)
+          Eigen::Map<Eigen::Matrix<Number, n, 1>>(e_i + n * g) -= points[i * t.n_points + g].reference;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::strain_rates(const Point<double> &point, double *rates) const
+  {
+    const ElementTable<dim>                              &t = *table;
+    static thread_local std::vector<kernel::NodeValues<double>> nodes, velocities;
+    static thread_local std::vector<Vec6<double>>               tied;
+    tied.resize(dim * t.n_tying);
+    velocities.resize(t.n_nodes);
+    for (unsigned int i = 0; i < elements.size(); ++i)
+      {
+        gather(i, point.q, nodes);
+        for (unsigned int a = 0; a < t.n_nodes; ++a)
+          {
+            const Vector6 y = elements[i].all_nodes ?
+                                Vector6(Eigen::Map<const Vector6>(point.y + 6 * elements[i].frames[a].node)) :
+                                elements[i].frames[a].twist(point.y);
+            velocities[a]   = {nodes[a].D * y.head<3>(), nodes[a].D * skew(y.tail<3>())};
+          }
+        for (unsigned int k = 0; k < tied.size(); ++k)
+          tied[k] = kernel::strain_rate(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)),
+                                        kernel::interpolate(velocities, &t.N(k, 0), &t.dN(k, 0)));
+        to_points(i, tied, rates + n * t.n_points * i);
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::stresses_of(const Number *e, const Number *rates, Number *stress) const
+  {
+    using Vector = Eigen::Matrix<Number, n, 1>;
+    for (unsigned int g = 0; g < points.size(); ++g)
+      {
+        const Material &material = materials[points[g].material];
+        Eigen::Map<Vector>(stress + n * g) =
+          material.stiffness.template cast<Number>() * Eigen::Map<const Vector>(e + n * g) +
+          material.viscosity.template cast<Number>() * Eigen::Map<const Vector>(rates + n * g);
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  Cosserat<dim>::strain_energy(const double *e) const
+  {
+    double energy = 0;
+    for (unsigned int g = 0; g < points.size(); ++g)
+      {
+        const Eigen::Map<const VectorN> e_g(e + n * g);
+        energy += 0.5 * points[g].weight * e_g.dot(materials[points[g].material].stiffness * e_g);
+      }
+    return energy;
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::residual_at(const Point<Number> &point, Number *r) const
+  {
+    const ElementTable<dim>                                     &t = *table;
+    static thread_local std::vector<kernel::NodeValues<Number>>  nodes;
+    static thread_local std::vector<Vec6<Number>>                tied;
+    static thread_local std::vector<kernel::PointValues<Number>> forces;
+    static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
+    local.resize(6 * t.n_nodes);
+    forces.resize(dim * t.n_tying);
+    const Number *stress = point.stress + this->first_strain;
+    for (unsigned int i = 0; i < elements.size(); ++i, stress += n * t.n_points)
+      {
+        gather(i, point.q, nodes);
+        to_tying(i, stress, tied);
+        for (unsigned int k = 0; k < tied.size(); ++k)
+          forces[k] = kernel::force(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)), tied[k]);
+        for (unsigned int a = 0; a < t.n_nodes; ++a)
+          {
+            Vec3<Number> f = Vec3<Number>::Zero();
+            Mat3<Number> F = Mat3<Number>::Zero();
+            for (unsigned int k = 0; k < tied.size(); ++k)
+              {
+                f += t.dN(k, a) * forces[k].dx;
+                F += t.N(k, a) * forces[k].d + t.dN(k, a) * forces[k].dd;
+              }
+            local.template segment<3>(6 * a)     = nodes[a].D.transpose() * f;
+            local.template segment<3>(6 * a + 3) = Number(2) * axial(nodes[a].D.transpose() * F);
+          }
+        elements[i].block.add(local, r);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::add_material(const unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const
+  {
+    const ElementTable<dim> &t = *table;
+    Scratch                 &s = scratch();
+    s.B_tied.resize(6 * dim * t.n_tying, 6 * t.n_nodes);
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      for (unsigned int a = 0; a < t.n_nodes; ++a)
+        kernel::strain_matrix(s.at[k], s.nodes[a].D, t.N(k, a), t.dN(k, a), s.B_tied.template block<6, 6>(6 * k, 6 * a));
+
+    s.B.resize(n * t.n_points, 6 * t.n_nodes);
+    s.CB.resize(n * t.n_points, 6 * t.n_nodes);
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        const IntegrationPoint &point = points[element * t.n_points + g];
+        auto                    B     = s.B.template middleRows<n>(n * g);
+        if constexpr (dim == 1)
+          B = point.T(0, 0) * s.B_tied.template middleRows<6>(6 * g);
+        else
+          {
+            B.setZero();
+            for (unsigned int alpha = 0; alpha < dim; ++alpha)
+              for (unsigned int k = 0; k < t.n_tying; ++k)
+                for (unsigned int beta = 0; beta < dim; ++beta)
+                  B.template middleRows<6>(6 * beta) += point.T(beta, alpha) * t.interpolation[alpha](g, k) *
+                                                        s.B_tied.template middleRows<6>(6 * (alpha * t.n_tying + k));
+          }
+        s.CB.template middleRows<n>(n * g).noalias() = (point.weight * (materials[point.material].*which)) * B;
+      }
+    K.noalias() += s.B.transpose() * s.CB;
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::add_geometric(const std::vector<Vec6<double>> &tied, Eigen::MatrixXd &K) const
+  {
+    const ElementTable<dim> &t = *table;
+    Scratch                 &s = scratch();
+    const unsigned int       N = t.n_nodes;
+    s.n.assign(N * N, Vector3::Zero());
+    s.m.assign(N * N, Vector3::Zero());
+    for (unsigned int a = 0; a < N; ++a)
+      {
+        Vector3 f = Vector3::Zero();
+        Matrix3 F = Matrix3::Zero();
+        for (unsigned int k = 0; k < tied.size(); ++k)
+          {
+            const auto forces = kernel::force(s.at[k], tied[k]);
+            f += t.dN(k, a) * forces.dx;
+            F += t.N(k, a) * forces.d + t.dN(k, a) * forces.dd;
+            for (unsigned int b = 0; b < N; ++b)
+              {
+                s.n[N * a + b] += t.dN(k, a) * t.N(k, b) * tied[k].template head<3>();
+                s.m[N * a + b] += (t.N(k, a) * t.dN(k, b) - t.dN(k, a) * t.N(k, b)) * tied[k].template tail<3>();
+              }
+          }
+        K.block<6, 6>(6 * a, 6 * a) +=
+          kernel::geometric_node(s.nodes[a].D.transpose() * f, s.nodes[a].D.transpose() * F);
+      }
+    for (unsigned int a = 0; a < N; ++a)
+      for (unsigned int b = 0; b < N; ++b)
+        K.block<6, 6>(6 * a, 6 * b) += kernel::geometric_pair(s.nodes[a].D.transpose() * s.nodes[b].D,
+                                                              s.n[N * a + b],
+                                                              s.n[N * b + a],
+                                                              s.m[N * a + b]);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    const ElementTable<dim> &t = *table;
+    Scratch                 &s = scratch();
+    const double            *stress = point.stress + this->first_strain;
+    for (unsigned int i = 0; i < elements.size(); ++i, stress += n * t.n_points)
+      {
+        gather(i, point.q, s.nodes);
+        to_tying(i, stress, s.tied);
+        s.at.resize(s.tied.size());
+        for (unsigned int k = 0; k < s.tied.size(); ++k)
+          s.at[k] = kernel::interpolate(s.nodes, &t.N(k, 0), &t.dN(k, 0));
+        s.K.setZero(6 * t.n_nodes, 6 * t.n_nodes);
+        add_material(i, &Material::stiffness, s.K);
+        add_geometric(s.tied, s.K);
+        elements[i].block.add(s.K, K);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::damping(const Point<double> &point, SparseMatrix &C) const
+  {
+    const ElementTable<dim> &t = *table;
+    Scratch                 &s = scratch();
+    for (unsigned int i = 0; i < elements.size(); ++i)
+      {
+        gather(i, point.q, s.nodes);
+        s.at.resize(dim * t.n_tying);
+        for (unsigned int k = 0; k < s.at.size(); ++k)
+          s.at[k] = kernel::interpolate(s.nodes, &t.N(k, 0), &t.dN(k, 0));
+        s.K.setZero(6 * t.n_nodes, 6 * t.n_nodes);
+        add_material(i, &Material::viscosity, s.K);
+        elements[i].block.add(s.K, C);
+      }
+  }
+
+
+
+  template class Cosserat<1>;
+  template class Cosserat<2>;
+  template class Evaluated<Cosserat<1>, Body>;
+  template class Evaluated<Cosserat<2>, Body>;
+} // namespace samara

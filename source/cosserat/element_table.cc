@@ -1,0 +1,107 @@
+#include <samara/cosserat/element_table.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_q.h>
+
+namespace samara
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Value at @p x of the Lagrange polynomial of point @p i among @p points. */
+    double
+    lagrange(const std::vector<Point<1>> &points, const unsigned int i, const double x)
+    {
+      double value = 1;
+      for (unsigned int j = 0; j < points.size(); ++j)
+        if (j != i)
+          value *= (x - points[j][0]) / (points[i][0] - points[j][0]);
+      return value;
+    }
+
+    /** Product of a rule along direction @p alpha with another one across; for dim 1 the first alone. */
+    template <int dim>
+    std::vector<Point<dim>>
+    product_points(const Quadrature<1> &along, const Quadrature<1> &across, const unsigned int alpha)
+    {
+      std::vector<Point<dim>> result;
+      for (unsigned int j = 0; j < (dim == 1 ? 1 : across.size()); ++j)
+        for (unsigned int i = 0; i < along.size(); ++i)
+          {
+            Point<dim> x;
+            x[alpha] = along.point(i)[0];
+            if (dim == 2)
+              x[1 - alpha] = across.point(j)[0];
+            result.push_back(x);
+          }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ElementTable<dim>::ElementTable(const unsigned int degree)
+    : degree(degree)
+  {
+    const FE_Q<dim> fe(degree);
+    n_nodes = fe.n_dofs_per_cell();
+    nodes   = fe.get_unit_support_points();
+
+    const QGaussLobatto<1> lobatto(degree + 1);
+    node_weights = Eigen::VectorXd::Ones(n_nodes);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int i = 0; i <= degree; ++i)
+          if (std::abs(lobatto.point(i)[0] - nodes[a][d]) < 1e-10)
+            node_weights(a) *= lobatto.weight(i);
+
+    const QGauss<1>       along(degree), across(degree + 1);
+    const Quadrature<dim> rule = dim == 1 ? QGauss<dim>(degree) : QGauss<dim>(degree + 1);
+    points                     = rule.get_points();
+    n_points                   = rule.size();
+    weights = Eigen::Map<const Eigen::VectorXd>(rule.get_weights().data(), n_points);
+
+    for (unsigned int alpha = 0; alpha < dim; ++alpha)
+      {
+        const auto tying = product_points<dim>(along, across, alpha);
+        n_tying          = tying.size();
+        N.conservativeResize((alpha + 1) * n_tying, n_nodes);
+        dN.conservativeResize((alpha + 1) * n_tying, n_nodes);
+        for (unsigned int t = 0; t < n_tying; ++t)
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              N(alpha * n_tying + t, a)  = fe.shape_value(a, tying[t]);
+              dN(alpha * n_tying + t, a) = fe.shape_grad(a, tying[t])[alpha];
+            }
+
+        Eigen::MatrixXd L(n_points, n_tying);
+        for (unsigned int g = 0; g < n_points; ++g)
+          for (unsigned int t = 0; t < n_tying; ++t)
+            {
+              L(g, t) = lagrange(along.get_points(), t % degree, points[g][alpha]);
+              if (dim == 2)
+                L(g, t) *= lagrange(across.get_points(), t / degree, points[g][1 - alpha]);
+            }
+        interpolation.push_back(L);
+
+        Eigen::MatrixXd at_points(n_points, n_nodes), at_nodes(n_nodes, n_nodes);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            for (unsigned int g = 0; g < n_points; ++g)
+              at_points(g, a) = fe.shape_grad(a, points[g])[alpha];
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              at_nodes(b, a) = fe.shape_grad(a, nodes[b])[alpha];
+          }
+        gradient_at_points.push_back(at_points);
+        gradient_at_nodes.push_back(at_nodes);
+      }
+  }
+
+
+
+  template struct ElementTable<1>;
+  template struct ElementTable<2>;
+} // namespace samara

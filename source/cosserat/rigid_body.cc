@@ -1,0 +1,201 @@
+#include <samara/base/text.h>
+#include <samara/cosserat/rigid_body.h>
+#include <samara/model/frame_probe.h>
+#include <samara/model/system.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace samara
+{
+  void
+  RigidBody::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Mass", mass, "Mass [kg].", Double(0));
+    prm.add("Position", position, "Reference position of the body's node [m].");
+    prm.add("Rotation", rotation, "Reference orientation: three angles in the sequence below [rad].");
+    prm.add("Rotation sequence", sequence, "Axes of the three rotations, each about the axis turned by those before.");
+    prm.add("Centre of mass", centre_of_mass, "Place of the centre of mass seen from the node, in the body's axes [m].");
+    prm.add("Inertia",
+            inertia,
+            "Moments of inertia about the centre of mass in the body's axes: J11, J22, J33 or J11, J22, J33, J12, J13, J23, "
+            "where J12 = -integral of y1 y2 dm [kg*m^2].",
+            List(Double(), 3, 6));
+    prm.add("Frames", frame_entries, "Points others can attach to, in inertial coordinates: name at x y z, name at x y z [m].");
+    prm.add("Shape",
+            shape,
+            "How the body is drawn; automatic: a sphere as heavy as steel, with bars to its frames.",
+            Selection("automatic|none|sphere|box|cylinder 1|cylinder 2|cylinder 3"));
+    prm.add("Size", size, "Of the drawn shape: radius; or three sides; or radius, length [m].");
+  }
+
+
+
+  void
+  RigidBody::initialize(Model &model)
+  {
+    Matrix3 D;
+    try
+      {
+        D = rotation_of_angles(rotation, sequence);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where("Rotation sequence"), problem.what());
+        return;
+      }
+    if (inertia.size() != 3 && inertia.size() != 6)
+      {
+        model.complaints.add(parameters.where("Inertia"), "give three numbers or six");
+        return;
+      }
+    const Frame node = model.add_node(name, position, D);
+
+    Matrix3 J = Vector3(inertia[0], inertia[1], inertia[2]).asDiagonal();
+    if (inertia.size() == 6)
+      {
+        J(0, 1) = J(1, 0) = inertia[3];
+        J(0, 2) = J(2, 0) = inertia[4];
+        J(1, 2) = J(2, 1) = inertia[5];
+      }
+    const Vector3 principal = Eigen::SelfAdjointEigenSolver<Matrix3>(J).eigenvalues();
+    if (principal(0) < -1e-12 * J.norm() || principal(2) > (principal(0) + principal(1)) * (1 + 1e-9) + 1e-300)
+      model.complaints.add(parameters.where("Inertia"),
+                           "no body has these moments of inertia: each principal one must be at most the sum of the "
+                           "other two, and none negative");
+    Matrix6 M = Matrix6::Zero();
+    M.topLeftCorner<3, 3>()     = mass * Matrix3::Identity();
+    M.bottomRightCorner<3, 3>() = J;
+    model.add_inertia(node.then(centre_of_mass), M);
+
+    named["centre"]         = {node, position, D};
+    named["centre of mass"] = {node.then(centre_of_mass), position + D * centre_of_mass, D};
+    if (!read_frames(model, node))
+      model.complaints.add(parameters.where("Frames"), "frames are written <name at x y z, name at x y z>, in metres");
+  }
+
+
+
+  bool
+  RigidBody::read_frames(Model &model, const Frame &node)
+  {
+    for (const auto &text : frame_entries)
+      {
+        const auto at = text.rfind(" at ");
+        if (at == std::string::npos)
+          return false;
+        const char *begin = text.c_str() + at + 4;
+        Vector3     x;
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            char *end;
+            x(i) = std::strtod(begin, &end);
+            if (end == begin)
+              return false;
+            begin = end;
+          }
+        if (!trim(begin).empty())
+          return false;
+        const Matrix3 D              = model.triad(node);
+        named[trim(text.substr(0, at))] = {model.frame_at(node, x, D), x, D};
+      }
+    return true;
+  }
+
+
+
+  void
+  RigidBody::connect(Layout &layout)
+  {
+    for (auto &point : named)
+      point.second.frame = layout.model.resolved(point.second.frame);
+  }
+
+
+
+  Frame
+  RigidBody::frame(const std::string &point) const
+  {
+    const auto found = named.find(point.empty() ? "centre" : point);
+    if (found != named.end())
+      return found->second.frame;
+    if (named.empty())
+      return {}; // the body could not be made; it has complained already
+    throw std::invalid_argument("rigid body <" + name + "> has no point <" + point + ">" + did_you_mean(point, points()));
+  }
+
+
+
+  std::vector<std::string>
+  RigidBody::points() const
+  {
+    std::vector<std::string> names;
+    for (const auto &point : named)
+      names.push_back(point.first);
+    return names;
+  }
+
+
+
+  std::optional<Probe>
+  RigidBody::probe(const std::string &path) const
+  {
+    const auto dot = path.rfind('.');
+    const auto found =
+      named.find(dot == std::string::npos ? "centre" : trim(path.substr(0, dot)));
+    if (found == named.end())
+      return {};
+    const Point point = found->second;
+    return frame_probe(trim(path.substr(dot == std::string::npos ? 0 : dot + 1)), [=](const State &state) -> FrameMotion {
+      const Matrix3 D = point.frame.triad(state.q.data());
+      const Vector6 y = point.frame.twist(state.y.data());
+      return {point.frame.position(state.q.data()), point.x, D, point.D, D * y.head<3>(), D * y.tail<3>()};
+    });
+  }
+
+
+
+  std::vector<std::string>
+  RigidBody::probe_names() const
+  {
+    std::vector<std::string> names = frame_quantities();
+    for (const auto &point : points())
+      for (const auto &quantity : frame_quantities())
+        names.push_back(point + "." + quantity);
+    return names;
+  }
+
+
+
+  void
+  RigidBody::draw(const State &state, Drawing &drawing) const
+  {
+    if (shape == "none" || named.empty())
+      return;
+    const auto sample_of = [&](const Point &point) {
+      Sample sample;
+      sample.x            = point.frame.position(state.q.data());
+      sample.D            = point.frame.triad(state.q.data());
+      sample.displacement = sample.x - point.x;
+      sample.velocity     = sample.D * point.frame.twist(state.y.data()).head<3>();
+      return sample;
+    };
+    const Sample centre = sample_of(named.at("centre of mass"));
+    // steel of 7800 kg/m³, but nothing too small to be seen
+    const double radius = !size.empty() ? size[0] : std::max(0.02, std::cbrt(mass / 7800. / (4. / 3. * M_PI)));
+    drawing.begin_object(name);
+    if (shape == "box")
+      drawing.box(centre, size.size() == 3 ? Vector3(size[0], size[1], size[2]) : Vector3::Constant(2 * radius).eval());
+    else if (shape.substr(0, 8) == "cylinder")
+      drawing.cylinder(centre, shape.back() - '1', radius, size.size() > 1 ? size[1] : radius);
+    else
+      drawing.sphere(centre, radius);
+    for (const auto &point : named)
+      {
+        const Sample end = sample_of(point.second);
+        if ((end.x - centre.x).norm() > 1.01 * radius)
+          drawing.bar(centre, end, 0.2 * radius);
+      }
+  }
+} // namespace samara

@@ -1,0 +1,170 @@
+#include <samara/base/text.h>
+#include <samara/input.h>
+
+#include <cctype>
+
+namespace samara
+{
+  std::string
+  subsection_of_analysis(const std::string &kind)
+  {
+    std::string name = kind;
+    name[0]          = std::toupper(name[0]);
+    return name;
+  }
+
+
+
+  void
+  Input::add_parameters(Parameters &prm)
+  {
+    prm.add("Title", title, "One line that says what the model is.");
+    prm.add("Analyses", analysis_names, "What to do, in this order; each starts from the state before: static, modal.");
+    prm.add("Rotor speeds",
+            rotor_speeds,
+            "Speeds of the first steady rotation for which all analyses are done; others in proportion [rad/s].");
+    prm.add("Redundant constraints",
+            redundant,
+            "What to do with constraints that say what others say already.",
+            dealii::Patterns::Selection("refuse|drop"));
+    Parameters &output = prm.subsection("Output");
+    output.add("Probes", probes, "Numbers to record: body.point.displacement y, joint.rotation, ...");
+    output.add("Pictures", pictures, "Whether to write files for ParaView.");
+  }
+
+
+
+  Input::Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides)
+  {
+    Complaints complaints;
+    Outline    outline = Outline::of_file(file, complaints);
+    for (const auto &override : overrides)
+      outline.set(override, complaints);
+
+    Quantities quantities;
+    if (const auto *constants = outline.section("Constants"))
+      for (const auto &entry : constants->entries)
+        quantities.add_constant(entry.name, entry.value, entry.where, complaints);
+
+    add_parameters(root);
+    root.ignore_subsection("Constants");
+    for (const auto &group : catalogue.groups)
+      root.ignore_subsection(group.subsection);
+    for (const auto &kind : catalogue.analyses.kinds())
+      root.ignore_subsection(subsection_of_analysis(kind));
+    root.parse(outline, quantities, complaints);
+    drop_redundant = redundant == "drop";
+
+    read_objects(catalogue, outline, quantities, complaints);
+    read_analyses(catalogue, outline, quantities, complaints);
+    complaints.throw_if_any();
+
+    // in the order of the catalogue, so that what is referred to comes before what refers to it
+    for (auto &contribution : model.contributions)
+      contribution->initialize(model);
+    model.complaints.throw_if_any();
+    if (model.nodes.size() == 1)
+      throw InputError(file + ": the model has no body; add one to subsection <Bodies>.");
+  }
+
+
+
+  void
+  Input::read_objects(const Catalogue  &catalogue,
+                      const Outline    &outline,
+                      const Quantities &quantities,
+                      Complaints       &complaints)
+  {
+    for (const auto &group : catalogue.groups)
+      {
+        const Outline *const section = outline.section(group.subsection);
+        if (section == nullptr)
+          continue;
+        for (const auto &entry : section->entries)
+          complaints.add(entry.where, "<" + entry.name + "> stands outside of a named " + group.noun);
+        for (const auto &object : section->sections)
+          {
+            const std::string kind = object.value("Type");
+            if (!group.kinds.contains(kind))
+              {
+                complaints.add(object.entry("Type") != nullptr ? object.entry("Type")->where : object.where,
+                               kind.empty() ?
+                                 group.noun + " <" + object.name + "> has no <Type>" + did_you_mean("", group.kinds.kinds()) :
+                                 "there is no " + group.noun + " of type <" + kind + ">" +
+                                   did_you_mean(kind, group.kinds.kinds()));
+                continue;
+              }
+            if (object.name.find('.') != std::string::npos)
+              complaints.add(object.where, "a name must not contain a dot: it separates a body from its points");
+            auto contribution        = group.kinds.make(kind);
+            contribution->name       = object.name;
+            contribution->kind       = kind;
+            contribution->parameters = Parameters(object.name, kind);
+            contribution->add_parameters(contribution->parameters);
+            contribution->parameters.parse(object, quantities, complaints);
+            model.contributions.push_back(std::move(contribution));
+          }
+      }
+  }
+
+
+
+  void
+  Input::read_analyses(const Catalogue  &catalogue,
+                       const Outline    &outline,
+                       const Quantities &quantities,
+                       Complaints       &complaints)
+  {
+    for (const auto &kind : analysis_names)
+      if (!catalogue.analyses.contains(kind))
+        complaints.add(root.where("Analyses"),
+                       "there is no analysis <" + kind + ">" + did_you_mean(kind, catalogue.analyses.kinds()));
+    // subsections of analyses that are not asked for are checked all the same
+    for (const auto &kind : catalogue.analyses.kinds())
+      {
+        const std::string name     = subsection_of_analysis(kind);
+        const auto        place_of = [&, kind = kind]() {
+          return std::find(analysis_names.begin(), analysis_names.end(), kind);
+        };
+        auto analysis        = catalogue.analyses.make(kind);
+        analysis->parameters = Parameters(name, "analysis");
+        analysis->add_parameters(analysis->parameters);
+        if (const auto *section = outline.section(name))
+          analysis->parameters.parse(*section, quantities, complaints);
+        if (place_of() != analysis_names.end())
+          analyses.push_back(std::move(analysis));
+      }
+  }
+
+
+
+  std::vector<Probe>
+  Input::make_probes() const
+  {
+    std::vector<Probe> result;
+    Complaints         complaints;
+    for (const auto &path : probes)
+      try
+        {
+          result.push_back(model.probe(path));
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complaints.add(const_cast<Parameters &>(root).subsection("Output").where("Probes"), problem.what());
+        }
+    complaints.throw_if_any();
+    return result;
+  }
+
+
+
+  void
+  Input::print(std::ostream &out) const
+  {
+    root.print(out);
+    for (const auto &contribution : model.contributions)
+      contribution->parameters.print(out);
+    for (const auto &analysis : analyses)
+      analysis->parameters.print(out);
+  }
+} // namespace samara

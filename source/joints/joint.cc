@@ -1,0 +1,450 @@
+#include <samara/joints/joint.h>
+
+#include <cmath>
+
+namespace samara
+{
+  void
+  FreeMotion::add_parameters(Parameters &prm)
+  {
+    using dealii::Patterns::Double;
+    if (is_angle())
+      {
+        prm.add("Spring", spring, "Stiffness [N*m/rad].", Double(0));
+        prm.add("Rest", rest, "Angle at which the spring is free of moment [rad].");
+        prm.add("Damper", damper, "Viscous damping [N*m*s/rad].", Double(0));
+        prm.add("Moment", force, "Moment on body B, its reaction on body A; a function of time t [N*m].");
+        prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; a function of time t [rad].");
+      }
+    else
+      {
+        prm.add("Spring", spring, "Stiffness [N/m].", Double(0));
+        prm.add("Rest", rest, "Displacement at which the spring is free of force [m].");
+        prm.add("Damper", damper, "Viscous damping [N*s/m].", Double(0));
+        prm.add("Force", force, "Force on body B, its reaction on body A; a function of time t [N].");
+        prm.add("Prescribed", prescribed, "Prescribed displacement of B seen from A; a function of time t [m].");
+      }
+  }
+
+
+
+  bool
+  FreeMotion::is_used() const
+  {
+    return spring != 0 || damper != 0 || !force.is_zero() || is_prescribed;
+  }
+
+
+
+  void
+  Joint::add_parameters(Parameters &prm)
+  {
+    prm.add("Body A", body_a, "First frame: body.point, or ground.");
+    prm.add("Body B", body_b, "Second frame; relative motions are those of B seen from A.");
+    prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
+    prm.add("Axis", axis, "Direction of joint axis 3 in the reference configuration, inertial components [1].");
+    prm.add("Axis 1", axis_1, "Direction near which joint axis 1 lies; 0, 0, 0: any [1].");
+    for (auto &motion : free)
+      motion.add_parameters(prm.subsection(motion.name));
+  }
+
+
+
+  void
+  Joint::lock_displacement(const unsigned int i)
+  {
+    locked.push_back({{PairFunction::gap, i}, "displacement " + std::to_string(i + 1)});
+  }
+
+
+
+  void
+  Joint::lock_rotation(const unsigned int i, const unsigned int j)
+  {
+    locked.push_back({{PairFunction::cosine, i, j}, "rotation " + std::to_string(4 - i - j)});
+  }
+
+
+
+  FreeMotion &
+  Joint::free_displacement(const unsigned int i, const std::string &name)
+  {
+    free.emplace_back();
+    free.back().name  = name;
+    free.back().unit  = "m";
+    free.back().first = {PairFunction::gap, i};
+    return free.back();
+  }
+
+
+
+  FreeMotion &
+  Joint::free_rotation_about_3(const std::string &name)
+  {
+    free.emplace_back();
+    free.back().name   = name;
+    free.back().unit   = "rad";
+    free.back().first  = {PairFunction::cosine, 0, 0};
+    free.back().second = {PairFunction::cosine, 1, 0};
+    return free.back();
+  }
+
+
+
+  Matrix3
+  Joint::axes() const
+  {
+    if (axis.isZero(0.))
+      throw std::invalid_argument("the axis must not be zero");
+    return triad_about(axis, axis_1);
+  }
+
+
+
+  void
+  Joint::place(Model &model, const Frame &a, const Frame &b)
+  {
+    if (!parameters.is_set("Position"))
+      position = model.position(b);
+    const Matrix3 E = axes();
+    frame_a         = model.frame_at(a, position, E);
+    frame_b         = model.frame_at(b, position, E);
+  }
+
+
+
+  void
+  Joint::complain(Model &model, const std::string &entry, const std::string &text) const
+  {
+    model.complaints.add(parameters.where(entry), text);
+  }
+
+
+
+  void
+  Joint::initialize(Model &model)
+  {
+    Frame ends[2];
+    for (unsigned int i = 0; i < 2; ++i)
+      try
+        {
+          ends[i] = model.frame(i == 0 ? body_a : body_b);
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complain(model, i == 0 ? "Body A" : "Body B", problem.what());
+          return;
+        }
+    if (ends[0].node == ends[1].node)
+      return complain(model, "Body B", "joint <" + name + "> connects a body to itself: both frames are on the same node");
+    try
+      {
+        place(model, ends[0], ends[1]);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        return complain(model, "Axis", problem.what());
+      }
+    for (auto &motion : free)
+      {
+        motion.is_prescribed = parameters.subsection(motion.name).is_set("Prescribed");
+        if (motion.is_used() || is_screw)
+          use_coordinate(model, motion.name);
+      }
+  }
+
+
+
+  std::optional<unsigned int>
+  Joint::use_coordinate(Model &model, const std::string &wanted)
+  {
+    for (auto &motion : free)
+      if (motion.name == wanted || (wanted.empty() && free.size() == 1))
+        {
+          if (motion.coordinate < 0)
+            motion.coordinate = model.add_coordinate(name + "." + motion.name, motion.unit);
+          return motion.coordinate;
+        }
+    return {};
+  }
+
+
+
+  void
+  Joint::connect(Layout &layout)
+  {
+    frame_a = layout.model.resolved(frame_a);
+    frame_b = layout.model.resolved(frame_b);
+    rows.clear();
+    for (const auto &l : locked)
+      rows.push_back("joint " + name + ", " + l.name);
+    std::vector<unsigned int> coordinates;
+    for (auto &motion : free)
+      if (motion.coordinate >= 0)
+        {
+          used.push_back(&motion);
+          coordinates.push_back(motion.coordinate);
+          rows.push_back("joint " + name + ", measure of the " + motion.name);
+        }
+    for (const auto *motion : used)
+      if (motion->is_prescribed)
+        rows.push_back("joint " + name + ", prescribed " + motion->name);
+    if (is_screw)
+      rows.push_back("joint " + name + ", pitch");
+
+    first_multiplier = layout.add_multipliers(rows);
+    std::vector<unsigned int> multipliers(rows.size());
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      multipliers[i] = first_multiplier + i;
+    layout.couple(block, {frame_a, frame_b}, coordinates, multipliers);
+  }
+
+
+
+  unsigned int
+  Joint::n_strains() const
+  {
+    return used.size();
+  }
+
+
+
+  template <typename Number>
+  void
+  Joint::strains_at(const Point<Number> &point, Number *e) const
+  {
+    for (unsigned int i = 0; i < used.size(); ++i)
+      e[i] = point.coordinates[used[i]->coordinate] - used[i]->rest;
+  }
+
+
+
+  void
+  Joint::strain_rates(const Point<double> &point, double *rates) const
+  {
+    for (unsigned int i = 0; i < used.size(); ++i)
+      rates[i] = point.rates[used[i]->coordinate];
+  }
+
+
+
+  template <typename Number>
+  void
+  Joint::stresses_of(const Number *e, const Number *rates, Number *stress) const
+  {
+    for (unsigned int i = 0; i < used.size(); ++i)
+      stress[i] = used[i]->spring * e[i] + used[i]->damper * rates[i];
+  }
+
+
+
+  double
+  Joint::strain_energy(const double *e) const
+  {
+    double energy = 0;
+    for (unsigned int i = 0; i < used.size(); ++i)
+      energy += 0.5 * used[i]->spring * e[i] * e[i];
+    return energy;
+  }
+
+
+
+  template <typename Number>
+  Number
+  Joint::measure(const FreeMotion &motion, const PairValues<Number> &pair, const Number &value) const
+  {
+    if (!motion.is_angle())
+      return motion.first.value(pair) - value;
+    return sin(value) * motion.first.value(pair) - cos(value) * motion.sign * motion.second.value(pair);
+  }
+
+
+
+  template <typename Number>
+  void
+  Joint::residual_at(const Point<Number> &point, Number *r) const
+  {
+    using std::cos;
+    using std::sin;
+    const PairValues<Number>                         pair(frame_a, frame_b, point.q);
+    Eigen::Matrix<Number, Eigen::Dynamic, 1>         local = Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(block.size());
+    const Number                                    *lambda = point.multipliers + first_multiplier;
+    const Number                                    *stress = point.stress + first_strain;
+    const unsigned int                               first_row = 12 + used.size();
+    unsigned int                                     row       = 0;
+
+    for (const auto &l : locked)
+      {
+        local(first_row + row) = l.function.value(pair) - l.value;
+        l.function.add_gradient(pair, lambda[row++], local.template head<12>());
+      }
+    for (unsigned int i = 0; i < used.size(); ++i)
+      {
+        const FreeMotion &m      = *used[i];
+        const Number      value  = point.coordinates[m.coordinate];
+        local(first_row + row)   = measure(m, pair, value);
+        local(12 + i) += stress[i] - point.factor * m.force(point.time);
+        if (m.is_angle())
+          {
+            const Number s = sin(value), c = cos(value);
+            m.first.add_gradient(pair, Number(lambda[row] * s), local.template head<12>());
+            m.second.add_gradient(pair, Number(-lambda[row] * c * m.sign), local.template head<12>());
+            local(12 + i) += lambda[row] * (c * m.first.value(pair) + s * m.sign * m.second.value(pair));
+          }
+        else
+          {
+            m.first.add_gradient(pair, lambda[row], local.template head<12>());
+            local(12 + i) -= lambda[row];
+          }
+        ++row;
+      }
+    for (unsigned int i = 0; i < used.size(); ++i)
+      if (used[i]->is_prescribed)
+        {
+          local(first_row + row) =
+            point.coordinates[used[i]->coordinate] - point.factor * used[i]->prescribed(point.time);
+          local(12 + i) += lambda[row++];
+        }
+    if (is_screw)
+      {
+        local(first_row + row) = point.coordinates[used[0]->coordinate] - pitch * point.coordinates[used[1]->coordinate];
+        local(12) += lambda[row];
+        local(13) -= pitch * lambda[row];
+      }
+    block.add(local, r);
+  }
+
+
+
+  void
+  Joint::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    const PairValues<double> pair(frame_a, frame_b, point.q);
+    Eigen::MatrixXd          local     = Eigen::MatrixXd::Zero(block.size(), block.size());
+    const double            *lambda    = point.multipliers + first_multiplier;
+    const unsigned int       first_row = 12 + used.size();
+    unsigned int             row       = 0;
+    auto                     H         = local.topLeftCorner(12, 12);
+
+    for (const auto &l : locked)
+      {
+        l.function.add_second_derivative(pair, lambda[row], H);
+        l.function.add_gradient(pair, 1., local.col(first_row + row++).head<12>());
+      }
+    for (unsigned int i = 0; i < used.size(); ++i, ++row)
+      {
+        const FreeMotion &m     = *used[i];
+        const double      value = point.coordinates[m.coordinate];
+        auto              G     = local.col(first_row + row).head<12>();
+        local(12 + i, 12 + i) += m.spring;
+        if (m.is_angle())
+          {
+            const double s = std::sin(value), c = std::cos(value), l = lambda[row];
+            m.first.add_second_derivative(pair, l * s, H);
+            m.second.add_second_derivative(pair, -l * c * m.sign, H);
+            m.first.add_gradient(pair, s, G);
+            m.second.add_gradient(pair, -c * m.sign, G);
+            Eigen::VectorXd mixed = Eigen::VectorXd::Zero(12);
+            m.first.add_gradient(pair, l * c, mixed.head<12>());
+            m.second.add_gradient(pair, l * s * m.sign, mixed.head<12>());
+            local.col(12 + i).head<12>() += mixed;
+            local.row(12 + i).head<12>() += mixed;
+            local(12 + i, 12 + i) -= l * measure(m, pair, value);
+            local(12 + i, first_row + row) = c * m.first.value(pair) + s * m.sign * m.second.value(pair);
+          }
+        else
+          {
+            m.first.add_second_derivative(pair, lambda[row], H);
+            m.first.add_gradient(pair, 1., G);
+            local(12 + i, first_row + row) = -1;
+          }
+      }
+    for (unsigned int i = 0; i < used.size(); ++i)
+      if (used[i]->is_prescribed)
+        local(12 + i, first_row + row++) = 1;
+    if (is_screw)
+      {
+        local(12, first_row + row) = 1;
+        local(13, first_row + row) = -pitch;
+      }
+    local.bottomLeftCorner(rows.size(), first_row) = local.topRightCorner(first_row, rows.size()).transpose();
+    block.add(local, K);
+  }
+
+
+
+  void
+  Joint::damping(const Point<double> &, SparseMatrix &C) const
+  {
+    Eigen::MatrixXd local = Eigen::MatrixXd::Zero(block.size(), block.size());
+    for (unsigned int i = 0; i < used.size(); ++i)
+      local(12 + i, 12 + i) = used[i]->damper;
+    block.add(local, C);
+  }
+
+
+
+  double
+  Joint::angle_or_gap(const FreeMotion &motion, const State &state) const
+  {
+    if (motion.coordinate >= 0)
+      return state.coordinates[motion.coordinate];
+    const PairValues<double> pair(frame_a, frame_b, state.q.data());
+    if (!motion.is_angle())
+      return motion.first.value(pair);
+    return std::atan2(motion.sign * motion.second.value(pair), motion.first.value(pair));
+  }
+
+
+
+  std::optional<Probe>
+  Joint::probe(const std::string &path) const
+  {
+    for (const auto &motion : free)
+      if (path == motion.name)
+        return Probe{path, motion.is_angle() ? "deg" : "m", [&](const State &state) {
+                       return angle_or_gap(motion, state) * (motion.is_angle() ? 180. / M_PI : 1.);
+                     }};
+      else if (path == motion.name + " rate" && motion.coordinate >= 0)
+        return Probe{path, motion.is_angle() ? "rad/s" : "m/s", [&](const State &state) {
+                       return state.rates[motion.coordinate];
+                     }};
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      if (path == "reaction " + std::to_string(i + 1))
+        return Probe{path, "N or N m", [=](const State &state) { return state.multipliers[first_multiplier + i]; }};
+    return {};
+  }
+
+
+
+  std::vector<std::string>
+  Joint::probe_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &motion : free)
+      names.push_back(motion.name);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      names.push_back("reaction " + std::to_string(i + 1));
+    return names;
+  }
+
+
+
+  void
+  Joint::draw(const State &state, Drawing &drawing) const
+  {
+    Sample a, b;
+    a.x = frame_a.position(state.q.data());
+    a.D = frame_a.triad(state.q.data());
+    b.x = frame_b.position(state.q.data());
+    b.D = frame_b.triad(state.q.data());
+    drawing.begin_object(name);
+    // a short cylinder along axis 3 with a thinner one of body B through it
+    drawing.cylinder(a, 2, 0.5 * draw_size, draw_size);
+    drawing.cylinder(b, 2, 0.25 * draw_size, 1.6 * draw_size);
+  }
+
+
+
+  template class Evaluated<Joint>;
+} // namespace samara

@@ -1,0 +1,65 @@
+#include <samara/base/errors.h>
+#include <samara/program.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+#ifndef SAMARA_VERSION
+#  define SAMARA_VERSION "unknown"
+#endif
+
+int
+main(int argc, char **argv)
+{
+  samara::Options options;
+  CLI::App        app{"Samara: flexible multibody dynamics. Usage: samara model.prm"};
+  app.set_help_flag();
+  app.add_option("model", options.model, "Input file");
+  app.add_option("--set", options.overrides, "Override an entry: \"Bodies/shaft 1/Degree = 4\"")->allow_extra_args(false);
+  app.add_option("--output", options.output, "Folder of the results; default results/<name of the model>");
+  app.add_flag("--check", options.check, "Read and assemble the model, say what it is, and stop");
+  app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
+  app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  auto *const help    = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");
+  help->expected(0, 1);
+  auto *const version = app.add_flag("--version", "Print the version");
+  try
+    {
+      app.parse(argc, argv);
+    }
+  catch (const CLI::ParseError &error)
+    {
+      std::cerr << "samara: " << error.what() << "; see samara --help\n";
+      return samara::input_error;
+    }
+  if (help->count() > 0 && options.help_about.empty())
+    return std::cout << app.help(), samara::success;
+  if (version->count() > 0)
+    return std::cout << "samara " << SAMARA_VERSION << '\n', samara::success;
+
+  try
+    {
+      const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      samara::Log                                    log(std::cout, options.quiet);
+      samara::run(options, log);
+      return samara::success;
+    }
+  catch (const samara::InputError &error)
+    {
+      std::cerr << error.what() << '\n';
+      return samara::input_error;
+    }
+  catch (const samara::NotConverged &error)
+    {
+      std::cerr << error.what() << '\n';
+      return samara::not_converged;
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << "samara: internal error: " << error.what() << '\n';
+      return samara::internal_error;
+    }
+}

@@ -1,0 +1,242 @@
+#include <samara/model/drawing.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/*
+ * Corners of a quadrilateral go round it, counter-clockwise for who looks from outside: the normal
+ * (corner 1 − corner 0) × (corner 3 − corner 0) points outwards. All shapes are closed surfaces.
+ */
+namespace samara
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    /** How many sides a drawn circle has, how many pieces an edge of the cube that is blown up to a sphere. */
+    constexpr unsigned int sides_of_cylinder = 24, sides_of_bar = 8, pieces_of_sphere = 6;
+
+    using Ring = std::vector<Vector3>;
+
+
+
+    Sample
+    moved(const Sample &sample, const Vector3 &x)
+    {
+      Sample result = sample;
+      result.x      = x;
+      return result;
+    }
+
+
+
+    void
+    add_quad(Drawing &drawing, const Sample &a, const Sample &b, const Sample &c, const Sample &d)
+    {
+      Assert(!drawing.objects.empty(), dealii::ExcMessage("Call begin_object() before drawing."));
+      const unsigned int object = drawing.objects.empty() ? 0 : drawing.objects.size() - 1;
+      drawing.quads.push_back({{a, b, c, d}, object});
+    }
+
+
+
+    /**
+     * Fill a ring with strips from one side of it to the other: this is right for all convex outlines and, when they
+     * begin at the trailing edge, for airfoils, whose middle may lie outside. A ring with an odd number of points ends
+     * with a triangle, which is a quadrilateral with two corners at one place.
+     */
+    void
+    add_lid(Drawing &drawing, const Sample &sample, const Ring &ring)
+    {
+      for (unsigned int low = 0, high = ring.size() - 1; low + 1 < high; ++low, --high)
+        add_quad(drawing,
+                 moved(sample, ring[low]),
+                 moved(sample, ring[low + 1]),
+                 moved(sample, ring[high - 1]),
+                 moved(sample, ring[high]));
+    }
+
+
+
+    /** A closed surface through rings that turn counter-clockwise for who looks against the way they are stacked. */
+    void
+    add_tube(Drawing &drawing, const std::vector<Sample> &samples, const std::vector<Ring> &rings)
+    {
+      for (unsigned int i = 0; i + 1 < rings.size(); ++i)
+        for (unsigned int j = 0; j < rings[i].size(); ++j)
+          {
+            const unsigned int next = (j + 1) % rings[i].size();
+            add_quad(drawing,
+                     moved(samples[i], rings[i][j]),
+                     moved(samples[i], rings[i][next]),
+                     moved(samples[i + 1], rings[i + 1][next]),
+                     moved(samples[i + 1], rings[i + 1][j]));
+          }
+
+      add_lid(drawing, samples.front(), Ring(rings.front().rbegin(), rings.front().rend()));
+      add_lid(drawing, samples.back(), rings.back());
+    }
+
+
+
+    /** A circle about @p centre that turns from @p e towards @p f. */
+    Ring
+    circle(const Vector3 &centre, const Vector3 &e, const Vector3 &f, const double radius, const unsigned int n_points)
+    {
+      Ring ring;
+      for (unsigned int j = 0; j < n_points; ++j)
+        {
+          const double angle = 2 * pi * j / n_points;
+          ring.push_back(centre + radius * (std::cos(angle) * e + std::sin(angle) * f));
+        }
+      return ring;
+    }
+
+
+
+    /**
+     * The faces of the cube [−1, 1]³, cut into n × n pieces, each corner sent through @p place. The cuts are at equal
+     * angles from the middle of the cube, so that a sphere gets pieces of nearly equal size.
+     */
+    template <typename Place>
+    void
+    add_cube(Drawing &drawing, const Sample &sample, const unsigned int n, const Place &place)
+    {
+      const auto cut = [n](const unsigned int i) { return std::tan(pi / 4 * (2. * i / n - 1)); };
+
+      for (unsigned int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1., 1.})
+          {
+            const Vector3 normal = side * Vector3::Unit(axis), e = Vector3::Unit((axis + 1) % 3), f = normal.cross(e);
+            const auto    corner = [&](const unsigned int i, const unsigned int j) {
+              return moved(sample, sample.x + sample.D * place(Vector3(normal + cut(i) * e + cut(j) * f)));
+            };
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                add_quad(drawing, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
+          }
+    }
+
+
+
+    /** Twice the area inside, negative if the outline turns clockwise. */
+    double
+    turning_sense(const std::vector<Eigen::Vector2d> &outline)
+    {
+      double sum = 0;
+      for (unsigned int j = 0; j < outline.size(); ++j)
+        {
+          const Eigen::Vector2d &a = outline[j], &b = outline[(j + 1) % outline.size()];
+          sum += a(0) * b(1) - a(1) * b(0);
+        }
+      return sum;
+    }
+  } // namespace
+
+
+
+  void
+  Drawing::begin_object(const std::string &name)
+  {
+    objects.push_back(name);
+  }
+
+
+
+  void
+  Drawing::tube(const std::vector<Sample> &axis, const std::vector<std::vector<Eigen::Vector2d>> &outlines)
+  {
+    Assert(axis.size() == outlines.size(), dealii::ExcDimensionMismatch(outlines.size(), axis.size()));
+    if (axis.size() < 2)
+      return;
+
+    // An outline at a pointed tip may have no area, so the sense of turning is that of all of them.
+    double sense = 0;
+    for (const auto &outline : outlines)
+      sense += turning_sense(outline);
+
+    std::vector<Ring> rings;
+    for (unsigned int i = 0; i < axis.size(); ++i)
+      {
+        Assert(outlines[i].size() == outlines[0].size() && outlines[i].size() >= 3,
+               dealii::ExcMessage("All outlines of a tube have the same number of points, at least 3."));
+        Ring ring;
+        for (const Eigen::Vector2d &point : outlines[i])
+          ring.push_back(axis[i].x + axis[i].D.col(1) * point(0) + axis[i].D.col(2) * point(1));
+        if (sense < 0)
+          std::reverse(ring.begin(), ring.end());
+        rings.push_back(ring);
+      }
+    add_tube(*this, axis, rings);
+  }
+
+
+
+  void
+  Drawing::cylinder(const Sample &centre, const unsigned int axis, const double radius, const double length)
+  {
+    AssertIndexRange(axis, 3);
+    const Vector3 direction = centre.D.col(axis), e = centre.D.col((axis + 1) % 3), f = centre.D.col((axis + 2) % 3);
+    add_tube(*this,
+             {centre, centre},
+             {circle(centre.x - length / 2 * direction, e, f, radius, sides_of_cylinder),
+              circle(centre.x + length / 2 * direction, e, f, radius, sides_of_cylinder)});
+  }
+
+
+
+  void
+  Drawing::sphere(const Sample &centre, const double radius)
+  {
+    add_cube(*this, centre, pieces_of_sphere, [radius](const Vector3 &p) -> Vector3 {
+      return radius * p.normalized();
+    });
+  }
+
+
+
+  void
+  Drawing::box(const Sample &centre, const Vector3 &sides)
+  {
+    add_cube(*this, centre, 1, [&sides](const Vector3 &p) -> Vector3 { return sides.cwiseProduct(p) / 2; });
+  }
+
+
+
+  void
+  Drawing::bar(const Sample &from, const Sample &to, const double radius)
+  {
+    const Vector3 span = to.x - from.x;
+    if (span.norm() == 0)
+      return; // a joint whose ends coincide has no bar
+
+    const Vector3 direction = span.normalized(), e = direction.unitOrthogonal(), f = direction.cross(e);
+    add_tube(*this, {from, to}, {circle(from.x, e, f, radius, sides_of_bar), circle(to.x, e, f, radius, sides_of_bar)});
+  }
+
+
+
+  std::vector<Eigen::Vector2d>
+  ellipse_outline(const double radius_2, const double radius_3, const unsigned int n_points)
+  {
+    std::vector<Eigen::Vector2d> outline;
+    for (unsigned int j = 0; j < n_points; ++j)
+      {
+        const double angle = 2 * pi * j / n_points;
+        outline.emplace_back(radius_2 * std::cos(angle), radius_3 * std::sin(angle));
+      }
+    return outline;
+  }
+
+
+
+  std::vector<Eigen::Vector2d>
+  rectangle_outline(const double width_2, const double width_3)
+  {
+    const double a = width_2 / 2, b = width_3 / 2;
+    return {{a, -b}, {a, b}, {-a, b}, {-a, -b}};
+  }
+} // namespace samara

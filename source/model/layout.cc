@@ -1,0 +1,139 @@
+#include <samara/model/system.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace samara
+{
+  Layout::Layout(Model &model)
+    : model(model)
+  {
+    model.close();
+    n_nodes       = model.nodes.size();
+    n_coordinates = model.coordinates.size();
+    for (auto &c : model.contributions)
+      {
+        c->first_strain = n_strains;
+        c->connect(*this);
+        n_strains += c->n_strains();
+      }
+    model.complaints.throw_if_any();
+
+    for (const auto &c : couplings)
+      number_rows(c);
+    make_pattern();
+    for (const auto &c : couplings)
+      find_positions(*c.block);
+    couplings.clear();
+  }
+
+
+
+  unsigned int
+  Layout::add_multipliers(const std::vector<std::string> &names)
+  {
+    multiplier_names.insert(multiplier_names.end(), names.begin(), names.end());
+    n_multipliers = multiplier_names.size();
+    return n_multipliers - names.size();
+  }
+
+
+
+  void
+  Layout::couple(Block                           &block,
+                 const std::vector<Frame>        &frames,
+                 const std::vector<unsigned int> &coordinates,
+                 const std::vector<unsigned int> &multipliers)
+  {
+    couplings.push_back({&block, frames, coordinates, multipliers});
+  }
+
+
+
+  void
+  Layout::number_rows(const Coupling &c) const
+  {
+    Block &block = *c.block;
+    block        = {};
+    for (unsigned int i = 0; i < c.frames.size(); ++i)
+      {
+        for (unsigned int k = 0; k < 6; ++k)
+          block.rows.push_back(of_node(c.frames[i].node) + k);
+        if (!c.frames[i].is_node())
+          block.transfers.emplace_back(i, twist_transfer(c.frames[i].arm, c.frames[i].rotation));
+      }
+    for (const auto i : c.coordinates)
+      block.rows.push_back(of_coordinate(i));
+    for (const auto i : c.multipliers)
+      block.rows.push_back(of_multiplier(i));
+  }
+
+
+
+  void
+  Layout::make_pattern()
+  {
+    const int                     n = n_unknowns();
+    std::vector<std::vector<int>> columns(n);
+    const auto                    couple_all = [&](const std::vector<int> &rows) {
+      for (const int j : rows)
+        if (j < n)
+          for (const int i : rows)
+            if (i < n)
+              columns[j].push_back(i);
+    };
+    for (unsigned int node = 1; node < n_nodes; ++node)
+      {
+        std::vector<int> rows(6);
+        for (unsigned int k = 0; k < 6; ++k)
+          rows[k] = of_node(node) + k;
+        couple_all(rows);
+      }
+    for (int i = of_coordinate(0); i < n; ++i)
+      columns[i].push_back(i);
+    for (const auto &c : couplings)
+      couple_all(c.block->rows);
+
+    auto result = std::make_shared<Pattern>();
+    result->column_start.push_back(0);
+    for (auto &rows : columns)
+      {
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        result->rows.insert(result->rows.end(), rows.begin(), rows.end());
+        result->column_start.push_back(result->rows.size());
+        std::vector<int>().swap(rows);
+      }
+    pattern = result;
+  }
+
+
+
+  void
+  Layout::find_positions(Block &block) const
+  {
+    const int n = n_unknowns();
+    block.positions.reserve(block.size() * block.size());
+    for (const int j : block.rows)
+      for (const int i : block.rows)
+        block.positions.push_back(i < n && j < n ? pattern->position(i, j) : pattern->n_nonzeros());
+  }
+
+
+
+  std::string
+  Layout::name_of(const unsigned int unknown) const
+  {
+    static const std::array<std::string, 6> directions = {
+      {"displacement 1", "displacement 2", "displacement 3", "rotation 1", "rotation 2", "rotation 3"}};
+    const unsigned int first_coordinate = of_coordinate(0), first_multiplier = of_multiplier(0);
+    if (unknown >= first_multiplier)
+      return multiplier_names[unknown - first_multiplier];
+    if (unknown >= first_coordinate)
+      return model.coordinates[unknown - first_coordinate];
+    const auto        &node = model.nodes[1 + unknown / 6];
+    std::ostringstream text;
+    text << node.name << " at (" << node.x.transpose() << "), " << directions[unknown % 6];
+    return text.str();
+  }
+} // namespace samara

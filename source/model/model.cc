@@ -1,0 +1,181 @@
+#include <samara/base/text.h>
+#include <samara/model/model.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <stdexcept>
+
+namespace samara
+{
+  Model::Model()
+  {
+    add_node("ground", Vector3::Zero(), Matrix3::Identity());
+  }
+
+
+
+  Frame
+  Model::ground() const
+  {
+    return {};
+  }
+
+
+
+  Frame
+  Model::add_node(const std::string &name, const Vector3 &x, const Matrix3 &D)
+  {
+    nodes.push_back({name, x, D, Matrix6::Zero()});
+    parent.push_back({static_cast<unsigned int>(nodes.size() - 1)});
+    return parent.back();
+  }
+
+
+
+  void
+  Model::add_inertia(const Frame &frame, const Matrix6 &M)
+  {
+    const Matrix6 T = twist_transfer(frame.arm, frame.rotation);
+    nodes[frame.node].inertia += T.transpose() * M * T;
+  }
+
+
+
+  Frame
+  Model::root_of(const Frame &frame) const
+  {
+    Frame f = frame;
+    while (parent[f.node].node != f.node)
+      f = parent[f.node].then(f.arm, f.rotation);
+    return f;
+  }
+
+
+
+  void
+  Model::weld(const Frame &a, const Frame &b)
+  {
+    Frame        A = root_of(a), B = root_of(b);
+    if (B.node < A.node) // the ground must stay a root
+      std::swap(A, B);
+    if (A.node == B.node)
+      return; // already rigidly connected
+    const Node &n = nodes[A.node], &m = nodes[B.node];
+    parent[B.node] = {A.node, n.D.transpose() * (m.x - n.x), n.D.transpose() * m.D};
+    // axes that agree to round-off are the same axes, and a node without arm is the node itself
+    if (parent[B.node].arm.norm() < 1e-12 * (1. + n.x.norm()))
+      parent[B.node].arm.setZero();
+    if ((parent[B.node].rotation - Matrix3::Identity()).norm() < 1e-14)
+      parent[B.node].rotation.setIdentity();
+  }
+
+
+
+  unsigned int
+  Model::add_coordinate(const std::string &name, const std::string &unit)
+  {
+    coordinates.push_back(name);
+    coordinate_units.push_back(unit);
+    return coordinates.size() - 1;
+  }
+
+
+
+  void
+  Model::close()
+  {
+    std::vector<Node> kept;
+    kept_as.assign(nodes.size(), -1);
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (parent[i].node == i)
+        {
+          kept_as[i] = kept.size();
+          kept.push_back(nodes[i]);
+        }
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (parent[i].node != i)
+        {
+          const Frame   root = root_of({i});
+          const Matrix6 T    = twist_transfer(root.arm, root.rotation);
+          kept[kept_as[root.node]].inertia += T.transpose() * nodes[i].inertia * T;
+        }
+    nodes = kept;
+  }
+
+
+
+  Frame
+  Model::resolved(const Frame &frame) const
+  {
+    Assert(!kept_as.empty(), dealii::ExcMessage("resolved() before close()"));
+    Frame root = root_of(frame);
+    root.node  = kept_as[root.node];
+    return root;
+  }
+
+
+
+  Vector3
+  Model::position(const Frame &frame) const
+  {
+    Assert(kept_as.empty(), dealii::ExcMessage("reference positions are asked for before close()"));
+    return nodes[frame.node].x + nodes[frame.node].D * frame.arm;
+  }
+
+
+
+  Matrix3
+  Model::triad(const Frame &frame) const
+  {
+    Assert(kept_as.empty(), dealii::ExcMessage("reference triads are asked for before close()"));
+    return nodes[frame.node].D * frame.rotation;
+  }
+
+
+
+  Frame
+  Model::frame_at(const Frame &frame, const Vector3 &x, const Matrix3 &D) const
+  {
+    const Node &n = nodes[frame.node];
+    return {frame.node, n.D.transpose() * (x - n.x), n.D.transpose() * D};
+  }
+
+
+
+  std::string
+  Model::nearest_name(const std::string &wrong, const std::vector<const Contribution *> &of) const
+  {
+    std::vector<std::string> names;
+    for (const auto *c : of)
+      names.push_back(c->name);
+    return did_you_mean(wrong, names);
+  }
+
+
+
+  Frame
+  Model::frame(const std::string &path) const
+  {
+    if (path == "ground")
+      return ground();
+    const auto        dot  = path.find('.');
+    const std::string name = trim(path.substr(0, dot));
+    return find<Body>(name, "body").frame(dot == std::string::npos ? "" : trim(path.substr(dot + 1)));
+  }
+
+
+
+  Probe
+  Model::probe(const std::string &path) const
+  {
+    const auto        dot  = path.find('.');
+    const std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const auto       &owner = find<Contribution>(name, "body or joint");
+    if (auto probe = owner.probe(rest))
+      {
+        probe->name = path;
+        return *probe;
+      }
+    throw std::invalid_argument("<" + name + "> has no <" + rest + ">" + did_you_mean(rest, owner.probe_names()));
+  }
+} // namespace samara

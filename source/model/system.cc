@@ -1,0 +1,246 @@
+#include <samara/model/system.h>
+
+#include <algorithm>
+
+namespace samara
+{
+  System::System(Model &model)
+    : model(model)
+    , layout(model)
+  {}
+
+
+
+  State
+  System::reference() const
+  {
+    State state;
+    for (const auto &node : model.nodes)
+      {
+        state.q.insert(state.q.end(), node.x.data(), node.x.data() + 3);
+        state.q.insert(state.q.end(), node.D.data(), node.D.data() + 9);
+      }
+    state.coordinates.assign(layout.n_coordinates, 0.);
+    state.rates.assign(layout.n_coordinates, 0.);
+    state.y.assign(6 * layout.n_nodes, 0.);
+    state.multipliers.assign(layout.n_multipliers, 0.);
+    state.stress.assign(layout.n_strains, 0.);
+    state.motion.resize(layout.n_nodes);
+    return state;
+  }
+
+
+
+  void
+  System::strains(const State &state, std::vector<double> &e) const
+  {
+    e.resize(layout.n_strains);
+    for (const auto &c : model.contributions)
+      c->strains(state.point(), e.data() + c->first_strain);
+  }
+
+
+
+  void
+  System::stresses(const State &state, std::vector<double> &stress) const
+  {
+    thread_local std::vector<double> e, rates;
+    strains(state, e);
+    rates.assign(layout.n_strains, 0.);
+    stress.resize(layout.n_strains);
+    for (const auto &c : model.contributions)
+      {
+        c->strain_rates(state.point(), rates.data() + c->first_strain);
+        c->stresses(e.data() + c->first_strain, rates.data() + c->first_strain, stress.data() + c->first_strain);
+      }
+  }
+
+
+
+  void
+  System::residual(const State &state, const std::vector<double> &stress, std::vector<double> &r) const
+  {
+    r.assign(size() + 6, 0.);
+    Point<double> point = state.point();
+    point.stress        = stress.data();
+    for (const auto &c : model.contributions)
+      c->residual(point, r.data());
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const Eigen::Map<const Vector6> y(&state.y[6 * node]);
+        Eigen::Map<Vector6>(&r[layout.of_node(node)]) -= ad_star<double>(y, model.nodes[node].inertia * y);
+      }
+    for (const auto i : dropped)
+      r[layout.of_multiplier(i)] = state.multipliers[i];
+  }
+
+
+
+  void
+  System::drop(const std::vector<unsigned int> &multipliers)
+  {
+    dropped = multipliers;
+  }
+
+
+
+  namespace
+  {
+    /** Add a 6×6 matrix to the diagonal block of each node. */
+    template <typename MatrixOfNode>
+    void
+    add_nodal(const Layout &layout, SparseMatrix &A, const MatrixOfNode &matrix_of_node)
+    {
+      for (unsigned int node = 1; node < layout.n_nodes; ++node)
+        {
+          const Matrix6 block = matrix_of_node(node);
+          const int     first = layout.of_node(node);
+          for (int j = 0; j < 6; ++j)
+            {
+              // the six rows of a node stand side by side in each of its columns
+              const int position = A.pattern->position(first, first + j);
+              for (int i = 0; i < 6; ++i)
+                A.values[position + i] += block(i, j);
+            }
+        }
+    }
+  } // namespace
+
+
+
+  void
+  System::tangent(const State &state, SparseMatrix &K) const
+  {
+    K.clear();
+    for (const auto &c : model.contributions)
+      c->tangent(state.point(), K);
+    if (std::any_of(state.y.begin(), state.y.end(), [](const double v) { return v != 0.; }))
+      add_nodal(layout, K, [&](const unsigned int node) -> Matrix6 {
+        const Eigen::Map<const Vector6> y(&state.y[6 * node]);
+        return gyroscopic_tangent(model.nodes[node].inertia, y) * ad(y);
+      });
+    for (const auto i : dropped)
+      {
+        const int j = layout.of_multiplier(i);
+        for (int k = K.pattern->column_start[j]; k < K.pattern->column_start[j + 1]; ++k)
+          K.values[k] = K.values[K.pattern->position(j, K.pattern->rows[k])] = 0.;
+        K.values[K.pattern->position(j, j)] = 1.;
+      }
+  }
+
+
+
+  void
+  System::damping(const State &state, SparseMatrix &C) const
+  {
+    C.clear();
+    for (const auto &c : model.contributions)
+      c->damping(state.point(), C);
+    add_nodal(layout, C, [&](const unsigned int node) -> Matrix6 {
+      const Eigen::Map<const Vector6> y(&state.y[6 * node]);
+      const Matrix6                  &M = model.nodes[node].inertia;
+      return M * ad(y) + gyroscopic_tangent(M, y);
+    });
+  }
+
+
+
+  void
+  System::mass(SparseMatrix &M) const
+  {
+    M.clear();
+    add_nodal(layout, M, [&](const unsigned int node) -> Matrix6 { return model.nodes[node].inertia; });
+  }
+
+
+
+  void
+  System::update(State &state, const std::vector<double> &z) const
+  {
+    // the stress first, while the state is still the one that was linearised about
+    thread_local std::vector<double> e, rates, linear_strain, twists;
+    strains(state, e);
+    rates.assign(layout.n_strains, 0.);
+    linear_strain.assign(layout.n_strains, 0.);
+    twists.assign(6 * layout.n_nodes, 0.);
+    std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
+    Point<double> point = state.point();
+    for (const auto &c : model.contributions)
+      c->strain_rates(point, rates.data() + c->first_strain);
+    point.y     = twists.data();
+    point.rates = z.data() + layout.of_coordinate(0);
+    for (const auto &c : model.contributions)
+      {
+        double *const e_c = e.data() + c->first_strain, *const b_c = linear_strain.data() + c->first_strain;
+        c->strain_rates(point, b_c);
+        for (unsigned int i = 0; i < c->n_strains(); ++i)
+          e_c[i] += b_c[i];
+        c->stresses(e_c, rates.data() + c->first_strain, state.stress.data() + c->first_strain);
+      }
+
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const double *const  zn = &z[layout.of_node(node)];
+        Eigen::Map<Vector3>  x(&state.q[12 * node]);
+        Eigen::Map<Matrix3>  D(&state.q[12 * node + 3]);
+        x += D * Eigen::Map<const Vector3>(zn);
+        D = renormalised(D * cayley<double>(Eigen::Map<const Vector3>(zn + 3)));
+      }
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      state.coordinates[i] += z[layout.of_coordinate(i)];
+    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+      state.multipliers[i] += z[layout.of_multiplier(i)];
+    update_twists(state);
+  }
+
+
+
+  void
+  System::update_twists(State &state) const
+  {
+    for (unsigned int node = 0; node < layout.n_nodes; ++node)
+      {
+        const auto   &m = state.motion[node];
+        const Matrix3 D = state.triad(node);
+        Eigen::Map<Vector6>(&state.y[6 * node])
+          << D.transpose() * (m.velocity + m.spin.cross(state.position(node) - m.at)),
+          D.transpose() * m.spin;
+      }
+  }
+
+
+
+  System::Energy
+  System::energy(const State &state) const
+  {
+    Energy              energy{0, 0};
+    std::vector<double> e;
+    strains(state, e);
+    for (const auto &c : model.contributions)
+      energy.strain += c->strain_energy(e.data() + c->first_strain);
+    for (unsigned int node = 0; node < layout.n_nodes; ++node)
+      {
+        const Eigen::Map<const Vector6> y(&state.y[6 * node]);
+        energy.kinetic += 0.5 * y.dot(model.nodes[node].inertia * y);
+      }
+    return energy;
+  }
+
+
+
+  System::MassProperties
+  System::mass_properties(const State &state) const
+  {
+    // the inertia of everything seen at the origin, [m I, −m c~; m c~, J]
+    Matrix6 total = Matrix6::Zero();
+    for (unsigned int node = 0; node < layout.n_nodes; ++node)
+      {
+        // a node is a frame at its place with its axes in a body at the origin
+        const Matrix6 S = twist_transfer(state.position(node), state.triad(node));
+        total += S.transpose() * model.nodes[node].inertia * S;
+      }
+    const double  mass   = total.topLeftCorner<3, 3>().trace() / 3;
+    const Vector3 centre = mass > 0 ? Vector3(axial(total.bottomLeftCorner<3, 3>()) / mass) : Vector3::Zero();
+    return {mass, centre, total.bottomRightCorner<3, 3>() + mass * skew(centre) * skew(centre)};
+  }
+} // namespace samara

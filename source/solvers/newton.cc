@@ -1,0 +1,117 @@
+#include <samara/solvers/newton.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  double
+  model_length(const Model &model)
+  {
+    Vector3 low = model.nodes[0].x, high = low;
+    for (const auto &node : model.nodes)
+      {
+        low  = low.cwiseMin(node.x);
+        high = high.cwiseMax(node.x);
+      }
+    return (high - low).norm() > 0 ? (high - low).norm() : 1.;
+  }
+
+
+
+  Newton::Newton(const System &system, LinearSolver &solver, const double tolerance, const unsigned int max_iterations)
+    : system(system)
+    , solver(solver)
+    , tolerance(tolerance)
+    , max_iterations(max_iterations)
+    , length(model_length(system.model))
+    , K(system.layout.pattern)
+  {}
+
+
+
+  double
+  Newton::size_of_step() const
+  {
+    double size = 0;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        const Eigen::Map<const Vector6> z(&step[system.layout.of_node(node)]);
+        size = std::max({size, z.head<3>().norm() / length, z.tail<3>().norm()});
+      }
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      size = std::max(size,
+                      std::abs(step[system.layout.of_coordinate(i)]) /
+                        (system.model.coordinate_units[i] == "m" ? length : 1.));
+    return size;
+  }
+
+
+
+  void
+  Newton::find_worst(NewtonResult &result) const
+  {
+    for (unsigned int i = 0; i < system.size(); ++i)
+      if (!(std::abs(residual[i]) <= result.residual))
+        {
+          result.residual = std::abs(residual[i]);
+          result.worst    = i;
+        }
+  }
+
+
+
+  NewtonResult
+  Newton::solve(State &state)
+  {
+    NewtonResult result;
+    double       smallest = 1e300;
+    while (result.iterations < max_iterations)
+      {
+        system.stresses(state, stress);
+        system.residual(state, stress, residual);
+        system.tangent(state, K);
+        try
+          {
+            solver.factorize(K);
+          }
+        catch (const SingularMatrix &singular)
+          {
+            result.reason = "the tangent matrix is singular";
+            result.worst  = std::max(0, singular.unknown);
+            return result;
+          }
+        step.assign(residual.begin(), residual.begin() + system.size());
+        for (auto &s : step)
+          s = -s;
+        solver.solve(step.data());
+        ++result.iterations;
+        ++n_iterations;
+
+        result.last_step = size_of_step();
+        if (!std::isfinite(result.last_step) || result.last_step > 100.)
+          {
+            result.reason = "the iterations diverge";
+            find_worst(result);
+            return result;
+          }
+        system.update(state, step);
+        smallest = std::min(smallest, result.last_step);
+        if (result.last_step < tolerance)
+          {
+            system.stresses(state, state.stress);
+            result.converged = true;
+            return result;
+          }
+        if (result.iterations > 8 && result.last_step > 1e3 * smallest)
+          {
+            result.reason = "the iterations diverge";
+            find_worst(result);
+            return result;
+          }
+      }
+    result.reason = "no convergence in " + std::to_string(max_iterations) + " iterations";
+    find_worst(result);
+    return result;
+  }
+} // namespace samara

@@ -1,0 +1,78 @@
+#include <samara/base/errors.h>
+#include <samara/base/log.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace samara;
+
+namespace
+{
+  TEST(Complaints, AllComeAtOnceInTheOrderOfAdding)
+  {
+    Complaints complaints;
+    EXPECT_TRUE(complaints.empty());
+    EXPECT_NO_THROW(complaints.throw_if_any());
+
+    complaints.add("b.prm:2", "second line");
+    complaints.add("a.prm:1", "first line");
+    complaints.add("", "no place");
+    EXPECT_FALSE(complaints.empty());
+    try
+      {
+        complaints.throw_if_any();
+        FAIL() << "nothing was thrown";
+      }
+    catch (const InputError &e)
+      {
+        EXPECT_STREQ(e.what(), "b.prm:2: second line\na.prm:1: first line\nno place");
+        EXPECT_EQ(e.complaints.size(), 3u);
+      }
+  }
+
+
+
+  TEST(Complaints, TheSameCountsOnce)
+  {
+    Complaints complaints;
+    complaints.add("a.prm:1", "wrong");
+    complaints.add("a.prm:1", "wrong");
+    complaints.add("a.prm:2", "wrong");
+    EXPECT_EQ(complaints.all().size(), 2u);
+  }
+
+
+
+  TEST(InputError, OfOneLine)
+  {
+    const InputError error("a.prm:1: wrong");
+    EXPECT_STREQ(error.what(), "a.prm:1: wrong");
+    EXPECT_EQ(error.complaints, std::vector<std::string>{"a.prm:1: wrong"});
+  }
+
+
+
+  TEST(NotConverged, IsNoInputError)
+  {
+    const NotConverged error("at t = 1 s");
+    EXPECT_EQ(dynamic_cast<const InputError *>(static_cast<const std::exception *>(&error)), nullptr);
+    EXPECT_STREQ(error.what(), "at t = 1 s");
+  }
+
+
+
+  TEST(Log, QuietPrintsWarningsOnly)
+  {
+    std::ostringstream loud_text, quiet_text;
+    Log                loud(loud_text), quiet(quiet_text, true);
+    for (Log *log : {&loud, &quiet})
+      {
+        log->line("step 1");
+        log->warning("a.prm:3", "large");
+        EXPECT_EQ(log->n_warnings(), 1u);
+      }
+    EXPECT_EQ(loud_text.str(), "step 1\na.prm:3: warning: large\n");
+    EXPECT_EQ(quiet_text.str(), "a.prm:3: warning: large\n");
+  }
+} // namespace

@@ -1,0 +1,222 @@
+#include <samara/base/quantity.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace samara;
+
+namespace
+{
+  /** What number() complains about. */
+  std::string
+  fault(const Quantities &quantities, const std::string &text, const std::string &unit)
+  {
+    try
+      {
+        return "no fault: " + std::to_string(quantities.number(text, unit));
+      }
+    catch (const std::invalid_argument &e)
+      {
+        return e.what();
+      }
+  }
+
+  bool
+  contains(const std::string &text, const std::string &part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+
+  /** Quantities with constants, about which nobody complains. */
+  Quantities
+  with_constants(const std::vector<std::pair<std::string, std::string>> &constants)
+  {
+    Quantities quantities;
+    Complaints complaints;
+    for (const auto &c : constants)
+      quantities.add_constant(c.first, c.second, "here", complaints);
+    complaints.throw_if_any();
+    return quantities;
+  }
+
+
+
+  TEST(Quantity, ReadsExpressions)
+  {
+    const Quantities q;
+    EXPECT_EQ(q.number("3", "m"), 3);
+    EXPECT_EQ(q.number(" -2.5e3 ", "kg"), -2500);
+    EXPECT_DOUBLE_EQ(q.number("6.0 ft", "m"), 1.8288);
+    EXPECT_DOUBLE_EQ(q.number("6ft + 2 in", "m"), 1.8796);
+    EXPECT_DOUBLE_EQ(q.number("1/2 m", "m"), 0.5);
+    EXPECT_DOUBLE_EQ(q.number("(1 + 2) (3 + 4) N", "N"), 21);
+    EXPECT_DOUBLE_EQ(q.number("sqrt(4 m^2)", "m"), 2);
+    EXPECT_DOUBLE_EQ(q.number("sin(30 deg)", "1"), 0.5);
+    EXPECT_DOUBLE_EQ(q.number("max(1 ft, 1 m)", "m"), 1);
+    EXPECT_DOUBLE_EQ(q.number("2 min", "s"), 120) << "a unit called like a function";
+    EXPECT_DOUBLE_EQ(q.number("min(2, 3)", "1"), 2);
+    EXPECT_DOUBLE_EQ(q.number("10% + 5 %", "1"), 0.15);
+    EXPECT_DOUBLE_EQ(q.number("floor(2.7) + ceil(0.1)", "1"), 3);
+    EXPECT_DOUBLE_EQ(q.number("2 e", "1"), 2 * std::exp(1.));
+  }
+
+
+
+  TEST(Quantity, RefusesTheWrongDimension)
+  {
+    const Quantities q;
+    EXPECT_EQ(fault(q, "5 m", "kg"), "<5 m> is a length [m], but [kg] is wanted.");
+    EXPECT_EQ(fault(q, "5 m", "1"), "<5 m> is a length [m], but a number without unit is wanted.");
+    EXPECT_EQ(fault(q, "45 deg", "m"), "<45 deg> is an angle [rad], but [m] is wanted.");
+    EXPECT_TRUE(contains(fault(q, "45 deg", "rad/s"), "an angle [rad]"));
+    EXPECT_TRUE(contains(fault(q, "5 m^2", "m"), "an area"));
+    EXPECT_TRUE(contains(fault(q, "5 kg/m", "kg"), "a mass per length"));
+    EXPECT_EQ(q.number("5 m", ""), 5) << "no unit is declared";
+  }
+
+
+
+  TEST(Quantity, RefusesMixedDimensions)
+  {
+    const Quantities q;
+    for (const char *text : {"1 m + 1 kg", "1 + 1 m", "exp(1 m)", "1 m + 1 m^2", "sin(2 s)"})
+      {
+        EXPECT_TRUE(contains(fault(q, text, "m"), "mixes dimensions")) << text << ": " << fault(q, text, "m");
+        EXPECT_TRUE(contains(fault(q, text, ""), "mixes dimensions")) << text;
+      }
+    EXPECT_EQ(q.number("6.0 ft - 6.0 ft", "m"), 0);
+    EXPECT_NEAR(q.number("6.0 ft - 1.8288 m", "m"), 0, 1e-15) << "what rounding leaves has a dimension, too";
+  }
+
+
+
+  TEST(Quantity, AnAngleIsANumber)
+  {
+    const Quantities q;
+    EXPECT_DOUBLE_EQ(q.number("2 N*m/rad", "N*m"), 2);
+    EXPECT_DOUBLE_EQ(q.number("2 N*m", "N*m/rad"), 2);
+    EXPECT_DOUBLE_EQ(q.number("180 N*m/deg", "N*m/rad"), 180 * 180 / M_PI);
+    EXPECT_DOUBLE_EQ(q.number("90 deg", "1"), M_PI / 2);
+    EXPECT_DOUBLE_EQ(q.number("2/s", "rad/s"), 2) << "no unit of angle is no contradiction";
+  }
+
+
+
+  TEST(Quantity, RefusesToGuessWhatACycleIs)
+  {
+    const Quantities q;
+    EXPECT_TRUE(contains(fault(q, "5 Hz", "rad/s"), "rev/s"));
+    EXPECT_TRUE(contains(fault(q, "300 rpm", "Hz"), "cycles"));
+    EXPECT_EQ(q.number("5 Hz", "Hz"), 5);
+    EXPECT_EQ(q.number("5 Hz", "1/s"), 5);
+    EXPECT_DOUBLE_EQ(q.number("5 rev/s", "rad/s"), 10 * M_PI);
+  }
+
+
+
+  TEST(Quantity, APoundIsAMassUnlessAForceIsWanted)
+  {
+    const Quantities q;
+    const double     mass = 0.45359237, force = mass * 9.80665, ft = 0.3048;
+    EXPECT_DOUBLE_EQ(q.number("2 lb", "kg"), 2 * mass);
+    EXPECT_DOUBLE_EQ(q.number("2 lb", "N"), 2 * force);
+    EXPECT_DOUBLE_EQ(q.number("2 lb", ""), 2 * mass);
+    EXPECT_DOUBLE_EQ(q.number("1e6 lb*ft^2", "N*m^2"), 1e6 * force * ft * ft);
+    EXPECT_DOUBLE_EQ(q.number("1e6 lb*ft^2", "kg*m^2"), 1e6 * mass * ft * ft);
+    EXPECT_DOUBLE_EQ(q.number("1 lb*s^2/ft", "kg"), force / ft) << "a slug";
+    EXPECT_TRUE(contains(fault(q, "1 lb", "m"), "a mass"));
+    EXPECT_DOUBLE_EQ(q.number("1 lb + 1 N", "N"), force + 1);
+  }
+
+
+
+  TEST(Quantity, APoundInAConstantKeepsBothReadings)
+  {
+    const auto   q    = with_constants({{"w", "10 lb"}, {"w2", "2*w"}, {"f", "1 lb + 1 N"}});
+    const double mass = 0.45359237, force = mass * 9.80665;
+    EXPECT_DOUBLE_EQ(q.number("w2", "kg"), 20 * mass);
+    EXPECT_DOUBLE_EQ(q.number("w2", "N"), 20 * force);
+    EXPECT_DOUBLE_EQ(q.number("f", "N"), force + 1);
+    EXPECT_TRUE(contains(fault(q, "f", "kg"), "a force"));
+  }
+
+
+
+  TEST(Quantity, ConstantsCarryTheirDimension)
+  {
+    const auto q = with_constants({{"L", "6.0 ft"}, {"n", "4"}, {"A", "L^2"}, {"Omega", "300 rpm"}, {"neg", "-2 m"}});
+    EXPECT_DOUBLE_EQ(q.number("L", "m"), 1.8288);
+    EXPECT_DOUBLE_EQ(q.number("L/n", "m"), 0.4572);
+    EXPECT_DOUBLE_EQ(q.number("A", "m^2"), 1.8288 * 1.8288);
+    EXPECT_DOUBLE_EQ(q.number("Omega", "rad/s"), 10 * M_PI);
+    EXPECT_DOUBLE_EQ(q.number("n", "kg"), 4) << "a number takes the declared unit";
+    EXPECT_DOUBLE_EQ(q.number("neg^2", "m^2"), 4);
+    EXPECT_TRUE(contains(fault(q, "A", "m"), "an area"));
+  }
+
+
+
+  TEST(Quantity, ZeroIsZeroInEveryUnit)
+  {
+    EXPECT_EQ(Quantities().number("0 ft", "kg"), 0);
+  }
+
+
+
+  TEST(Quantity, SaysWhichWordIsUnknown)
+  {
+    const auto q = with_constants({{"span", "6 m"}});
+    EXPECT_EQ(fault(q, "2*spam", "m"),
+              "<2*spam>: <spam> is neither a constant nor a unit nor a function; did you mean <span>?");
+    EXPECT_TRUE(contains(fault(q, "2 slugs", "kg"), "did you mean <slug>?"));
+    EXPECT_TRUE(contains(fault(q, "sine(2)", "1"), "did you mean <sin>?"));
+    EXPECT_TRUE(contains(fault(q, "span(2)", "m"), "<span> is not a function"));
+  }
+
+
+
+  TEST(Quantity, RefusesWhatItCannotRead)
+  {
+    const Quantities q;
+    for (const char *text :
+         {"",   "  ",    "1 +",     "(1",  "1)",       "1 000", "1; 2",     "sin()",     "3 = 3", "1, 2",
+          "()", "m = 3", "max(,1)", "1/0", "sqrt(-1)", "* 3",   "atan2(1)", "sin(1, 2)", "\"a\"", "3 µm"})
+      EXPECT_FALSE(contains(fault(q, text, "1"), "no fault")) << text << fault(q, text, "1");
+    EXPECT_TRUE(contains(fault(q, "1 000", "1"), "operator is missing before <000>"));
+    EXPECT_TRUE(contains(fault(q, "1/0", "1"), "not a finite number"));
+    EXPECT_TRUE(contains(fault(q, "3 µm", "1"), "<µ>"));
+  }
+
+
+
+  TEST(Quantity, RefusesBadConstants)
+  {
+    Quantities q;
+    Complaints complaints;
+    q.add_constant("L", "3 m", "a.prm:1", complaints);
+    ASSERT_TRUE(complaints.empty());
+    unsigned int line = 1;
+    for (const char *name : {"L", "m", "t", "pi", "sin", "", "2x", "blade mass", "a-b"})
+      {
+        q.add_constant(name, "3", "a.prm:" + std::to_string(++line), complaints);
+        EXPECT_EQ(complaints.all().size(), line - 1) << name;
+      }
+    q.add_constant("x", "3 + 2 m", "a.prm:77", complaints);
+    q.add_constant("y", "3 z", "a.prm:78", complaints);
+    EXPECT_EQ(complaints.all().size(), line + 1);
+    EXPECT_TRUE(contains(complaints.all()[1], "a.prm:3: constant <m>: there is a unit of that name"));
+    EXPECT_EQ(q.number("L", "m"), 3) << "the first one holds";
+    EXPECT_TRUE(contains(fault(q, "x", "m"), "neither a constant"));
+  }
+
+
+
+  TEST(Quantity, ThereIsAListOfWords)
+  {
+    const auto words = with_constants({{"span", "6 m"}}).known_words();
+    for (const char *word : {"span", "ft", "sin", "pi"})
+      EXPECT_EQ(std::count(words.begin(), words.end(), word), 1) << word;
+  }
+} // namespace

@@ -1,0 +1,315 @@
+// The tangent of every contribution in the catalogue against a complex step through its residual.
+//
+// Strains are quadratic and the constitutive law is linear, so the complex step is exact to round-off: the tangent with
+// δσ = C B ζ must be the derivative of the residual with σ = C e(q) in every direction, the damping matrix the one
+// with respect to velocities, and the strain rates B y the derivative of the strains.
+
+#include "../scene.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+using namespace samara;
+using Complex = std::complex<double>;
+
+namespace
+{
+  const std::string bodies = R"(
+subsection Sections
+  subsection full
+    set Type = matrices
+    set Stiffness = 9, 1, .5, .2, .3, .1, 7, .4, .3, .2, .6, 6, .1, .5, .2, 3, .2, .1, 2, .3, 4
+    set Inertia = 2, 2, 2, 0.3, 0.2, 0.4
+  end
+end
+subsection Bodies
+  subsection block
+    set Type = rigid body
+    set Mass = 2
+    set Position = 0.3, -0.2, 0.1
+    set Rotation = 0.4, 0.2, -0.7
+    set Centre of mass = 0.1, -0.2, 0.05
+    set Inertia = 0.3, 0.4, 0.5, 0.02, -0.03, 0.01
+    set Frames = far at 1 0.4 0.2
+  end
+  subsection rod
+    set Type = beam
+    set Points = 1, 0.4, 0.2; 1.5, 1, 0.4; 2, 1, 1
+    set Elements = 2
+    set Degree = 2
+    set Twist = 0.3*s
+    set Section = full
+    set Damping = 0.1, 0.2, 0.3, 0.4, 0.5, 0.6
+  end
+end
+)";
+
+  /** One scene for each kind: the bodies, and joints and loads between block and rod. */
+  std::map<std::string, std::string>
+  scenes()
+  {
+    std::map<std::string, std::string> s;
+    s["beam"] = s["rigid body"] = s["engineering constants"] = s["matrices"] = "";
+    s["table"] = R"(
+subsection Sections
+  subsection tapered
+    set Type = table
+    set Stations = full at 0, full at 1
+  end
+end
+subsection Bodies
+  subsection second
+    set Type = beam
+    set Shape = arc
+    set Points = 3, 0, 0; 4, 0.5, 0; 5, 0, 0
+    set Section = tapered
+    set Elements = 1
+  end
+end
+)";
+    for (const std::string kind : {"rectangle", "tube", "engineering constants"})
+      s[kind] = "subsection Sections\n subsection s\n  set Type = " + kind +
+                (kind == "engineering constants" ?
+                   "\n set EA=5\n set GA2=4\n set GA3=3\n set GJ=2\n set EI2=2\n set EI3=1\n set EI23 = 0.2\n"
+                   " set Shear centre = 0.1, 0.2\n set Tension centre = -0.1, 0.3\n set Mass = 2\n" :
+                   "\n set E = 3\n set Density = 1\n") +
+                (kind == "rectangle" ? " set Width 2 = 1\n set Width 3 = 2\n" : "") +
+                (kind == "tube" ? " set Outer radius = 1\n set Inner radius = 0.5\n" : "") +
+                R"( end
+end
+subsection Bodies
+  subsection second
+    set Type = beam
+    set Points = 3, 0, 0; 4, 0.5, 0
+    set Section = s
+    set Elements = 1
+  end
+end
+)";
+    const std::string used = "set Spring = 2\n set Damper = 0.3\n set Rest = 0.2\n set Prescribed = 0.1 + 0.2*t\n end\n";
+    const std::map<std::string, std::vector<std::string>> motions = {{"revolute", {"rotation"}},
+                                                                     {"prismatic", {"displacement"}},
+                                                                     {"screw", {"displacement", "rotation"}},
+                                                                     {"cylindrical", {"displacement", "rotation"}},
+                                                                     {"planar", {"displacement 1", "displacement 2", "rotation"}},
+                                                                     {"universal", {"rotation 1", "rotation 2"}},
+                                                                     {"spherical", {}},
+                                                                     {"rigid", {}},
+                                                                     {"distance", {}},
+                                                                     {"flexible joint", {}}};
+    for (const auto &[kind, free] : motions)
+      {
+        std::string text = "subsection Joints\n subsection j\n set Type = " + kind +
+                           "\n set Body A = block.centre\n set Body B = rod.start\n";
+        if (kind != "distance" && kind != "rigid")
+          text += kind == "universal" ? "set Axis = 1, 0, 0\n set Second axis = 0, 1, 0\n" : "set Axis = 1, 2, -1\n";
+        if (kind == "screw")
+          text += "set Pitch = 0.3\n";
+        if (kind == "rigid")
+          text += "set Reaction = true\n";
+        if (kind == "flexible joint")
+          text += "set Stiffness = 1, 2, 3, 4, 5, 6\n set Damping = 6, 5, 4, 3, 2, 1\n set Coupling = .1, .2, .1, .2, .1, "
+                  ".3, .1, .2, .1, .1, .2, .1, .2, .1, .1\n";
+        for (const auto &motion : free)
+          text += "subsection " + motion + "\n " + used;
+        s[kind] = text + "end\nend\n";
+      }
+    const std::string hinge = R"(
+subsection Joints
+  subsection a
+    set Type = revolute
+    set Body A = block.centre
+    set Body B = rod.start
+  end
+  subsection b
+    set Type = revolute
+    set Body A = ground
+    set Body B = block.centre
+    set Axis = 1, 1, 0
+  end
+)";
+    s["gear"]            = hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n end\nend\n";
+    s["gravity"]         = "subsection Loads\n subsection w\n set Type = gravity\n set Acceleration = 1, 2, -9\n end\nend\n";
+    s["point load"]      = "subsection Loads\n subsection f\n set Type = point load\n set At = block.far\n set Force = 1, t, 3\n"
+                           " set Moment = 2, 1, t^2\n end\n subsection g\n set Type = point load\n set At = rod.end\n"
+                           " set Force = 1, 2, 3\n set Axes = body\n end\nend\n";
+    s["line load"]       = "subsection Loads\n subsection f\n set Type = line load\n set Body = rod\n set Force = 1, t, 3\n"
+                           " set Variation = 1 + s^2\n end\nend\n";
+    s["steady rotation"] = hinge + "end\nsubsection Loads\n subsection r\n set Type = steady rotation\n set Joint = a\n"
+                                   " set Speed = 3\n end\nend\n";
+    return s;
+  }
+
+  struct Numbers
+  {
+    std::vector<Complex> q, coordinates, y, rates, multipliers, stress;
+
+    Point<Complex>
+    point(const State &state) const
+    {
+      return {q.data(), coordinates.data(), y.data(), rates.data(), multipliers.data(), stress.data(), state.time, state.factor, state.held};
+    }
+  };
+
+  /** The residual of all contributions, stresses following from the configuration, moved by i·step along @p direction. */
+  std::vector<Complex>
+  residual_of(const System &system, const State &state, const Eigen::VectorXd &position, const Eigen::VectorXd &velocity)
+  {
+    const Layout &layout = system.layout;
+    const Complex step(0, 1e-30);
+    Numbers       n;
+    n.q.assign(state.q.begin(), state.q.end());
+    n.coordinates.assign(state.coordinates.begin(), state.coordinates.end());
+    n.multipliers.assign(state.multipliers.begin(), state.multipliers.end());
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const Vector6 z = position.segment<6>(layout.of_node(node));
+        const Matrix3 D = state.triad(node);
+        Eigen::Map<Vec3<Complex>>(&n.q[12 * node]) += step * (D * z.head<3>());
+        Eigen::Map<Mat3<Complex>>(&n.q[12 * node + 3]) += step * (D * skew(z.tail<3>()));
+      }
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      n.coordinates[i] += step * position(layout.of_coordinate(i));
+    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+      n.multipliers[i] += step * position(layout.of_multiplier(i));
+
+    std::vector<Complex> e(layout.n_strains), rates(layout.n_strains);
+    std::vector<double>  rates_of_velocity(layout.n_strains), y(6 * layout.n_nodes, 0.);
+    std::copy_n(velocity.data(), 6 * (layout.n_nodes - 1), y.begin() + 6);
+    Point<double> point = state.point();
+    point.y             = y.data();
+    point.rates         = velocity.data() + layout.of_coordinate(0);
+    n.stress.resize(layout.n_strains);
+    n.y.assign(6 * layout.n_nodes, 0.);
+    n.rates.assign(layout.n_coordinates, 0.);
+    std::vector<Complex> r(system.size() + 6, 0.);
+    for (const auto &c : system.model.contributions)
+      {
+        c->strains(n.point(state), e.data() + c->first_strain);
+        c->strain_rates(point, rates_of_velocity.data() + c->first_strain);
+      }
+    for (unsigned int i = 0; i < layout.n_strains; ++i)
+      rates[i] = step * rates_of_velocity[i];
+    for (const auto &c : system.model.contributions)
+      {
+        c->stresses(e.data() + c->first_strain, rates.data() + c->first_strain, n.stress.data() + c->first_strain);
+        c->residual(n.point(state), r.data());
+      }
+    return r;
+  }
+
+  /** A state away from the reference, with multipliers and with triads that are not orthonormal if wanted. */
+  State
+  random_state(const System &system, const bool orthonormal)
+  {
+    std::mt19937                           random(7);
+    std::uniform_real_distribution<double> number(-0.3, 0.3);
+    State                                  state = system.reference();
+    std::vector<double>                    z(system.size());
+    for (auto &value : z)
+      value = number(random);
+    system.update(state, z);
+    state.time   = 0.4;
+    state.factor = 0.8;
+    if (!orthonormal)
+      for (unsigned int i = 12; i < state.q.size(); ++i)
+        state.q[i] += 0.2 * number(random);
+    for (auto &lambda : state.multipliers)
+      lambda = 5 * number(random);
+    system.stresses(state, state.stress);
+    return state;
+  }
+
+  double
+  largest_error(const System &system, const State &state, const bool velocities)
+  {
+    SparseMatrix K(system.layout.pattern);
+    if (velocities)
+      for (const auto &c : system.model.contributions)
+        c->damping(state.point(), K);
+    else
+      for (const auto &c : system.model.contributions)
+        c->tangent(state.point(), K);
+    const Eigen::MatrixXd dense = K.dense();
+    const unsigned int    n = system.size(), n_columns = velocities ? system.layout.of_multiplier(0) : n;
+    double                error = 0;
+    for (unsigned int j = 0; j < n_columns; ++j)
+      {
+        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, j), zero = Eigen::VectorXd::Zero(n);
+        const auto            r    = residual_of(system, state, velocities ? zero : unit, velocities ? unit : zero);
+        for (unsigned int i = 0; i < n; ++i)
+          error = std::max(error, std::abs(r[i].imag() / 1e-30 - dense(i, j)));
+      }
+    return error / std::max(1., dense.cwiseAbs().maxCoeff());
+  }
+} // namespace
+
+
+
+TEST(Tangents, EveryKindOfTheCatalogueIsTested)
+{
+  const auto tested = scenes();
+  for (const auto &group : Catalogue().groups)
+    for (const auto &kind : group.kinds.kinds())
+      EXPECT_EQ(tested.count(kind), 1u) << "there is no scene for the kind <" << kind << ">";
+}
+
+
+
+TEST(Tangents, AgreeWithComplexStep)
+{
+  for (const auto &[kind, text] : scenes())
+    {
+      Scene scene(bodies + text);
+      for (const bool orthonormal : {true, false})
+        {
+          const State state = random_state(scene.system, orthonormal);
+          EXPECT_LT(largest_error(scene.system, state, false), 2e-14) << kind << (orthonormal ? "" : ", triads deformed");
+          EXPECT_LT(largest_error(scene.system, state, true), 2e-14) << kind << ", damping";
+        }
+    }
+}
+
+
+
+TEST(Tangents, StrainRatesAreDerivativesOfStrains)
+{
+  for (const auto &[kind, text] : scenes())
+    {
+      Scene               scene(bodies + text);
+      const System       &system = scene.system;
+      const State         state  = random_state(system, false);
+      const unsigned int  n      = system.layout.n_strains;
+      std::vector<double> y(6 * system.layout.n_nodes), rates(n), coordinate_rates(system.layout.n_coordinates + 1);
+      for (unsigned int i = 0; i < y.size(); ++i)
+        y[i] = i < 6 ? 0. : std::sin(i + 1.);
+      for (unsigned int i = 0; i < coordinate_rates.size(); ++i)
+        coordinate_rates[i] = std::cos(i + 1.);
+      Point<double> point = state.point();
+      point.y             = y.data();
+      point.rates         = coordinate_rates.data();
+
+      Numbers moved;
+      moved.q.assign(state.q.begin(), state.q.end());
+      moved.coordinates.assign(state.coordinates.begin(), state.coordinates.end());
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        {
+          const Eigen::Map<const Vector6> z(&y[6 * node]);
+          const Matrix3                   D = state.triad(node);
+          Eigen::Map<Vec3<Complex>>(&moved.q[12 * node]) += Complex(0, 1e-30) * (D * z.head<3>());
+          Eigen::Map<Mat3<Complex>>(&moved.q[12 * node + 3]) += Complex(0, 1e-30) * (D * skew(z.tail<3>()));
+        }
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        moved.coordinates[i] += Complex(0, 1e-30) * coordinate_rates[i];
+      std::vector<Complex> e(n);
+      for (const auto &c : system.model.contributions)
+        {
+          c->strain_rates(point, rates.data() + c->first_strain);
+          c->strains(moved.point(state), e.data() + c->first_strain);
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        EXPECT_NEAR(e[i].imag() / 1e-30, rates[i], 1e-13) << kind << ", strain " << i;
+    }
+}

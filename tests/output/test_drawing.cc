@@ -1,0 +1,224 @@
+/*
+ * Problem:   shapes drawn about a sample at a skew place and triad
+ * Reference: a closed surface has ∮ n dA = 0, and ⅓ ∮ x·n dA = V with V > 0 if the normals point outwards. The surfaces
+ *            are polyhedra; their volumes are exact where a formula is given and converge with the pieces otherwise.
+ */
+
+#include <samara/model/drawing.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace samara;
+
+namespace
+{
+  const double pi = std::acos(-1.);
+
+
+
+  Sample
+  skew_sample()
+  {
+    Sample sample;
+    sample.x        = {0.3, -2, 1.7};
+    sample.D        = cayley(Vector3(0.4, -0.9, 1.3));
+    sample.force    = {1, 2, 3};
+    sample.velocity = {4, 5, 6};
+    return sample;
+  }
+
+
+
+  Drawing
+  new_drawing()
+  {
+    Drawing drawing;
+    drawing.begin_object("thing");
+    return drawing;
+  }
+
+
+
+  struct Surface
+  {
+    Vector3 closure = Vector3::Zero(); ///< ∮ n dA [m²]
+    double  area    = 0;               ///< [m²]
+    double  volume  = 0;               ///< [m³]
+  };
+
+
+
+  Surface
+  measure(const Drawing &drawing)
+  {
+    Surface surface;
+    for (const Drawing::Quad &quad : drawing.quads)
+      for (const unsigned int third : {2, 3}) // the triangles (0, 1, 2) and (0, 2, 3)
+        {
+          const Vector3 a = quad.corners[0].x, b = quad.corners[third - 1].x, c = quad.corners[third].x;
+          const Vector3 n = 0.5 * (b - a).cross(c - a);
+          surface.closure += n;
+          surface.area += n.norm();
+          surface.volume += n.dot(a + b + c) / 9;
+        }
+    EXPECT_LT(surface.closure.norm(), 1e-13 * surface.area);
+    return surface;
+  }
+
+
+
+  /** Area of a regular polygon with n corners at radius r. */
+  double
+  polygon_area(const unsigned int n, const double r)
+  {
+    return 0.5 * n * r * r * std::sin(2 * pi / n);
+  }
+} // namespace
+
+
+
+TEST(Drawing, Box)
+{
+  Drawing drawing = new_drawing();
+  drawing.box(skew_sample(), {1, 2, 3});
+  EXPECT_EQ(drawing.quads.size(), 6u);
+  EXPECT_NEAR(measure(drawing).volume, 6, 1e-13);
+  EXPECT_NEAR(measure(drawing).area, 22, 1e-13);
+}
+
+
+
+TEST(Drawing, BoxHasItsSidesAlongTheTriad)
+{
+  const Sample sample  = skew_sample();
+  Drawing      drawing = new_drawing();
+  drawing.box(sample, {1, 2, 3});
+  for (const Drawing::Quad &quad : drawing.quads)
+    for (const Sample &corner : quad.corners)
+      EXPECT_LT(((sample.D.transpose() * (corner.x - sample.x)).cwiseAbs() - Vector3(0.5, 1, 1.5)).norm(), 1e-14);
+}
+
+
+
+TEST(Drawing, CylinderAboutEachAxis)
+{
+  for (const unsigned int axis : {0, 1, 2})
+    {
+      const Sample sample  = skew_sample();
+      Drawing      drawing = new_drawing();
+      drawing.cylinder(sample, axis, 0.5, 2);
+      EXPECT_NEAR(measure(drawing).volume, polygon_area(24, 0.5) * 2, 1e-13);
+      EXPECT_NEAR(measure(drawing).volume, pi / 2, 0.02);
+      for (const Drawing::Quad &quad : drawing.quads)
+        for (const Sample &corner : quad.corners)
+          EXPECT_NEAR(std::abs(sample.D.col(axis).dot(corner.x - sample.x)), 1, 1e-14);
+    }
+}
+
+
+
+TEST(Drawing, Sphere)
+{
+  const Sample sample  = skew_sample();
+  Drawing      drawing = new_drawing();
+  drawing.sphere(sample, 2);
+  const Surface surface = measure(drawing);
+  EXPECT_NEAR(surface.volume / (4. / 3 * pi * 8), 1, 0.03);
+  EXPECT_NEAR(surface.area / (4 * pi * 4), 1, 0.02);
+  for (const Drawing::Quad &quad : drawing.quads)
+    for (const Sample &corner : quad.corners)
+      EXPECT_NEAR((corner.x - sample.x).norm(), 2, 1e-14);
+}
+
+
+
+TEST(Drawing, Bar)
+{
+  Sample from, to;
+  from.x = {1, 2, 3};
+  to.x   = {4, 6, 3};
+
+  Drawing drawing = new_drawing();
+  drawing.bar(from, to, 0.1);
+  EXPECT_NEAR(measure(drawing).volume, 5 * polygon_area(8, 0.1), 1e-14);
+}
+
+
+
+TEST(Drawing, BarWithoutLengthIsNothing)
+{
+  Drawing drawing = new_drawing();
+  drawing.bar(skew_sample(), skew_sample(), 0.1);
+  EXPECT_TRUE(drawing.quads.empty());
+}
+
+
+
+/** A prism along d₁ with any outline, also with an odd number of points or one that turns clockwise. */
+TEST(Drawing, StraightTube)
+{
+  const Eigen::Vector2d                           p(0, 0), q(2, 0), r(2, 1), s(1, 2), t(0, 1);
+  const std::vector<std::vector<Eigen::Vector2d>> outlines = {
+    {p, q, r}, {p, q, r, t}, {p, q, r, s, t}, {t, s, r, q, p}, rectangle_outline(1, 2), ellipse_outline(1, 2, 17)};
+  const double areas[] = {1, 2, 3, 3, 2, 2 * polygon_area(17, 1)};
+
+  for (unsigned int i = 0; i < outlines.size(); ++i)
+    {
+      Sample start = skew_sample(), end = start;
+      end.x += 3 * end.D.col(0);
+
+      Drawing drawing = new_drawing();
+      drawing.tube({start, end}, {outlines[i], outlines[i]});
+      EXPECT_NEAR(measure(drawing).volume, 3 * areas[i], 1e-13) << i;
+    }
+}
+
+
+
+/** A quarter of a torus has the volume of Pappus, area of the outline times way of its centroid. */
+TEST(Drawing, BentTube)
+{
+  const double       radius = 3, r = 0.4;
+  const unsigned int n = 400, n_points = 96;
+
+  std::vector<Sample> axis(n + 1);
+  for (unsigned int i = 0; i <= n; ++i)
+    {
+      const double angle = pi / 2 * i / n;
+      axis[i].x          = {radius * std::sin(angle), radius * (1 - std::cos(angle)), 0};
+      axis[i].D          = rotation_of_vector({0, 0, angle});
+    }
+
+  Drawing drawing = new_drawing();
+  drawing.tube(axis, std::vector<std::vector<Eigen::Vector2d>>(n + 1, ellipse_outline(r, r, n_points)));
+  EXPECT_NEAR(measure(drawing).volume, polygon_area(n_points, r) * radius * pi / 2, 1e-4);
+}
+
+
+
+TEST(Drawing, CornersCarryTheirSample)
+{
+  Sample from = skew_sample(), to = skew_sample();
+  to.x += to.D.col(0);
+  to.force = {7, 8, 9};
+
+  Drawing drawing;
+  drawing.begin_object("first");
+  drawing.sphere(from, 1);
+  drawing.begin_object("second");
+  drawing.tube({from, to}, {rectangle_outline(1, 1), rectangle_outline(1, 1)});
+
+  EXPECT_EQ(drawing.objects, (std::vector<std::string>{"first", "second"}));
+  EXPECT_EQ(drawing.quads.front().object, 0u);
+  EXPECT_EQ(drawing.quads.back().object, 1u);
+  for (const Drawing::Quad &quad : drawing.quads)
+    for (const Sample &corner : quad.corners)
+      {
+        const bool at_end = quad.object == 1 && from.D.col(0).dot(corner.x - from.x) > 0.5;
+        EXPECT_EQ(corner.force, at_end ? to.force : from.force);
+        EXPECT_EQ(corner.velocity, from.velocity);
+        EXPECT_EQ(corner.D, from.D);
+      }
+}

@@ -1,0 +1,229 @@
+/*
+ * Problem:   histories and tables
+ * Reference: the numbers that were put in; 15 significant digits in CSV, all in HDF5
+ */
+
+#include <samara/output/history.h>
+
+#include <hdf5.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <sstream>
+
+#include "scratch_folder.h"
+
+using namespace samara;
+
+namespace
+{
+  const std::vector<std::pair<std::string, std::string>> columns = {{"t", "s"},
+                                                                    {"shaft 1.middle.displacement y", "m"},
+                                                                    {"force, \"old\"", "N"},
+                                                                    {"load factor", "1"}};
+
+  const std::vector<std::vector<double>> rows = {{0, 1. / 3, -1e-300, 1}, {0.1, std::sqrt(2.), 1e300, 2}};
+
+
+
+  std::vector<double>
+  read_dataset(const std::string &file, const std::string &name, std::string &unit)
+  {
+    const hid_t handle  = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    const hid_t dataset = H5Dopen2(handle, name.c_str(), H5P_DEFAULT);
+    const hid_t space   = H5Dget_space(dataset);
+    EXPECT_EQ(H5Sget_simple_extent_ndims(space), 1);
+
+    std::vector<double> values(H5Sget_simple_extent_npoints(space));
+    EXPECT_GE(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+
+    const hid_t       attribute = H5Aopen(dataset, "unit", H5P_DEFAULT);
+    const hid_t       type      = H5Aget_type(attribute);
+    std::vector<char> text(H5Tget_size(type) + 1, '\0');
+    EXPECT_GE(H5Aread(attribute, type, text.data()), 0);
+    unit = text.data();
+
+    H5Tclose(type);
+    H5Aclose(attribute);
+    H5Sclose(space);
+    H5Dclose(dataset);
+    H5Fclose(handle);
+    return values;
+  }
+
+
+
+  /** A file that is always full, under a name of ours. */
+  void
+  make_full(const std::string &file)
+  {
+    std::filesystem::create_symlink("/dev/full", file);
+  }
+} // namespace
+
+
+
+TEST(History, CsvHasEachRowAtOnce)
+{
+  const ScratchFolder folder;
+  History             history(folder.path + "/new/folder", "dynamic", columns);
+  const std::string   file   = folder.path + "/new/folder/dynamic.csv";
+  const std::string   header = "t [s],shaft 1.middle.displacement y [m],\"force, \"\"old\"\" [N]\",load factor\n";
+  EXPECT_EQ(content_of(file), header);
+
+  history.add(rows[0]);
+  EXPECT_EQ(content_of(file), header + "0,0.333333333333333,-1e-300,1\n");
+  history.add(rows[1]);
+  EXPECT_EQ(content_of(file), header + "0,0.333333333333333,-1e-300,1\n0.1,1.4142135623731,1e+300,2\n");
+}
+
+
+
+TEST(History, Hdf5HasTheSameNumbersAndUnits)
+{
+  const ScratchFolder folder;
+  {
+    History history(folder.path, "dynamic", columns);
+    for (const auto &row : rows)
+      history.add(row);
+  }
+  for (unsigned int c = 0; c < columns.size(); ++c)
+    {
+      std::string unit;
+      EXPECT_EQ(read_dataset(folder.path + "/dynamic.h5", columns[c].first, unit),
+                (std::vector<double>{rows[0][c], rows[1][c]}));
+      EXPECT_EQ(unit, columns[c].second);
+    }
+}
+
+
+
+TEST(History, WithoutRowsAndWithStrangeNames)
+{
+  const ScratchFolder folder;
+  History             history(folder.path, "h", {{"lift/drag", ""}, {"γ̇", "rad/s"}, {"γ̇", "rad/s"}});
+  history.finish();
+
+  std::string unit;
+  EXPECT_TRUE(read_dataset(folder.path + "/h.h5", "lift/drag", unit).empty());
+  EXPECT_TRUE(read_dataset(folder.path + "/h.h5", "γ̇", unit).empty());
+  EXPECT_EQ(unit, "rad/s");
+}
+
+
+
+TEST(History, RowOfTheWrongLengthAndRowAfterTheEnd)
+{
+  const ScratchFolder folder;
+  History             history(folder.path, "dynamic", columns);
+  EXPECT_ANY_THROW(history.add({1, 2}));
+  history.finish();
+  history.finish();
+  EXPECT_ANY_THROW(history.add(rows[0]));
+}
+
+
+
+TEST(History, FolderThatCannotBeMadeIsNamed)
+{
+  const ScratchFolder folder;
+  const std::string   file = folder.path + "/file";
+  std::ofstream(file) << "in the way";
+
+  const std::string complaint = complaint_of([&] { History(file + "/results", "dynamic", columns); });
+  EXPECT_NE(complaint.find("cannot write " + file + "/results"), std::string::npos) << complaint;
+}
+
+
+
+TEST(History, FullDiskIsNamed)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "no /dev/full here";
+  const ScratchFolder folder;
+  make_full(folder.path + "/dynamic.csv");
+
+  const std::string complaint = complaint_of([&] { History(folder.path, "dynamic", columns); });
+  EXPECT_EQ(complaint, "cannot write " + folder.path + "/dynamic.csv: No space left on device.");
+}
+
+
+
+TEST(History, Hdf5ThatCannotBeWrittenIsNamedAndTheDestructorDoesNotThrow)
+{
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path + "/dynamic.h5");
+
+  const auto        history   = std::make_unique<History>(folder.path, "dynamic", columns);
+  const std::string complaint = complaint_of([&] { history->finish(); });
+  EXPECT_NE(complaint.find(folder.path + "/dynamic.h5"), std::string::npos) << complaint;
+
+  testing::internal::CaptureStderr();
+  {
+    History other(folder.path, "dynamic", columns);
+  }
+  EXPECT_NE(testing::internal::GetCapturedStderr().find(folder.path + "/dynamic.h5"), std::string::npos);
+}
+
+
+
+TEST(Table, FileHasTwelveDigits)
+{
+  const ScratchFolder folder;
+  Table               table({"mode", "frequency [Hz]", "shape"});
+  table.add_row({1, 1. / 3, "flap, first"});
+  table.add_row({2u, 1e7 / 3, std::string("lag")});
+  table.write(folder.path + "/modes.csv");
+  EXPECT_EQ(content_of(folder.path + "/modes.csv"),
+            "mode,frequency [Hz],shape\n1,0.333333333333,\"flap, first\"\n2,3333333.33333,lag\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.path + "/modes.csv.part"));
+}
+
+
+
+TEST(Table, TerminalHasAlignedColumns)
+{
+  Table table({"mode", "ω [rad/s]", "shape"});
+  table.add_row({1, 1. / 3, "flap"});
+  table.add_row({10, 1e7 / 3, "λ"});
+
+  std::ostringstream out;
+  table.print(out);
+  EXPECT_EQ(out.str(),
+            "mode    ω [rad/s]  shape\n"
+            "   1     0.333333  flap\n"
+            "  10  3.33333e+06  λ\n");
+}
+
+
+
+TEST(Table, RowsOfTextsAndOfNumbers)
+{
+  const ScratchFolder folder;
+  Table               table({"a", "b"});
+  table.add_row({"x", "y"});
+  table.add_row({0, 1});
+  table.add_row(std::vector<std::string>{"u", "v"});
+  table.add_row(std::vector<double>{0.5, -2});
+  EXPECT_ANY_THROW(table.add_row({1, 2, 3}));
+  table.write(folder.path + "/t.csv");
+  EXPECT_EQ(content_of(folder.path + "/t.csv"), "a,b\nx,y\n0,1\nu,v\n0.5,-2\n");
+}
+
+
+
+TEST(Table, FileThatCannotBeWrittenIsNamedAndTheOldOneStays)
+{
+  if (!std::filesystem::exists("/dev/full"))
+    GTEST_SKIP() << "no /dev/full here";
+  const ScratchFolder folder;
+  const std::string   file = folder.path + "/t.csv";
+  Table               table({"a"});
+  table.write(file);
+  make_full(file + ".part");
+
+  const std::string complaint = complaint_of([&] { table.write(file); });
+  EXPECT_EQ(complaint, "cannot write " + file + ": No space left on device.");
+  EXPECT_EQ(content_of(file), "a\n");
+}

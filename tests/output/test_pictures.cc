@@ -1,0 +1,173 @@
+/*
+ * Problem:   pictures of a box and a bar
+ * Reference: the files hold what was drawn, decoded as the VTK file formats document says: base64 of the numbers
+ *            (blocks, size of a block, size of the last, compressed sizes), then base64 of the blocks of zlib.
+ */
+
+#include <samara/output/pictures.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <zlib.h>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+#include "scratch_folder.h"
+
+using namespace samara;
+
+namespace
+{
+  Drawing
+  two_objects()
+  {
+    Sample a, b;
+    a.x = b.x      = {1, 2, 3};
+    a.displacement = {0.5, 0, 0.25};
+    b.displacement = {-1, -2, -3};
+    b.x(0) += 1;
+
+    Drawing drawing;
+    drawing.begin_object("fuselage");
+    drawing.box(a, {1, 1, 1});
+    drawing.begin_object("blade 1");
+    drawing.bar(a, b, 0.125);
+    return drawing;
+  }
+
+
+
+  /** The value of an XML attribute in the first tag that begins with @p tag. */
+  std::string
+  attribute(const std::string &text, const std::string &tag, const std::string &name)
+  {
+    const std::size_t begin = text.find(tag);
+    if (begin == std::string::npos)
+      return "no " + tag;
+    const std::size_t value = text.find(name + "=\"", begin) + name.size() + 2;
+    return text.substr(value, text.find('"', value) - value);
+  }
+
+
+
+  /** The numbers of a data array of one block. */
+  template <typename Number>
+  std::vector<Number>
+  numbers_of(const std::string &text, const std::string &array)
+  {
+    const std::size_t at    = text.find("Name=\"" + array + "\"");
+    const std::size_t begin = text.find_first_not_of(" \n", text.find('>', at) + 1);
+    const std::string data  = text.substr(begin, text.find_first_of(" \n<", begin) - begin);
+
+    // The header of one block has 4 numbers, 16 bytes, 24 letters of base64.
+    const auto    header_bytes = dealii::Utilities::decode_base64(data.substr(0, 24));
+    std::uint32_t header[4];
+    std::memcpy(header, header_bytes.data(), sizeof(header));
+    EXPECT_EQ(header[0], 1u) << array;
+
+    const auto          bytes  = dealii::Utilities::decode_base64(data.substr(24));
+    uLongf              length = header[1];
+    std::vector<Number> numbers(length / sizeof(Number));
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef *>(numbers.data()), &length, bytes.data(), header[3]), Z_OK) << array;
+    return numbers;
+  }
+} // namespace
+
+
+
+TEST(Pictures, PictureHoldsWhatWasDrawn)
+{
+  const ScratchFolder folder;
+  const Drawing       drawing = two_objects();
+  Pictures(folder.path, "static").add(drawing, 0.5);
+
+  const std::string text = content_of(folder.path + "/pictures/static.0000.vtu");
+  EXPECT_EQ(attribute(text, "<VTKFile", "type"), "UnstructuredGrid");
+  EXPECT_EQ(attribute(text, "<Piece", "NumberOfCells"), std::to_string(drawing.quads.size()));
+  EXPECT_EQ(attribute(text, "<Piece", "NumberOfPoints"), std::to_string(4 * drawing.quads.size()));
+  for (const char *name : {"displacement", "section force", "section moment", "strain", "curvature", "velocity"})
+    EXPECT_NE(text.find("Name=\"" + std::string(name) + "\" NumberOfComponents=\"3\""), std::string::npos) << name;
+  EXPECT_NE(text.find("</VTKFile>"), std::string::npos);
+
+  const auto displacement = numbers_of<float>(text, "displacement");
+  const auto object       = numbers_of<float>(text, "object");
+  const auto connectivity = numbers_of<std::int32_t>(text, "connectivity");
+  ASSERT_EQ(displacement.size(), 12 * drawing.quads.size());
+  ASSERT_EQ(connectivity.size(), 4 * drawing.quads.size());
+
+  // The points have no name, they are in the first array of all.
+  std::string points_text = text;
+  points_text.insert(points_text.find("<DataArray") + 10, " Name=\"places\"");
+  const auto places = numbers_of<float>(points_text, "places");
+
+  for (unsigned int q = 0; q < drawing.quads.size(); ++q)
+    for (unsigned int c = 0; c < 4; ++c)
+      {
+        const unsigned int point  = connectivity[4 * q + c];
+        const Sample      &corner = drawing.quads[q].corners[c];
+        EXPECT_EQ(object[point], drawing.quads[q].object);
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            EXPECT_FLOAT_EQ(places[3 * point + d], corner.x(d));
+            EXPECT_FLOAT_EQ(displacement[3 * point + d], corner.displacement(d));
+          }
+      }
+}
+
+
+
+TEST(Pictures, SeriesIsCompleteAfterEachPicture)
+{
+  const ScratchFolder folder;
+  Pictures            pictures(folder.path, "dynamic");
+  EXPECT_FALSE(std::filesystem::exists(folder.path + "/dynamic.pvd"));
+
+  for (unsigned int frame = 0; frame < 3; ++frame)
+    {
+      pictures.add(two_objects(), 0.25 * frame);
+      const std::string text = content_of(folder.path + "/dynamic.pvd");
+      const std::string file = "pictures/dynamic.000" + std::to_string(frame) + ".vtu";
+      EXPECT_NE(text.find("file=\"" + file + "\""), std::string::npos) << text;
+      EXPECT_NE(text.find("</VTKFile>"), std::string::npos);
+      EXPECT_TRUE(std::filesystem::exists(folder.path + "/" + file));
+      EXPECT_EQ(attribute(text.substr(text.rfind("<DataSet")), "<DataSet", "timestep"),
+                std::vector<std::string>({"0", "0.25", "0.5"})[frame]);
+    }
+  EXPECT_EQ(content_of(folder.path + "/dynamic.objects.txt"), "0 fuselage\n1 blade 1\n");
+}
+
+
+
+TEST(Pictures, NothingToDrawIsAPictureToo)
+{
+  const ScratchFolder folder;
+  Pictures(folder.path, "empty").add(Drawing(), 0);
+  EXPECT_EQ(attribute(content_of(folder.path + "/pictures/empty.0000.vtu"), "<Piece", "NumberOfCells"), "0");
+}
+
+
+
+TEST(Pictures, FolderThatCannotBeMadeIsNamed)
+{
+  const ScratchFolder folder;
+  const std::string   file = folder.path + "/file";
+  std::ofstream(file) << "in the way";
+
+  const std::string complaint = complaint_of([&] { Pictures(file, "static"); });
+  EXPECT_NE(complaint.find("cannot write " + file), std::string::npos) << complaint;
+}
+
+
+
+/** The folder is lost while the program runs; this works for the superuser too, whom permissions do not stop. */
+TEST(Pictures, PictureThatCannotBeWrittenIsNamed)
+{
+  const ScratchFolder folder;
+  Pictures            pictures(folder.path, "static");
+  std::filesystem::remove_all(folder.path);
+
+  const std::string complaint = complaint_of([&] { pictures.add(two_objects(), 0); });
+  EXPECT_NE(complaint.find(folder.path + "/pictures/static.0000.vtu"), std::string::npos) << complaint;
+}

@@ -1,0 +1,100 @@
+#ifndef samara_tests_scene_h
+#define samara_tests_scene_h
+
+#include <samara/analysis/check.h>
+#include <samara/analysis/modal.h>
+#include <samara/analysis/static.h>
+#include <samara/input.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace samara
+{
+  /** A model read from the text of a .prm file, or from a shipped file, ready to be analysed without any output. */
+  class Scene
+  {
+    struct TemporaryFile
+    {
+      std::string name;
+
+      explicit TemporaryFile(const std::string &text)
+        : name("scene_" + std::to_string(getpid()) + "_" + std::to_string(counter()++) + ".prm")
+      {
+        std::ofstream(name) << text;
+      }
+      ~TemporaryFile()
+      {
+        std::remove(name.c_str());
+      }
+      static unsigned int &
+      counter()
+      {
+        static unsigned int n = 0;
+        return n;
+      }
+    };
+    std::unique_ptr<TemporaryFile> file;
+
+  public:
+    /** @p source is the text of an input file, or the name of one that is shipped, "prm/benchmarks/roll_up.prm". */
+    explicit Scene(const std::string &source, const std::vector<std::string> &overrides = {})
+      : file(source.find('\n') == std::string::npos ? nullptr : new TemporaryFile(source))
+      , input(Catalogue(), file ? file->name : std::string(SAMARA_SOURCE_DIR) + "/" + source, overrides)
+      , system(input.model)
+      , log(stream)
+      , context{system, log, "", {}, false, system.reference(), {}, {}}
+    {
+      for (const auto &rotation : input.model.rotations)
+        context.speeds.push_back(rotation.speed);
+    }
+
+    Input              input;
+    System             system;
+    std::ostringstream stream; ///< what the analyses tell
+    Log                log;
+    Context            context;
+
+    /** The first analysis of a kind as the file sets it; one with default settings if the file asks for none. */
+    template <typename Kind>
+    Kind &
+    analysis()
+    {
+      for (const auto &a : input.analyses)
+        if (auto *const wanted = dynamic_cast<Kind *>(a.get()))
+          return *wanted;
+      input.analyses.push_back(std::make_unique<Kind>());
+      return static_cast<Kind &>(*input.analyses.back());
+    }
+
+    /** Static equilibrium from the present state; throws NotConverged. */
+    const State &
+    equilibrium()
+    {
+      auto &a = analysis<StaticAnalysis>();
+      a.start(context);
+      a.run(context);
+      return context.state;
+    }
+
+    /** Modes about the present state, sorted by |λ|. */
+    const std::vector<Mode> &
+    modes()
+    {
+      auto &a = analysis<ModalAnalysis>();
+      a.run(context);
+      return a.modes;
+    }
+
+    /** The value of a probe such as "beam.end.displacement y" in the present state. */
+    double
+    value(const std::string &probe) const
+    {
+      return input.model.probe(probe).value(context.state);
+    }
+  };
+} // namespace samara
+
+#endif
