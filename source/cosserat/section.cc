@@ -128,7 +128,7 @@ namespace samara
     prm.add("Compliance", compliance, "Its inverse, instead of the stiffness: 36, 21 or 6 numbers, SI units.");
     prm.add("Inertia",
             inertia,
-            "6x6 matrix per length about the reference line, [m I, -m c~; m c~, J], SI units: 36, 21 or 6 numbers.");
+            "6x6 matrix per length about the reference line, rows (m I, -m c~) and (m c~, J), SI units: 36, 21 or 6 numbers.");
   }
 
 

@@ -16,13 +16,14 @@ using Complex = std::complex<double>;
 
 namespace
 {
-  const std::string bodies = R"(
+  const std::string bodies_of_all = R"(
 subsection Sections
   subsection full
     set Type = matrices
     set Stiffness = 9, 1, .5, .2, .3, .1, 7, .4, .3, .2, .6, 6, .1, .5, .2, 3, .2, .1, 2, .3, 4
     set Inertia = 2, 2, 2, 0.3, 0.2, 0.4
   end
+  #sections
 end
 subsection Bodies
   subsection block
@@ -43,23 +44,38 @@ subsection Bodies
     set Section = full
     set Damping = 0.1, 0.2, 0.3, 0.4, 0.5, 0.6
   end
+  #bodies
 end
 )";
 
+  /** What a scene adds to the sections, to the bodies, and behind them. */
+  struct Text
+  {
+    std::string sections, bodies, rest;
+
+    std::string
+    model() const
+    {
+      std::string all = bodies_of_all;
+      all.replace(all.find("#bodies"), 7, bodies);
+      all.replace(all.find("#sections"), 9, sections);
+      return all + rest;
+    }
+  };
+
   /** One scene for each kind: the bodies, and joints and loads between block and rod. */
-  std::map<std::string, std::string>
+  std::map<std::string, Text>
   scenes()
   {
-    std::map<std::string, std::string> s;
-    s["beam"] = s["rigid body"] = s["engineering constants"] = s["matrices"] = "";
-    s["table"] = R"(
-subsection Sections
+    std::map<std::string, Text> s;
+    s["beam"] = s["rigid body"] = s["matrices"] = {};
+    s["table"] = {R"(
   subsection tapered
     set Type = table
     set Stations = full at 0, full at 1
   end
-end
-subsection Bodies
+)",
+                  R"(
   subsection second
     set Type = beam
     set Shape = arc
@@ -67,27 +83,25 @@ subsection Bodies
     set Section = tapered
     set Elements = 1
   end
-end
-)";
+)",
+                  ""};
     for (const std::string kind : {"rectangle", "tube", "engineering constants"})
-      s[kind] = "subsection Sections\n subsection s\n  set Type = " + kind +
-                (kind == "engineering constants" ?
-                   "\n set EA=5\n set GA2=4\n set GA3=3\n set GJ=2\n set EI2=2\n set EI3=1\n set EI23 = 0.2\n"
-                   " set Shear centre = 0.1, 0.2\n set Tension centre = -0.1, 0.3\n set Mass = 2\n" :
-                   "\n set E = 3\n set Density = 1\n") +
-                (kind == "rectangle" ? " set Width 2 = 1\n set Width 3 = 2\n" : "") +
-                (kind == "tube" ? " set Outer radius = 1\n set Inner radius = 0.5\n" : "") +
-                R"( end
-end
-subsection Bodies
+      s[kind] = {"subsection s\n  set Type = " + kind +
+                   (kind == "engineering constants" ?
+                      "\n set EA=5\n set GA2=4\n set GA3=3\n set GJ=2\n set EI2=2\n set EI3=1\n set EI23 = 0.2\n"
+                      " set Shear centre = 0.1, 0.2\n set Tension centre = -0.1, 0.3\n set Mass = 2\n" :
+                      "\n set E = 3\n set Density = 1\n") +
+                   (kind == "rectangle" ? " set Width 2 = 1\n set Width 3 = 2\n" : "") +
+                   (kind == "tube" ? " set Outer radius = 1\n set Inner radius = 0.5\n" : "") + "end\n",
+                 R"(
   subsection second
     set Type = beam
     set Points = 3, 0, 0; 4, 0.5, 0
     set Section = s
     set Elements = 1
   end
-end
-)";
+)",
+                 ""};
     const std::string used = "set Spring = 2\n set Damper = 0.3\n set Rest = 0.2\n set Prescribed = 0.1 + 0.2*t\n end\n";
     const std::map<std::string, std::vector<std::string>> motions = {{"revolute", {"rotation"}},
                                                                      {"prismatic", {"displacement"}},
@@ -114,7 +128,7 @@ end
                   ".3, .1, .2, .1, .1, .2, .1, .2, .1, .1\n";
         for (const auto &motion : free)
           text += "subsection " + motion + "\n " + used;
-        s[kind] = text + "end\nend\n";
+        s[kind].rest = text + "end\nend\n";
       }
     const std::string hinge = R"(
 subsection Joints
@@ -130,14 +144,14 @@ subsection Joints
     set Axis = 1, 1, 0
   end
 )";
-    s["gear"]            = hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n end\nend\n";
-    s["gravity"]         = "subsection Loads\n subsection w\n set Type = gravity\n set Acceleration = 1, 2, -9\n end\nend\n";
-    s["point load"]      = "subsection Loads\n subsection f\n set Type = point load\n set At = block.far\n set Force = 1, t, 3\n"
+    s["gear"].rest            = hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n end\nend\n";
+    s["gravity"].rest         = "subsection Loads\n subsection w\n set Type = gravity\n set Acceleration = 1, 2, -9\n end\nend\n";
+    s["point load"].rest      = "subsection Loads\n subsection f\n set Type = point load\n set At = block.far\n set Force = 1, t, 3\n"
                            " set Moment = 2, 1, t^2\n end\n subsection g\n set Type = point load\n set At = rod.end\n"
                            " set Force = 1, 2, 3\n set Axes = body\n end\nend\n";
-    s["line load"]       = "subsection Loads\n subsection f\n set Type = line load\n set Body = rod\n set Force = 1, t, 3\n"
+    s["line load"].rest       = "subsection Loads\n subsection f\n set Type = line load\n set Body = rod\n set Force = 1, t, 3\n"
                            " set Variation = 1 + s^2\n end\nend\n";
-    s["steady rotation"] = hinge + "end\nsubsection Loads\n subsection r\n set Type = steady rotation\n set Joint = a\n"
+    s["steady rotation"].rest = hinge + "end\nsubsection Loads\n subsection r\n set Type = steady rotation\n set Joint = a\n"
                                    " set Speed = 3\n end\nend\n";
     return s;
   }
@@ -262,7 +276,7 @@ TEST(Tangents, AgreeWithComplexStep)
 {
   for (const auto &[kind, text] : scenes())
     {
-      Scene scene(bodies + text);
+      Scene scene(text.model());
       for (const bool orthonormal : {true, false})
         {
           const State state = random_state(scene.system, orthonormal);
@@ -278,7 +292,7 @@ TEST(Tangents, StrainRatesAreDerivativesOfStrains)
 {
   for (const auto &[kind, text] : scenes())
     {
-      Scene               scene(bodies + text);
+      Scene               scene(text.model());
       const System       &system = scene.system;
       const State         state  = random_state(system, false);
       const unsigned int  n      = system.layout.n_strains;
