@@ -26,6 +26,7 @@ namespace samara
     prm.add("Degree", degree, "Polynomial degree p of an element; displacements converge with order 2p.", Integer(1, 4));
     prm.add("Section", section_name, "Name of the section.");
     prm.add("Frames", frame_names, "Points others can attach to: name at relative abscissa, name at ...");
+    prm.add("Rigid", rigid, "Whether the beam is a rigid body with the mass of its sections; it then adds a single node.");
     prm.add("Damping",
             viscosity,
             "Stiffness-proportional damping: viscous stress is this time times the rate of elastic stress; one number, or six "
@@ -202,6 +203,11 @@ namespace samara
           }
         add_element(*model, frames, materials_of_cell(c));
       }
+    if (!rigid)
+      return;
+    make_rigid();
+    for (const auto &frame : node_frames)
+      model->weld(node_frames[0], frame);
   }
 
 
@@ -362,12 +368,14 @@ namespace samara
     result.D_reference  = triad_at(s, 0.5 * (cells[i].start + cells[i].end));
     sample.displacement = sample.x - curve->position(s);
 
+    result.strain.setZero();
+    result.stress.setZero();
+    if (is_rigid)
+      return result;
     // strains and section forces: the polynomial through the Gauss points
     const unsigned int  n_points = table->n_points;
     std::vector<double> e(n_strains());
     strains_at(state.point(), e.data());
-    result.strain.setZero();
-    result.stress.setZero();
     for (unsigned int g = 0; g < n_points; ++g)
       {
         double L = 1;

@@ -68,8 +68,19 @@ namespace samara
             frame             = layout.model.resolved(frame);
             element.all_nodes = element.all_nodes && frame.is_node();
           }
-        layout.couple(element.block, element.frames);
+        if (!is_rigid)
+          layout.couple(element.block, element.frames);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::make_rigid()
+  {
+    is_rigid = true;
+    points.clear();
   }
 
 
@@ -165,7 +176,7 @@ namespace samara
     static thread_local std::vector<kernel::NodeValues<Number>> nodes;
     static thread_local std::vector<Vec6<Number>>               tied;
     tied.resize(dim * t.n_tying);
-    for (unsigned int i = 0; i < elements.size(); ++i)
+    for (unsigned int i = 0; i < n_elements(); ++i)
       {
         gather(i, point.q, nodes);
         for (unsigned int k = 0; k < tied.size(); ++k)
@@ -188,7 +199,7 @@ namespace samara
     static thread_local std::vector<Vec6<double>>               tied;
     tied.resize(dim * t.n_tying);
     velocities.resize(t.n_nodes);
-    for (unsigned int i = 0; i < elements.size(); ++i)
+    for (unsigned int i = 0; i < n_elements(); ++i)
       {
         gather(i, point.q, nodes);
         for (unsigned int a = 0; a < t.n_nodes; ++a)
@@ -252,7 +263,7 @@ namespace samara
     local.resize(6 * t.n_nodes);
     forces.resize(dim * t.n_tying);
     const Number *stress = point.stress + this->first_strain;
-    for (unsigned int i = 0; i < elements.size(); ++i, stress += n * t.n_points)
+    for (unsigned int i = 0; i < n_elements(); ++i, stress += n * t.n_points)
       {
         gather(i, point.q, nodes);
         to_tying(i, stress, tied);
@@ -355,7 +366,7 @@ namespace samara
     const ElementTable<dim> &t = *table;
     Scratch                 &s = scratch();
     const double            *stress = point.stress + this->first_strain;
-    for (unsigned int i = 0; i < elements.size(); ++i, stress += n * t.n_points)
+    for (unsigned int i = 0; i < n_elements(); ++i, stress += n * t.n_points)
       {
         gather(i, point.q, s.nodes);
         to_tying(i, stress, s.tied);
@@ -377,7 +388,7 @@ namespace samara
   {
     const ElementTable<dim> &t = *table;
     Scratch                 &s = scratch();
-    for (unsigned int i = 0; i < elements.size(); ++i)
+    for (unsigned int i = 0; i < n_elements(); ++i)
       {
         gather(i, point.q, s.nodes);
         s.at.resize(dim * t.n_tying);

@@ -170,12 +170,20 @@ namespace samara
   {
     const auto        dot  = path.find('.');
     const std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
-    const auto       &owner = find<Contribution>(name, "body or joint");
-    if (auto probe = owner.probe(rest))
-      {
-        probe->name = path;
-        return *probe;
-      }
-    throw std::invalid_argument("<" + name + "> has no <" + rest + ">" + did_you_mean(rest, owner.probe_names()));
+    // a section and a body may have the same name; the section has nothing to tell
+    std::vector<std::string> known;
+    for (const auto &c : contributions)
+      if (c->name == name)
+        {
+          if (auto probe = c->probe(rest))
+            {
+              probe->name = path;
+              return *probe;
+            }
+          for (const auto &candidate : c->probe_names())
+            known.push_back(candidate);
+        }
+    find<Contribution>(name, "body or joint"); // complains if there is none
+    throw std::invalid_argument("<" + name + "> has no <" + rest + ">" + did_you_mean(rest, known));
   }
 } // namespace samara

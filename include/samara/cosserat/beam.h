@@ -49,6 +49,7 @@ namespace samara
     std::vector<std::string>   frame_names;
     std::vector<double>        viscosity = {0}, damping_ratio = {0};
     double                     damping_frequency = 0;
+    bool                       rigid             = false;
 
     std::unique_ptr<Curve> curve;
     const Section         *section = nullptr;

@@ -48,10 +48,11 @@ namespace samara
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 
+    /** Elements that deform. */
     unsigned int
     n_elements() const
     {
-      return elements.size();
+      return is_rigid ? 0 : elements.size();
     }
     unsigned int
     n_points_per_element() const
@@ -88,6 +89,11 @@ namespace samara
       Block              block;
     };
     std::vector<Element> elements;
+
+    /** Take the elements out of all computations: their nodes are welded together, and they serve for drawing only. */
+    void make_rigid();
+
+    bool is_rigid = false;
 
   private:
     using LocalMap = Eigen::Matrix<double, dim, dim>;
