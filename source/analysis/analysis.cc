@@ -1,5 +1,6 @@
 #include <samara/analysis/analysis.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace samara
@@ -12,6 +13,18 @@ namespace samara
     for (const auto &rotation : rotations)
       result.push_back(rotations[0].speed != 0. ? rotation.speed / rotations[0].speed * speed : speed);
     return result;
+  }
+
+
+
+  bool
+  Context::is_shown() const
+  {
+    if (sweep.empty())
+      return true;
+    const double nominal = system.model.rotations[0].speed;
+    const bool   within  = std::find(sweep.begin(), sweep.end(), nominal) != sweep.end();
+    return speeds[0] == (within ? nominal : sweep.back());
   }
 
 

@@ -73,6 +73,7 @@ namespace samara
             shift,
             "Modes nearest to this real number are found; it must not be an eigenvalue itself, such as 0 when something can "
             "move freely [rad/s].");
+    prm.add("Hold rotations", hold, "Whether joints in steady rotation keep their speed, or are free to follow the motion.");
     prm.add("Axes",
             axes,
             "Axes in which small motions are seen: turning with each body; fixed in space at the moment of the state; "
@@ -93,7 +94,7 @@ namespace samara
         system.stresses(context.state, context.state.stress);
       }
     State state = context.state;
-    state.held  = false;
+    state.held  = hold;
 
     const bool fixed = axes == "fixed" || (axes == "automatic" && !turns_as_a_whole(system, state));
     if (fixed)
@@ -135,7 +136,7 @@ namespace samara
                         modes[i].lambda.real(),
                         modes[i].lambda.imag()});
       }
-    if (context.pictures && !context.folder.empty())
+    if (context.pictures && context.is_shown() && !context.folder.empty())
       for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
         animate(context, k);
   }
@@ -242,8 +243,10 @@ namespace samara
       }
     if (context.folder.empty())
       return;
-    const bool sweep = !context.sweep.empty();
-    table.write(context.folder + "/modes" + (sweep ? "_" + short_text(context.speeds[0]) : "") + ".csv");
+    if (!context.sweep.empty())
+      table.write(context.folder + "/modes_" + short_text(context.speeds[0]) + ".csv");
+    if (context.is_shown())
+      table.write(context.folder + "/modes.csv");
   }
 
 

@@ -1,4 +1,5 @@
 #include <samara/analysis/static.h>
+#include <samara/solvers/anderson.h>
 #include <samara/solvers/steady_motion.h>
 
 #include <algorithm>
@@ -69,28 +70,31 @@ namespace samara
   {
     const auto &rotations = context.system.model.rotations;
     const bool  at_joints = std::any_of(rotations.begin(), rotations.end(), [](const auto &r) { return r.coordinate >= 0; });
-    NewtonResult        total;
-    std::vector<double> before;
-    for (unsigned int pass = 0; pass < 20; ++pass)
+    set_steady_motion(context.system, state, speeds);
+    NewtonResult total = newton.solve(state);
+    if (!at_joints)
+      return total;
+
+    // axes of joints follow their deformed supports: until the motion no longer changes with the configuration
+    Anderson        anderson;
+    Eigen::VectorXd motion = steady_motion_vector(context.system, state);
+    for (unsigned int pass = 0; pass < 30 && total.converged; ++pass)
       {
         set_steady_motion(context.system, state, speeds);
+        const Eigen::VectorXd seen = steady_motion_vector(context.system, state);
+        if ((seen - motion).norm() <= 1e-10 * seen.norm())
+          return total;
+        motion = anderson.next(motion, seen);
+        set_steady_motion_vector(context.system, state, motion);
         const NewtonResult result = newton.solve(state);
-        const auto         iterations = total.iterations + result.iterations;
-        total                         = result;
-        total.iterations              = iterations;
-        // axes that follow their deformed supports: until the motion no longer changes with the configuration
-        if (!result.converged || !at_joints)
-          return total;
-        double change = 0, size = 1e-300;
-        for (unsigned int i = 0; i < before.size(); ++i)
-          {
-            change = std::max(change, std::abs(state.y[i] - before[i]));
-            size   = std::max(size, std::abs(state.y[i]));
-          }
-        if (!before.empty() && change <= 1e-10 * size)
-          return total;
-        before = state.y;
+        total.converged           = result.converged;
+        total.reason              = result.reason;
+        total.residual            = result.residual;
+        total.worst               = result.worst;
+        total.iterations += result.iterations;
       }
+    if (!total.converged)
+      return total;
     total.converged = false;
     total.reason    = "the steady motion does not settle";
     return total;
@@ -112,21 +116,29 @@ namespace samara
         start_speeds    = here == context.sweep.begin() ? start_speeds : context.speeds_at(*(here - 1));
       }
 
+    const auto attempt = [&](const State &from, const double fraction, State &trial) {
+      trial        = from;
+      trial.time   = time;
+      trial.held   = true;
+      trial.factor = start_factor + fraction * (1. - start_factor);
+      std::vector<double> trial_speeds(speeds.size());
+      for (unsigned int i = 0; i < speeds.size(); ++i)
+        trial_speeds[i] = start_speeds[i] + fraction * (speeds[i] - start_speeds[i]);
+      const NewtonResult result = equilibrium(context, newton, trial, trial_speeds);
+      n_iterations += result.iterations;
+      return result;
+    };
+
     n_steps = n_iterations = 0;
     double fraction = 0, step = 1. / initial_steps;
     while (fraction < 1.)
       {
-        const double next  = fraction + step > 1. - 1e-9 ? 1. : fraction + step;
-        State        trial = context.state;
-        trial.time         = time;
-        trial.held         = true;
-        trial.factor       = start_factor + next * (1. - start_factor);
-        std::vector<double> trial_speeds(speeds.size());
-        for (unsigned int i = 0; i < speeds.size(); ++i)
-          trial_speeds[i] = start_speeds[i] + next * (speeds[i] - start_speeds[i]);
-
-        const NewtonResult result = equilibrium(context, newton, trial, trial_speeds);
-        n_iterations += result.iterations;
+        const double next = fraction + step > 1. - 1e-9 ? 1. : fraction + step;
+        State        trial;
+        NewtonResult result = attempt(context.state, next, trial);
+        // between two speeds of a sweep there may be a critical one, where no path leads through: start afresh beyond it
+        if (!result.converged && next == 1. && start_speeds != speeds && start_factor == 1.)
+          result = attempt(system.reference(), next, trial);
         if (!result.converged)
           {
             step /= 2;

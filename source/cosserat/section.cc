@@ -7,6 +7,17 @@
 
 namespace samara
 {
+  std::vector<Eigen::Vector2d>
+  drawn_outline(const std::vector<double> &radii, const Matrix6 &C)
+  {
+    if (radii.size() == 2)
+      return ellipse_outline(radii[0], radii[1]);
+    const auto radius = [&](const double EI) { return C(0, 0) > 0 && EI > 0 ? 2 * std::sqrt(EI / C(0, 0)) : 0.01; };
+    return ellipse_outline(radius(C(5, 5)), radius(C(4, 4)));
+  }
+
+
+
   SectionValues
   interpolate(const SectionValues &a, const SectionValues &b, const double w)
   {
@@ -69,6 +80,7 @@ namespace samara
     prm.add("I2", I2, "Mass moment of inertia per length about axis 2 through the mass centre [kg*m].", Double(0));
     prm.add("I3", I3, "Mass moment of inertia per length about axis 3 through the mass centre [kg*m].", Double(0));
     prm.add("I23", I23, "Mass product of inertia per length, integral of density y2 y3 [kg*m].");
+    prm.add("Drawn radii", drawn_radii, "Half axes along 2 and 3 of the ellipse that is drawn; default: from EI/EA [m].");
   }
 
 
@@ -94,9 +106,7 @@ namespace samara
     const Matrix6 T = twist_transfer({0, mass_centre[0], mass_centre[1]}, Matrix3::Identity());
     v.inertia       = T.transpose() * v.inertia * T;
 
-    // drawn as an ellipse with the radii of gyration that bending suggests, as nothing better is known
-    const double r2 = EA > 0 ? 2 * std::sqrt(EI3 / EA) : 0.01, r3 = EA > 0 ? 2 * std::sqrt(EI2 / EA) : 0.01;
-    v.outline = ellipse_outline(std::max(r2, 1e-6), std::max(r3, 1e-6));
+    v.outline = drawn_outline(drawn_radii, v.stiffness);
     return v;
   }
 
@@ -129,6 +139,7 @@ namespace samara
     prm.add("Inertia",
             inertia,
             "6x6 matrix per length about the reference line, rows (m I, -m c~) and (m c~, J), SI units: 36, 21 or 6 numbers.");
+    prm.add("Drawn radii", drawn_radii, "Half axes along 2 and 3 of the ellipse that is drawn; default: from EI/EA [m].");
   }
 
 
@@ -170,8 +181,7 @@ namespace samara
         values.stiffness = symmetric_matrix(stiffness.empty() ? compliance : stiffness);
         if (stiffness.empty())
           values.stiffness = values.stiffness.inverse().eval();
-        values.outline = ellipse_outline(2 * std::sqrt(values.stiffness(5, 5) / values.stiffness(0, 0)),
-                                         2 * std::sqrt(values.stiffness(4, 4) / values.stiffness(0, 0)));
+        values.outline = drawn_outline(drawn_radii, values.stiffness);
         if (!inertia.empty())
           values.inertia = symmetric_matrix(inertia);
       }

@@ -102,6 +102,30 @@ namespace samara
 
 
 
+  Eigen::VectorXd
+  steady_motion_vector(const System &system, const State &state)
+  {
+    Eigen::VectorXd result(6 * state.motion.size());
+    for (unsigned int node = 0; node < state.motion.size(); ++node)
+      {
+        const auto &m = state.motion[node];
+        result.segment<6>(6 * node) << m.velocity + m.spin.cross(system.model.nodes[node].x - m.at), m.spin;
+      }
+    return result;
+  }
+
+
+
+  void
+  set_steady_motion_vector(const System &system, State &state, const Eigen::VectorXd &motion)
+  {
+    for (unsigned int node = 0; node < state.motion.size(); ++node)
+      state.motion[node] = {motion.segment<3>(6 * node + 3), motion.segment<3>(6 * node), system.model.nodes[node].x};
+    system.update_twists(state);
+  }
+
+
+
   bool
   turns_as_a_whole(const System &system, const State &state)
   {

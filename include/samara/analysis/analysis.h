@@ -19,6 +19,12 @@ namespace samara
     std::vector<double>      sweep;  ///< rotor speeds to go through, of the first rotation; empty: none
     bool                     is_equilibrium = false; ///< whether the state has been found by a static analysis
 
+    /**
+     * Whether pictures are to be made here: of a sweep only at the model's own speed, or the last one if that is not
+     * among them.
+     */
+    bool is_shown() const;
+
     /** All rotations in proportion to their own speeds, so that the first has @p speed. */
     std::vector<double> speeds_at(double speed) const;
   };

@@ -42,6 +42,7 @@ namespace samara
     // entries
     unsigned int n_modes = 10, n_animations = 4;
     double       shift = 1;
+    bool         hold  = false;
     std::string  axes  = "automatic";
 
     std::vector<Mode>         previous; ///< of the speed before, in the order of branches

@@ -21,6 +21,9 @@ namespace samara
     std::vector<Eigen::Vector2d> outline;
   };
 
+  /** The ellipse that is drawn for a section: with the half axes given, or those of a solid one of these stiffnesses. */
+  std::vector<Eigen::Vector2d> drawn_outline(const std::vector<double> &radii, const Matrix6 &stiffness);
+
   /** (1 − w) a + w b */
   SectionValues interpolate(const SectionValues &a, const SectionValues &b, double w);
 
@@ -55,6 +58,7 @@ namespace samara
     double EA = 0, GA2 = 0, GA3 = 0, GJ = 0, EI2 = 0, EI3 = 0, EI23 = 0;
     double mass = 0, I2 = 0, I3 = 0, I23 = 0;
     std::vector<double> shear_centre = {0, 0}, tension_centre = {0, 0}, mass_centre = {0, 0};
+    std::vector<double> drawn_radii; ///< half axes of the ellipse that is drawn; empty: from the stiffnesses
 
     void          add_parameters(Parameters &prm);
     SectionValues values() const;
@@ -88,7 +92,7 @@ namespace samara
     SectionValues at(double x) const override;
 
   private:
-    std::vector<double> stiffness, compliance, inertia;
+    std::vector<double> stiffness, compliance, inertia, drawn_radii;
     SectionValues       values;
   };
 

@@ -17,6 +17,15 @@ namespace samara
    */
   void set_steady_motion(const System &system, State &state, const std::vector<double> &speeds);
 
+  /**
+   * The steady motion of all nodes as one vector: velocity times 1 s and spin at the nodes' reference places, so that it
+   * does not depend on the configuration; and a state's motion from such a vector.
+   * @{
+   */
+  Eigen::VectorXd steady_motion_vector(const System &system, const State &state);
+  void            set_steady_motion_vector(const System &system, State &state, const Eigen::VectorXd &motion);
+  /** @} */
+
   /** Whether all nodes that can move take part in one rigid rotation. */
   bool turns_as_a_whole(const System &system, const State &state);
 } // namespace samara
