@@ -4,6 +4,10 @@
 #include <samara/input.h>
 #include <samara/program.h>
 
+#include <cctype>
+#include <map>
+#include <type_traits>
+
 namespace samara
 {
   namespace
@@ -33,7 +37,7 @@ In one file a subsection is opened once and an entry set once. Several files may
 again what a file included before has set. On the command line, `--set "Bodies/shaft 1/Degree = 4"` has the last word.
 
 A body is called by its name, a point of it by `shaft 1.end`, a motion of a joint by `hinge.rotation`; `ground` is the
-inertial frame. What nobody knows is refused, with the nearest word that is known; all mistakes are reported at once.
+inertial frame. What nobody knows is refused, with the nearest word that is known; mistakes are reported together.
 
 ### Numbers
 
@@ -105,7 +109,9 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
       const auto object = kinds.make(kind);
       Parameters parameters(kind, kind);
       object->add_parameters(parameters);
-      out << "### " << kind << "\n\n" << kinds.what_it_is(kind) << ".\n\n";
+      std::string what = kinds.what_it_is(kind);
+      what[0]          = std::toupper(what[0]);
+      out << "### " << kind << "\n\n" << what << ".\n\n";
       parameters.document(out);
       out << '\n';
     }

@@ -287,6 +287,47 @@ namespace samara
 
 
 
+  namespace
+  {
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    /** K += Bᵀ A with the number of columns known: a column of K stays in registers. */
+    template <int n_columns>
+    void
+    add_transpose_product_of(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
+    {
+      using Column = Eigen::Matrix<double, n_columns, 1>;
+      for (int j = 0; j < n_columns; ++j)
+        {
+          Column sum = Eigen::Map<const Column>(K.col(j).data());
+          for (int i = 0; i < B.rows(); ++i)
+            sum += A(i, j) * Eigen::Map<const Column>(&B(i, 0));
+          Eigen::Map<Column>(K.col(j).data()) = sum;
+        }
+    }
+
+    /** K += Bᵀ A; beams of degree 1 to 4 have 12 to 30 columns, shells more. */
+    void
+    add_transpose_product(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
+    {
+      switch (B.cols())
+        {
+          case 12:
+            return add_transpose_product_of<12>(B, A, K);
+          case 18:
+            return add_transpose_product_of<18>(B, A, K);
+          case 24:
+            return add_transpose_product_of<24>(B, A, K);
+          case 30:
+            return add_transpose_product_of<30>(B, A, K);
+          default:
+            K.noalias() += B.transpose() * A;
+        }
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   Cosserat<dim>::add_material(const unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const
@@ -296,7 +337,11 @@ namespace samara
     s.B_tied.resize(6 * dim * t.n_tying, 6 * t.n_nodes);
     for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       for (unsigned int a = 0; a < t.n_nodes; ++a)
-        kernel::strain_matrix(s.at[k], s.nodes[a].D, t.N(k, a), t.dN(k, a), s.B_tied.template block<6, 6>(6 * k, 6 * a));
+        kernel::strain_matrix(s.at[k],
+                              s.nodes[a].D,
+                              t.N(k, a),
+                              t.dN(k, a),
+                              s.B_tied.template block<6, 6>(6 * k, 6 * a));
 
     s.B.resize(n * t.n_points, 6 * t.n_nodes);
     s.CB.resize(n * t.n_points, 6 * t.n_nodes);
@@ -315,9 +360,11 @@ namespace samara
                   B.template middleRows<6>(6 * beta) += point.T(beta, alpha) * t.interpolation[alpha](g, k) *
                                                         s.B_tied.template middleRows<6>(6 * (alpha * t.n_tying + k));
           }
-        s.CB.template middleRows<n>(n * g).noalias() = (point.weight * (materials[point.material].*which)) * B;
+        const MatrixN C = point.weight * (materials[point.material].*which);
+        auto          CB = s.CB.template middleRows<n>(n * g);
+        CB.noalias()     = C.lazyProduct(B);
       }
-    K.noalias() += s.B.transpose() * s.CB;
+    add_transpose_product(s.B, s.CB, K);
   }
 
 
@@ -331,30 +378,35 @@ namespace samara
     const unsigned int       N = t.n_nodes;
     s.n.assign(N * N, Vector3::Zero());
     s.m.assign(N * N, Vector3::Zero());
-    for (unsigned int a = 0; a < N; ++a)
+    s.forces.assign(N, {Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()});
+    for (unsigned int k = 0; k < tied.size(); ++k)
       {
-        Vector3 f = Vector3::Zero();
-        Matrix3 F = Matrix3::Zero();
-        for (unsigned int k = 0; k < tied.size(); ++k)
+        const auto    force = kernel::force(s.at[k], tied[k]);
+        const Vector3 n_k = tied[k].template head<3>(), m_k = tied[k].template tail<3>();
+        for (unsigned int a = 0; a < N; ++a)
           {
-            const auto forces = kernel::force(s.at[k], tied[k]);
-            f += t.dN(k, a) * forces.dx;
-            F += t.N(k, a) * forces.d + t.dN(k, a) * forces.dd;
+            const double N_a = t.N(k, a), dN_a = t.dN(k, a);
+            s.forces[a].dx += dN_a * force.dx;
+            s.forces[a].d += N_a * force.d + dN_a * force.dd;
             for (unsigned int b = 0; b < N; ++b)
               {
-                s.n[N * a + b] += t.dN(k, a) * t.N(k, b) * tied[k].template head<3>();
-                s.m[N * a + b] += (t.N(k, a) * t.dN(k, b) - t.dN(k, a) * t.N(k, b)) * tied[k].template tail<3>();
+                s.n[N * a + b] += dN_a * t.N(k, b) * n_k;
+                s.m[N * a + b] += (N_a * t.dN(k, b) - dN_a * t.N(k, b)) * m_k;
               }
           }
-        K.block<6, 6>(6 * a, 6 * a) +=
-          kernel::geometric_node(s.nodes[a].D.transpose() * f, s.nodes[a].D.transpose() * F);
       }
     for (unsigned int a = 0; a < N; ++a)
-      for (unsigned int b = 0; b < N; ++b)
-        K.block<6, 6>(6 * a, 6 * b) += kernel::geometric_pair(s.nodes[a].D.transpose() * s.nodes[b].D,
-                                                              s.n[N * a + b],
-                                                              s.n[N * b + a],
-                                                              s.m[N * a + b]);
+      {
+        const Matrix3 &D = s.nodes[a].D;
+        K.block<6, 6>(6 * a, 6 * a) +=
+          kernel::geometric_node(D.transpose() * s.forces[a].dx, transpose_times(D, s.forces[a].d));
+        for (unsigned int b = 0; b < N; ++b)
+          kernel::add_geometric_pair(transpose_times(D, s.nodes[b].D),
+                                     s.n[N * a + b],
+                                     s.n[N * b + a],
+                                     s.m[N * a + b],
+                                     K.block<6, 6>(6 * a, 6 * b));
+      }
   }
 
 

@@ -243,7 +243,7 @@ namespace samara
              const double        shift)
   {
     const auto         op       = Teuchos::rcp(new ShiftInvert(M, C, K, n_kinematic, shift));
-    const unsigned int n_blocks = std::max(4 * n_modes + 10, 30u);
+    const unsigned int n_blocks = std::max(4 * n_modes, 30u);
     // where the Krylov space would be most of the space anyway, the dense matrix is simpler and complete
     std::vector<Mode> modes =
       2 * n_kinematic < 2 * n_blocks || n_kinematic < 60 ? dense_modes(*op, 1e-11) : krylov_modes(op, n_modes, n_blocks);

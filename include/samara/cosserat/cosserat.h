@@ -125,7 +125,9 @@ namespace samara
       std::vector<kernel::NodeValues<double>>  nodes;
       std::vector<kernel::PointValues<double>> at;
       std::vector<Vec6<double>>                tied;
-      Eigen::MatrixXd                          K, B_tied, B, CB;
+      std::vector<kernel::PointValues<double>> forces; // on the nodes
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> B_tied, B, CB;
+      Eigen::MatrixXd                                                        K;
       std::vector<Vector3>                     n, m; // sums over the points for pairs of nodes
     };
     static Scratch &scratch();

@@ -94,19 +94,21 @@ namespace samara
 
 
     /** B_a, see above; @p scale multiplies all of it. */
-    inline void
-    strain_matrix(const PointValues<double>                      &p,
-                  const Matrix3                                  &D,
-                  const double                                    N,
-                  const double                                    dN,
-                  Eigen::Ref<Matrix6, 0, Eigen::OuterStride<>>    B)
+    template <typename Block>
+    void
+    strain_matrix(const PointValues<double> &p, const Matrix3 &D, const double N, const double dN, Block &&B)
     {
-      const Matrix3 P        = D.transpose() * p.d;
-      const Matrix3 V        = N * (D.transpose() * p.dd) - dN * P;
-      B.topLeftCorner<3, 3>() = dN * P.transpose();
-      B.bottomLeftCorner<3, 3>().setZero();
-      B.topRightCorner<3, 3>()    = skew((N * (D.transpose() * p.dx)).eval());
-      B.bottomRightCorner<3, 3>() = 0.5 * (V - V.trace() * Matrix3::Identity());
+      const Matrix3 P       = transpose_times(D, p.d), P_prime = transpose_times(D, p.dd);
+      const Vector3 w       = N * (D.transpose() * p.dx);
+      const double  half_tr = 0.5 * (N * P_prime.trace() - dN * P.trace());
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          {
+            B(i, j)         = dN * P(j, i);
+            B(i + 3, j)     = 0;
+            B(i + 3, j + 3) = 0.5 * (N * P_prime(i, j) - dN * P(i, j)) - (i == j ? half_tr : 0.);
+          }
+      B.template topRightCorner<3, 3>() = skew(w);
     }
 
 
@@ -116,15 +118,28 @@ namespace samara
      * respect to the twist of b at fixed section forces, summed over the points of the element,
      * @p n_ab = Σ N'_a N_b n, @p n_ba = Σ N_a N'_b n and @p m_ab = Σ (N_a N'_b − N'_a N_b) m.
      */
-    inline Matrix6
-    geometric_pair(const Matrix3 &R_ab, const Vector3 &n_ab, const Vector3 &n_ba, const Vector3 &m_ab)
+    template <typename Block>
+    void
+    add_geometric_pair(const Matrix3 &R_ab, const Vector3 &n_ab, const Vector3 &n_ba, const Vector3 &m_ab, Block &&K)
     {
-      Matrix6 K;
-      K.topLeftCorner<3, 3>().setZero();
-      K.topRightCorner<3, 3>()    = -R_ab * skew(n_ab);
-      K.bottomLeftCorner<3, 3>()  = skew(n_ba) * R_ab;
-      K.bottomRightCorner<3, 3>() = 0.5 * skew((R_ab.transpose() * m_ab).eval()) + m_ab * axial(R_ab).transpose();
-      return K;
+      const Vector3 a = axial(R_ab), r = 0.5 * (R_ab.transpose() * m_ab);
+      for (int i = 0; i < 3; ++i)
+        {
+          // a row of −R n~ is n × that row of R; a column of n~ R is n × that column of R
+          const Vector3 row = cross(n_ab, R_ab.row(i).transpose()), column = cross(n_ba, R_ab.col(i));
+          for (int j = 0; j < 3; ++j)
+            {
+              K(i, j + 3) += row(j);
+              K(j + 3, i) += column(j);
+              K(i + 3, j + 3) += m_ab(i) * a(j);
+            }
+        }
+      K(3, 4) -= r(2);
+      K(4, 3) += r(2);
+      K(3, 5) += r(1);
+      K(5, 3) -= r(1);
+      K(4, 5) -= r(0);
+      K(5, 4) += r(0);
     }
 
 

@@ -42,6 +42,17 @@ namespace samara
   }
   /** @} */
 
+  /** Aᵀ B written out: the compiler keeps it in registers, which it does not with Eigen's product of this size. */
+  inline Matrix3
+  transpose_times(const Matrix3 &A, const Matrix3 &B)
+  {
+    Matrix3 C;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        C(i, j) = A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j);
+    return C;
+  }
+
   /** The matrix a~ with a~ b = a × b. */
   template <typename A>
   Mat3<typename A::Scalar>

@@ -1,0 +1,137 @@
+// Damping of beams and joints against closed forms. Stiffness-proportional damping β gives every mode λ² + β ω² λ + ω² = 0:
+// |λ| = ω and the damping ratio β ω/2, exactly, whatever the mesh. A damper at a joint with one degree of freedom:
+// J λ² + c λ + k = 0.
+
+#include "modes.h"
+
+#include <gtest/gtest.h>
+
+using namespace samara;
+
+namespace
+{
+  const std::string beam = "prm/benchmarks/timoshenko_beam.prm";
+
+  const double omega[] = {8.38735763266, 25.3458803025, 44.1265715521, 63.0949419417}; // L/r = 10, exact
+
+  /** Bending modes in the plane x z of the simply supported beam. */
+  std::vector<Mode>
+  modes_in_plane(const std::string &override)
+  {
+    Scene             scene(beam, {override, "Bodies/beam/Damping frequency = 20", "Bodies/beam/Degree = 4"});
+    std::vector<Mode> result;
+    for (const auto &mode : scene.modes())
+      if (share(scene.system, mode, 2) > 0.5)
+        result.push_back(mode);
+    return result;
+  }
+
+  const std::string flywheel = R"(
+set Analyses = modal
+subsection Bodies
+  subsection wheel
+    set Type = rigid body
+    set Mass = 3
+    set Inertia = 2, 2, 2
+  end
+end
+subsection Joints
+  subsection bearing
+    set Type = revolute
+    set Body A = ground
+    set Body B = wheel.centre
+    set Axis = 1, 2, 3
+    subsection rotation
+      set Spring = 50
+      set Damper = 4
+    end
+  end
+end
+)";
+} // namespace
+
+
+
+TEST(Damping, ProportionalToStiffness)
+{
+  const double beta  = 0.004;
+  const auto   modes = modes_in_plane("Bodies/beam/Damping = " + exact(beta));
+  for (unsigned int n = 0; n < 4; ++n)
+    {
+      EXPECT_NEAR(modes.at(n).frequency(), omega[n], 1e-6 * omega[n]);
+      EXPECT_NEAR(modes[n].damping_ratio(), beta * modes[n].frequency() / 2, 1e-8);
+    }
+}
+
+
+
+TEST(Damping, RatioAtAFrequency)
+{
+  // ζ = 0.03 at 20 rad/s grows in proportion to the frequency
+  const auto modes = modes_in_plane("Bodies/beam/Damping ratio = 0.03");
+  for (unsigned int n = 0; n < 4; ++n)
+    EXPECT_NEAR(modes.at(n).damping_ratio(), 0.03 * omega[n] / 20, 1e-7);
+}
+
+
+
+// Damping of shear only, on a beam in which shear and bending work together, is less than that of both and not zero.
+TEST(Damping, OfSingleStrains)
+{
+  const double beta  = 0.004;
+  const auto   shear = modes_in_plane("Bodies/beam/Damping = 0, 0, 0.004, 0, 0, 0");
+  const auto   bending = modes_in_plane("Bodies/beam/Damping = 0, 0, 0, 0, 0.004, 0");
+  const auto   others  = modes_in_plane("Bodies/beam/Damping = 0.004, 0.004, 0, 0.004, 0, 0.004");
+  // to first order the energies of shear and bending share the damping: the ratios add up to that of all
+  for (unsigned int n = 0; n < 4; ++n)
+    {
+      EXPECT_GT(shear.at(n).damping_ratio(), 1e-3);
+      EXPECT_GT(bending.at(n).damping_ratio(), 1e-3);
+      EXPECT_NEAR((shear[n].damping_ratio() + bending[n].damping_ratio()) / (beta * omega[n] / 2), 1., 0.02);
+      EXPECT_NEAR(others.at(n).damping_ratio(), 0., 1e-8);
+    }
+}
+
+
+
+TEST(Damping, DamperOfAJoint)
+{
+  Scene       scene(flywheel);
+  const auto &modes = scene.modes();
+  ASSERT_EQ(modes.size(), 1u);
+  EXPECT_NEAR(modes[0].frequency(), 5., 1e-10);            // sqrt(k/J)
+  EXPECT_NEAR(modes[0].damping_ratio(), 0.2, 1e-10);       // c/(2 sqrt(k J))
+  EXPECT_NEAR(modes[0].lambda.imag(), std::sqrt(24.), 1e-9); // ω sqrt(1 − ζ²)
+}
+
+
+
+// More than critical: two real roots, −4 and −6.25 for c = 20.5.
+TEST(Damping, Overcritical)
+{
+  Scene       scene(flywheel, {"Joints/bearing/rotation/Damper = 20.5"});
+  const auto &modes = scene.modes();
+  ASSERT_EQ(modes.size(), 2u);
+  EXPECT_NEAR(modes[0].lambda.real(), -4., 1e-9);
+  EXPECT_NEAR(modes[1].lambda.real(), -6.25, 1e-9);
+  EXPECT_NEAR(modes[0].damping_ratio(), 1., 1e-12);
+}
+
+
+
+// Material damping does not slow a rigid rotation: the hinged blade keeps its flap frequency and is damped in it by nothing.
+TEST(Damping, NotOfRigidMotion)
+{
+  Scene scene("prm/benchmarks/rotating_beam_hinged.prm", {"Constants/eta = 7", "Bodies/blade/Damping = 0.001"});
+  scene.equilibrium();
+  unsigned int n = 0;
+  for (const auto &mode : scene.modes())
+    if (std::abs(mode.frequency() - 7) < 1e-4)
+      {
+        ++n;
+        EXPECT_NEAR(mode.damping_ratio(), 0., 1e-7);
+      }
+    else if (mode.frequency() > 8)
+      EXPECT_GT(mode.damping_ratio(), 1e-4);
+  EXPECT_EQ(n, 1u);
+}

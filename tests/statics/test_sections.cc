@@ -1,0 +1,167 @@
+// Sections: centres, tables, and the engineering stiffnesses of simple shapes.
+//
+// References: closed forms of straight members that hold for displacements and rotations of any size, because nothing but
+// extension, twist or a plane rotation comes about: u = ∫ F/EA, angle of twist ∫ M/GJ, angle of bending ∫ M/EI.
+
+#include "../scene.h"
+
+#include <samara/cosserat/section.h>
+
+#include <gtest/gtest.h>
+
+using namespace samara;
+
+namespace
+{
+  /** A cantilever of length 2 along x with axis 2 along y; the load acts on a plate at its end, at (2, y, z). */
+  std::string
+  model(const std::string &sections, const std::string &load, const std::string &y_z = "0 0")
+  {
+    return "subsection Sections\n" + sections + "\nend\nsubsection Bodies\n subsection beam\n set Type = beam\n" +
+           " set Points = 0, 0, 0; 2, 0, 0\n set Axis 2 = 0, 1, 0\n set Section = s\n set Elements = 4\n end\n" +
+           " subsection plate\n set Type = rigid body\n set Position = 2, 0, 0\n set Frames = point at 2 " + y_z +
+           "\n end\nend\nsubsection Joints\n subsection clamp\n set Type = rigid\n set Body A = ground\n" +
+           " set Body B = beam.start\n end\n subsection weld\n set Type = rigid\n set Body A = beam.end\n" +
+           " set Body B = plate.centre\n end\nend\nsubsection Loads\n subsection p\n set Type = point load\n" +
+           " set At = plate.point\n set " + load + "\n end\nend\n";
+  }
+
+  std::string
+  constants(const std::string &name, const double factor, const std::string &centres = "")
+  {
+    std::string text = "subsection " + name + "\n set Type = engineering constants\n set Mass = 1\n";
+    for (const auto &[entry, value] :
+         {std::make_pair("EA", 100.), {"GA2", 80.}, {"GA3", 70.}, {"GJ", 2.}, {"EI2", 3.}, {"EI3", 4.}})
+      text += std::string(" set ") + entry + " = " + std::to_string(factor * value) + "\n";
+    return text + centres + " end\n";
+  }
+
+  double
+  value(const std::string &text, const std::string &probe, const std::vector<std::string> &overrides = {})
+  {
+    Scene scene(text, overrides);
+    scene.equilibrium();
+    return scene.value(probe);
+  }
+} // namespace
+
+
+
+// A force through the tension centre stretches and does nothing else: Γ₁ = F/EA.
+TEST(Sections, ForceAtTheTensionCentreDoesNotBend)
+{
+  Scene scene(model(constants("s", 1, " set Tension centre = 0.2, -0.3\n set Shear centre = 0.1, 0.4\n set EI23 = 0.5\n"),
+                    "Force = 20, 0, 0",
+                    "0.2 -0.3"));
+  scene.equilibrium();
+  EXPECT_NEAR(scene.value("beam.end.displacement x"), 2 * 20. / 100, 1e-13);
+  for (const std::string probe : {"displacement y", "displacement z", "rotation x", "rotation y", "rotation z"})
+    EXPECT_NEAR(scene.value("beam.end." + probe), 0., 1e-11) << probe;
+  // away from it, it bends: by the moment F (y₃ K₂ − y₂ K₃) about the tension centre
+  EXPECT_GT(std::abs(value(model(constants("s", 1, " set Tension centre = 0.2, -0.3\n"), "Force = 0.2, 0, 0"),
+                           "beam.end.rotation y")),
+            1.);
+}
+
+
+
+// With both centres at y₂ = 0.3, a force along axis 3 there bends in one plane without twist, at any size; at the
+// reference line it twists. (A shift of the reference line changes the discretisation, so this is of order 2p.)
+TEST(Sections, ForceAtTheShearCentreDoesNotTwist)
+{
+  const std::string section = constants("s", 1, " set Tension centre = 0.3, 0\n set Shear centre = 0.3, 0\n");
+  const auto angle = [&](const std::string &elements) {
+    return value(model(section, "Force = 0, 0, 2", "0.3 0"), "beam.end.angle 1", {"Bodies/beam/Elements = " + elements});
+  };
+  EXPECT_NEAR(angle("64"), 0., 1e-11);
+  EXPECT_NEAR(std::log2(angle("8") / angle("16")), 6., 0.3);
+  printf("%.3e %.3e %.3e\n", angle("8"), angle("16"), angle("64"));
+  EXPECT_LT(value(model(section, "Force = 0, 0, 2", "0.3 0"), "beam.end.rotation y"), -20.);
+  EXPECT_LT(value(model(section, "Force = 0, 0, 2"), "beam.end.angle 1"), -5.);
+}
+
+
+
+// Stiffness from 1 to 1/4 linearly: ∫ dx/(1 − 3 x/(4 L)) = (4/3) L ln 4.
+TEST(Sections, TaperedTable)
+{
+  const std::string sections = constants("a", 1) + constants("b", 0.25) +
+                               "subsection s\n set Type = table\n set Stations = a at 0, b at 1\n end\n";
+  const double       integral = 4. / 3. * 2 * std::log(4.);
+  const unsigned int coarse[] = {0, 16, 8, 8, 12};
+  for (unsigned int p = 1; p <= 4; ++p)
+    {
+      const auto answers = [&](const unsigned int elements) {
+        const std::vector<std::string> mesh = {"Bodies/beam/Degree = " + std::to_string(p),
+                                               "Bodies/beam/Elements = " + std::to_string(elements)};
+        return Vector3(value(model(sections, "Force = 10, 0, 0"), "beam.end.displacement x", mesh) / (0.1 * integral),
+                       value(model(sections, "Moment = 1, 0, 0"), "beam.end.rotation x", mesh) * M_PI / 180 / (integral / 2),
+                       value(model(sections, "Moment = 0, 1, 0"), "beam.end.rotation y", mesh) * M_PI / 180 / (integral / 3)) -
+               Vector3::Ones();
+      };
+      const Vector3 one = answers(coarse[p]), two = answers(2 * coarse[p]), fine = answers(32);
+      for (unsigned int i = 0; i < 3; ++i)
+       { printf("p %u: %.3e %.3e order %.3f; 32: %.3e\n", p, one(i), two(i), std::log2(one(i) / two(i)), fine(i));
+        EXPECT_NEAR(std::log2(one(i) / two(i)), 2. * p, 0.3) << "degree " << p << ", answer " << i; }
+      if (p == 4)
+        EXPECT_LT(fine.norm(), 1e-11);
+    }
+}
+
+
+
+// A jump at 0.3 of the length, where an element ends whatever the mesh: exact.
+TEST(Sections, TableWithAJump)
+{
+  const std::string sections =
+    constants("a", 1) + constants("b", 0.25) +
+    "subsection s\n set Type = table\n set Stations = a at 0, a at 0.3, b at 0.3, b at 1\n end\n";
+  const double integral = 2 * (0.3 + 0.7 * 4);
+  EXPECT_NEAR(value(model(sections, "Force = 10, 0, 0"), "beam.end.displacement x"), 0.1 * integral, 1e-13);
+  EXPECT_NEAR(value(model(sections, "Moment = 0.5, 0, 0"), "beam.end.rotation x") * M_PI / 180, 0.5 * integral / 2, 1e-5);
+}
+
+
+
+TEST(Sections, TableFromAFile)
+{
+  const std::string name = "sections_" + std::to_string(getpid()) + ".csv";
+  std::ofstream(name) << "x, EA, GA2, GA3, GJ, EI2, EI3, mass, y2 tension, y3 tension\n0, 100, 80, 70, 2, 3, 4, 1, 0.2, -0.3\n"
+                         "1, 25, 20, 17.5, 0.5, 0.75, 1, 0.25, 0.2, -0.3\n";
+  Scene scene(model("subsection s\n set Type = table\n set File = " + name + "\n end", "Force = 10, 0, 0", "0.2 -0.3"),
+              {"Bodies/beam/Elements = 48"});
+  std::remove(name.c_str());
+  scene.equilibrium();
+  EXPECT_NEAR(scene.value("beam.end.displacement x") / (0.1 * 4. / 3. * 2 * std::log(4.)), 1., 1e-9);
+  EXPECT_NEAR(scene.value("beam.end.displacement z"), 0., 1e-10);
+}
+
+
+
+// Torsion constants of Saint-Venant: 0.140577014955 a⁴ for a square, 0.228681643 a b³ for 2:1. Shear factor of Cowper
+// (1966): 6 (1 + ν)/(7 + 6 ν) for a rod, 2 (1 + ν)/(4 + 3 ν) for a thin tube.
+TEST(Sections, StiffnessOfSimpleShapes)
+{
+  const auto stiffness = [](const std::string &entries) {
+    Scene scene(model("subsection s\n set Density = 1\n set E = 260\n set Poisson ratio = 0.3\n " + entries + "\n end", "Force = 1, 0, 0"));
+    return scene.system.model.find<Section>("s", "section").at(0).stiffness;
+  };
+  const auto expect = [](const Matrix6 &C, const Vector6 &diagonal, const double tolerance) {
+    EXPECT_LT((C - Matrix6(diagonal.asDiagonal())).norm(), tolerance * diagonal.norm()) << C.diagonal().transpose()<<"\n" << diagonal.transpose();
+  };
+  expect(stiffness("set Type = rectangle\n set Width 2 = 2\n set Width 3 = 2"),
+         Vector6(260 * 4, 500 / 6. * 4, 500 / 6. * 4, 100 * 0.140577014955 * 16, 260 * 16 / 12., 260 * 16 / 12.),
+         1e-6);
+  expect(stiffness("set Type = rectangle\n set Width 2 = 2\n set Width 3 = 1"),
+         Vector6(260 * 2, 500 / 6. * 2, 500 / 6. * 2, 100 * 0.228681643 * 2, 260 * 2 / 12., 260 * 8 / 12.),
+         1e-6);
+  const double I = M_PI / 4 * 16;
+  expect(stiffness("set Type = tube\n set Outer radius = 2"),
+         Vector6(260 * M_PI * 4, 0, 0, 200 * I, 260 * I, 260 * I) +
+           7.8 / 8.8 * 400 * M_PI * Vector6(0, 1, 1, 0, 0, 0),
+         1e-14);
+  const double A = M_PI * (1 - 0.998001), I_thin = M_PI / 4 * (1 - std::pow(0.999, 4));
+  expect(stiffness("set Type = tube\n set Outer radius = 1\n set Inner radius = 0.999"),
+         Vector6(260 * A, 0, 0, 200 * I_thin, 260 * I_thin, 260 * I_thin) + 2.6 / 4.9 * 100 * A * Vector6(0, 1, 1, 0, 0, 0),
+         1e-6);
+}
