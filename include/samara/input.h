@@ -16,6 +16,9 @@ namespace samara
      */
     Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides = {});
 
+    /** An empty one, for the documentation of its entries. */
+    Input() = default;
+
     std::string title;
     Model       model;
 

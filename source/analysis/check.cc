@@ -85,6 +85,16 @@ namespace samara
         D(i)             = diagonal > 1e-9 * largest ? diagonal : std::max(largest, 1.);
         diagonal += 1e-9 * D(i);
       }
+    const int       m       = layout.n_multipliers;
+    Eigen::VectorXd G_scale = Eigen::VectorXd::Zero(m);
+    for (int j = 0; j < m; ++j)
+      {
+        const int column = layout.of_multiplier(j);
+        for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
+          if (K.pattern->rows[k] < n)
+            G_scale(j) += K.values[k] * K.values[k] / D(K.pattern->rows[k]);
+        G_scale(j) = G_scale(j) > 0 ? 1. / std::sqrt(G_scale(j)) : 0.;
+      }
     const auto solver = make_klu(layout.pattern);
     solver->factorize(K);
 
@@ -125,16 +135,18 @@ namespace samara
             Eigen::HouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * X);
             X = root.cwiseInverse().asDiagonal() * (qr.householderQ() * Eigen::MatrixXd::Identity(n, block));
           }
-        // Ritz vectors of the stiffness in the block
-        Eigen::MatrixXd KX(n, block);
+        // Ritz vectors of the stiffness in the block, with violated constraints as stiff springs: where the block has more
+        // columns than there are free motions, the others are round-off, which obeys no constraint
+        Eigen::MatrixXd KX(n, block), GX(m, block);
         for (int j = 0; j < block; ++j)
           {
             std::vector<double> x(system.size(), 0.), y(system.size());
             std::copy(X.col(j).data(), X.col(j).data() + n, x.begin());
             K.multiply(x.data(), y.data());
             KX.col(j) = Eigen::Map<Eigen::VectorXd>(y.data(), n) - 1e-9 * D.cwiseProduct(X.col(j));
+            GX.col(j) = Eigen::Map<Eigen::VectorXd>(y.data() + n, m).cwiseProduct(G_scale);
           }
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(X.transpose() * KX);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(X.transpose() * KX + GX.transpose() * GX);
         const Eigen::MatrixXd                                Z = X * ritz.eigenvectors();
         std::vector<int>                                     zero;
         for (int j = 0; j < block; ++j)

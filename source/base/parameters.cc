@@ -31,6 +31,8 @@ namespace samara
       if (dynamic_cast<const dealii::Patterns::Selection *>(&pattern) == nullptr)
         return {};
       const std::string head = "[Selection ", text = pattern.description(PatternBase::Machine);
+      if (text.compare(0, head.size(), head) != 0)
+        return {}; // Bool is a Selection, too
       return split_top_level(text.substr(head.size(), text.rfind(']') - head.size()), '|');
     }
 

@@ -236,6 +236,18 @@ namespace samara
 
 
   template <int dim>
+  bool
+  Cosserat<dim>::has_damping() const
+  {
+    for (const auto &material : materials)
+      if (!material.viscosity.isZero(0.))
+        return !is_rigid;
+    return false;
+  }
+
+
+
+  template <int dim>
   double
   Cosserat<dim>::strain_energy(const double *e) const
   {

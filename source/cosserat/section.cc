@@ -45,12 +45,12 @@ namespace samara
       {
         const SectionValues v = at(x);
         if (Eigen::SelfAdjointEigenSolver<Matrix6>(v.stiffness).eigenvalues()(0) <= 0.)
-          model.complaints.add(parameters.where("Type"),
+          model.complaints.add(parameters.where(),
                                "the stiffness of section <" + name +
                                  "> is not positive definite: every one of EA, GA2, GA3, GJ, EI2, EI3 must be "
                                  "positive, and couplings must be small enough");
         else if (Eigen::SelfAdjointEigenSolver<Matrix6>(v.inertia).eigenvalues()(0) < -1e-12 * v.inertia.norm())
-          model.complaints.add(parameters.where("Type"),
+          model.complaints.add(parameters.where(),
                                "the inertia of section <" + name + "> is not positive semidefinite");
         else
           continue;

@@ -1,5 +1,6 @@
 #include <samara/joints/joint.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace samara
@@ -197,6 +198,10 @@ namespace samara
     for (unsigned int i = 0; i < rows.size(); ++i)
       multipliers[i] = first_multiplier + i;
     layout.couple(block, {frame_a, frame_b}, coordinates, multipliers);
+    for (unsigned int i = 0; i < used.size(); ++i)
+      if (used[i]->is_angle() && !used[i]->is_prescribed)
+        layout.corrections.push_back({first_multiplier + static_cast<unsigned int>(locked.size()) + i,
+                                      static_cast<unsigned int>(used[i]->coordinate)});
   }
 
 
@@ -380,6 +385,72 @@ namespace samara
     for (unsigned int i = 0; i < used.size(); ++i)
       local(12 + i, 12 + i) = used[i]->damper;
     block.add(local, C);
+  }
+
+
+
+  void
+  Joint::constraint_rates(const Point<double> &point, double *rates) const
+  {
+    const PairValues<double>     pair(frame_a, frame_b, point.q);
+    Eigen::Matrix<double, 12, 1> y, gradient;
+    y << frame_a.twist(point.y), frame_b.twist(point.y);
+    unsigned int row = first_multiplier;
+    for (const auto &l : locked)
+      {
+        gradient.setZero();
+        l.function.add_gradient(pair, 1., gradient.head<12>());
+        rates[row++] = gradient.dot(y);
+      }
+    for (const auto *m : used)
+      {
+        const double value = point.coordinates[m->coordinate], rate = point.rates[m->coordinate];
+        gradient.setZero();
+        if (m->is_angle())
+          {
+            const double s = std::sin(value), c = std::cos(value);
+            m->first.add_gradient(pair, s, gradient.head<12>());
+            m->second.add_gradient(pair, -c * m->sign, gradient.head<12>());
+            rates[row++] = gradient.dot(y) + rate * (c * m->first.value(pair) + s * m->sign * m->second.value(pair));
+          }
+        else
+          {
+            m->first.add_gradient(pair, 1., gradient.head<12>());
+            rates[row++] = gradient.dot(y) - rate;
+          }
+      }
+    for (const auto *m : used)
+      if (m->is_prescribed)
+        rates[row++] = point.rates[m->coordinate] - point.factor * m->prescribed.derivative(point.time);
+    if (is_screw)
+      rates[row] = point.rates[used[0]->coordinate] - pitch * point.rates[used[1]->coordinate];
+  }
+
+
+
+  void
+  Joint::constraint_time_rates(const Point<double> &point, double *rates) const
+  {
+    unsigned int row = first_multiplier + locked.size() + used.size();
+    for (const auto *m : used)
+      if (m->is_prescribed)
+        rates[row++] = -point.factor * m->prescribed.derivative(point.time);
+  }
+
+
+
+  bool
+  Joint::has_loads() const
+  {
+    return std::any_of(used.begin(), used.end(), [](const FreeMotion *m) { return !m->force.is_zero(); });
+  }
+
+
+
+  bool
+  Joint::has_damping() const
+  {
+    return std::any_of(used.begin(), used.end(), [](const FreeMotion *m) { return m->damper != 0; });
   }
 
 

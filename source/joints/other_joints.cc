@@ -102,6 +102,13 @@ namespace samara
   }
 
   void
+  Rigid::constraint_rates(const Point<double> &point, double *rates) const
+  {
+    if (reaction_wanted)
+      Joint::constraint_rates(point, rates);
+  }
+
+  void
   Rigid::draw(const State &, Drawing &) const
   {}
 
@@ -205,6 +212,14 @@ namespace samara
     local(0, 2) = local(2, 0) = -ratio;
     local(1, 2) = local(2, 1) = 1;
     block.add(local, K);
+  }
+
+
+
+  void
+  Gear::constraint_rates(const Point<double> &point, double *rates) const
+  {
+    rates[multiplier] = point.rates[coordinates[1]] - ratio * point.rates[coordinates[0]];
   }
 
 

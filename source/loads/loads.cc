@@ -59,6 +59,24 @@ namespace samara
 
 
 
+  double
+  Gravity::potential_energy(const Point<double> &point) const
+  {
+    double energy = 0;
+    for (unsigned int node = 1; node < blocks.size(); ++node)
+      {
+        // m (x + D c), with m c~ in the inertia
+        const Matrix6 &M      = model->nodes[node].inertia;
+        const Frame    frame{node};
+        const Vector3  moment = M(0, 0) * frame.position(point.q) +
+                               frame.triad(point.q) * axial(M.bottomLeftCorner<3, 3>());
+        energy -= point.factor * acceleration.dot(moment);
+      }
+    return energy;
+  }
+
+
+
   void
   WrenchLoad::add_axes_parameter(Parameters &prm)
   {
@@ -115,12 +133,6 @@ namespace samara
         load.block.add(local, K);
       }
   }
-
-
-
-  void
-  WrenchLoad::draw(const State &, Drawing &) const
-  {}
 
 
 

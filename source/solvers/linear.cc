@@ -73,7 +73,71 @@ namespace samara
       klu_numeric                   *numeric         = nullptr;
       double                         reference_rcond = 0;
     };
+
+
+
+    class ComplexKlu : public ComplexSolver
+    {
+    public:
+      explicit ComplexKlu(const std::shared_ptr<const Pattern> &pattern)
+        : pattern(pattern)
+      {
+        klu_defaults(&common);
+        symbolic = klu_analyze(pattern->size(),
+                               const_cast<int *>(pattern->column_start.data()),
+                               const_cast<int *>(pattern->rows.data()),
+                               &common);
+        if (symbolic == nullptr && pattern->size() > 0)
+          throw SingularMatrix(-1);
+      }
+
+      ~ComplexKlu() override
+      {
+        klu_z_free_numeric(&numeric, &common);
+        klu_free_symbolic(&symbolic, &common);
+      }
+
+      ComplexKlu(const ComplexKlu &)            = delete;
+      ComplexKlu &operator=(const ComplexKlu &) = delete;
+
+      void
+      factorize(const std::vector<std::complex<double>> &values) override
+      {
+        klu_z_free_numeric(&numeric, &common);
+        numeric = klu_z_factor(const_cast<int *>(pattern->column_start.data()),
+                               const_cast<int *>(pattern->rows.data()),
+                               reinterpret_cast<double *>(const_cast<std::complex<double> *>(values.data())),
+                               symbolic,
+                               &common);
+        if (numeric == nullptr || common.status == KLU_SINGULAR)
+          {
+            const int column = common.singular_col;
+            klu_z_free_numeric(&numeric, &common);
+            throw SingularMatrix(column < pattern->size() ? column : -1);
+          }
+      }
+
+      void
+      solve(std::complex<double> *b) const override
+      {
+        klu_z_solve(symbolic, numeric, pattern->size(), 1, reinterpret_cast<double *>(b), &common);
+      }
+
+    private:
+      std::shared_ptr<const Pattern> pattern;
+      mutable klu_common             common;
+      klu_symbolic                  *symbolic = nullptr;
+      klu_numeric                   *numeric  = nullptr;
+    };
   } // namespace
+
+
+
+  std::unique_ptr<ComplexSolver>
+  make_complex_klu(const std::shared_ptr<const Pattern> &pattern)
+  {
+    return std::make_unique<ComplexKlu>(pattern);
+  }
 
 
 

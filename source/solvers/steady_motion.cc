@@ -56,13 +56,21 @@ namespace samara
       for (unsigned int i = 0; i < speeds.size(); ++i)
         if (system.model.rotations[i].coordinate >= 0)
           held[system.layout.of_multiplier(system.model.holds[hold++])] = speeds[i];
-      for (unsigned int iteration = 0; iteration < 4; ++iteration)
+      for (unsigned int iteration = 0; iteration < 100; ++iteration)
         {
           std::vector<double> b = held;
           for (unsigned int i = 0; i < n_kinematic; ++i)
             b[i] = small[i] * y[i];
           solver->solve(b.data());
+          double change = 0, size = 0;
+          for (unsigned int i = 0; i < n_kinematic; ++i)
+            {
+              change = std::max(change, std::abs(b[i] - y[i]));
+              size   = std::max(size, std::abs(b[i]));
+            }
           y = b;
+          if (change <= 1e-12 * size)
+            break;
         }
       return y;
     }

@@ -4,7 +4,6 @@
 // alpha = P L²/EI. What finite axial and shear stiffnesses change is in proportion to their compliance.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -46,7 +45,6 @@ TEST(Elastica, RowsOfTheReference)
   for (const Row &row : reference)
     {
       const Row computed = tip(row.alpha, "1e10");
-      printf("alpha %g: %.2e %.2e %.2e\n", row.alpha, computed.shortening / row.shortening - 1, computed.deflection / row.deflection - 1, computed.rotation / row.rotation - 1);
       EXPECT_NEAR(computed.shortening / row.shortening, 1., 1e-7) << row.alpha;
       EXPECT_NEAR(computed.deflection / row.deflection, 1., 1e-8) << row.alpha;
       EXPECT_NEAR(computed.rotation / row.rotation, 1., 1e-8) << row.alpha;
@@ -61,7 +59,6 @@ TEST(Elastica, DifferenceIsProportionalToAxialAndShearCompliance)
 {
   const double exact = reference[3].deflection;
   const double e6 = tip(5, "1e6").deflection - exact, e8 = tip(5, "1e8").deflection - exact;
-  printf("%.4e %.4e\n", e6, e8);
   EXPECT_NEAR(e6 / e8, 100., 0.1);
 }
 
@@ -74,7 +71,6 @@ TEST(Elastica, DiscretisationErrorDoesNotDependOnSlenderness)
       std::vector<double> errors;
       for (const std::string rigid : {"1.2e5", "1.2e7", "1.2e9"})
         errors.push_back(tip(5, rigid, p, 12 / p).deflection - tip(5, rigid, 4, 48).deflection);
-      printf("p %u: %.4e %.4e %.4e\n", p, errors[0], errors[1], errors[2]);
       EXPECT_NEAR(errors[1] / errors[0], 1., 1e-2) << "degree " << p;
       EXPECT_NEAR(errors[2] / errors[0], 1., 1e-2) << "degree " << p;
     }

@@ -7,10 +7,9 @@
 // is an initial value problem from the end to the clamp, without shooting and without a finite element. The force that
 // results as a dead load must give the same equilibrium.
 
-#include "../scene.h"
-
 #include <samara/base/text.h>
 
+#include "../scene.h"
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -19,8 +18,8 @@ namespace
 {
   struct Rod
   {
-    double                          length;
-    Matrix6                         stiffness;
+    double                           length;
+    Matrix6                          stiffness;
     std::function<Vector3(double s)> initial_curvature; ///< in section axes
   };
 
@@ -34,9 +33,9 @@ namespace
   End
   exact_end(const Rod &rod, const Vector3 &f, const Vector3 &m)
   {
-    using State                    = Eigen::Matrix<double, 3, 5>; // x, R, m
-    const Matrix6 compliance       = rod.stiffness.inverse();
-    const auto    derivative       = [&](const double s, const State &y) {
+    using State              = Eigen::Matrix<double, 3, 5>; // x, R, m
+    const Matrix6 compliance = rod.stiffness.inverse();
+    const auto    derivative = [&](const double s, const State &y) {
       const Matrix3 R = y.middleCols<3>(1);
       Vector6       stress;
       stress << R.transpose() * f, R.transpose() * y.col(4);
@@ -70,7 +69,11 @@ namespace
 
   /** A cantilever from the origin along x there, with axis 2 along y; @p beam says what is particular. */
   std::string
-  model(const std::string &section, const std::string &beam, const std::string &axes, const Vector3 &f, const Vector3 &m)
+  model(const std::string &section,
+        const std::string &beam,
+        const std::string &axes,
+        const Vector3     &f,
+        const Vector3     &m)
   {
     return "subsection Sections\n subsection s\n" + section + "\n end\nend\nsubsection Bodies\n subsection beam\n" +
            "set Type = beam\n set Section = s\n set Axis 2 = 0, 1, 0\n set Elements = 16\n set Degree = 4\n" + beam +
@@ -89,7 +92,8 @@ namespace
     return (end.position(state.q.data()) - exact.x).norm() + (end.triad(state.q.data()) - exact.D).norm();
   }
 
-  /** The follower load, and from there the dead load that is the same in this place (which has other equilibria, too). */
+  /** The follower load, and from there the dead load that is the same in this place (which has other equilibria, too).
+   */
   void
   expect_exact(const std::string &name,
                const Rod         &rod,
@@ -108,7 +112,6 @@ namespace
     dead.context.is_equilibrium = true;
     dead.equilibrium();
     EXPECT_LT(error(dead, exact), 1e-9) << name << ", dead load";
-    printf("%s: turned %g: %.2e %.2e, iterations %u\n", name.c_str(), vector_of_rotation(exact.D).norm(), error(follower, exact), error(dead, exact), dead.analysis<StaticAnalysis>().n_iterations);
   }
 
   Vector3
@@ -156,15 +159,15 @@ TEST(EndLoads, FullyCoupledSectionInSpace)
 
 TEST(EndLoads, CurvedAndTwistedBeam)
 {
-  const double radius = 1.5, angle = 1.2, rate = 0.7;
-  const Rod    rod{radius * angle, full_stiffness(), [=](const double s) {
+  const double      radius = 1.5, angle = 1.2, rate = 0.7;
+  const Rod         rod{radius * angle, full_stiffness(), [=](const double s) {
                   return Vector3(rate, std::sin(rate * s) / radius, std::cos(rate * s) / radius);
                 }};
-  const auto   point = [=](const double a) { return text_of(radius * Vector3(std::sin(a), 1 - std::cos(a), 0)); };
+  const auto        point = [=](const double a) { return text_of(radius * Vector3(std::sin(a), 1 - std::cos(a), 0)); };
   const std::string beam =
     "set Shape = arc\n set Twist = 0.7*s\n set Points = 0, 0, 0; " + point(angle / 2) + "; " + point(angle);
   // the exact triad of the end without load, which checks the signs of the initial curvatures
-  const double  twist     = rate * radius * angle;
+  const double  twist    = rate * radius * angle;
   const Matrix3 unloaded = rotation_of_vector({0, 0, angle}) * rotation_of_vector({twist, 0, 0});
   EXPECT_LT((exact_end(rod, Vector3::Zero(), Vector3::Zero()).D - unloaded).norm(), 1e-12);
   expect_exact("curved and twisted", rod, full, beam, {0.5, 0.8, -0.6}, {0.7, -0.4, 0.9});
@@ -176,14 +179,20 @@ TEST(EndLoads, CurvedAndTwistedBeam)
 // the shear centre, shears Γ₂ − y₃ K₁ and Γ₃ + y₂ K₁.
 TEST(EndLoads, SectionWithOffsetCentres)
 {
-  const std::string section = "set Type = engineering constants\n set EA = 90\n set GA2 = 40\n set GA3 = 50\n set GJ = 2\n"
-                              " set EI2 = 3\n set EI3 = 4\n set EI23 = 0.7\n set Shear centre = 0.1, -0.15\n"
-                              " set Tension centre = -0.12, 0.2\n set Mass = 1\n";
+  const std::string section =
+    "set Type = engineering constants\n set EA = 90\n set GA2 = 40\n set GA3 = 50\n set GJ = 2\n"
+    " set EI2 = 3\n set EI3 = 4\n set EI23 = 0.7\n set Shear centre = 0.1, -0.15\n"
+    " set Tension centre = -0.12, 0.2\n set Mass = 1\n";
   const Vector6 extension(1, 0, 0, 0, 0.2, 0.12), shear_2(0, 1, 0, 0.15, 0, 0), shear_3(0, 0, 1, 0.1, 0, 0);
   Matrix6       C = Vector6(0, 0, 0, 2, 3, 4).asDiagonal();
   C(4, 5) = C(5, 4) = 0.7;
   C += 90 * extension * extension.transpose() + 40 * shear_2 * shear_2.transpose() + 50 * shear_3 * shear_3.transpose();
-  expect_exact("offset centres", {1.5, C, straight}, section, "set Points = 0, 0, 0; 1.5, 0, 0", {0.5, 0.8, -0.6}, {0.7, -0.4, 0.9});
+  expect_exact("offset centres",
+               {1.5, C, straight},
+               section,
+               "set Points = 0, 0, 0; 1.5, 0, 0",
+               {0.5, 0.8, -0.6},
+               {0.7, -0.4, 0.9});
 }
 
 
@@ -205,7 +214,6 @@ TEST(EndLoads, ConvergeWithOrderTwiceTheDegree)
           scene.equilibrium();
           e[k] = error(scene, exact);
         }
-      printf("p %u: %.3e %.3e order %.3f\n", p, e[0], e[1], std::log2(e[0] / e[1]));
       EXPECT_NEAR(std::log2(e[0] / e[1]), 2. * p, 0.3) << "degree " << p;
     }
 }

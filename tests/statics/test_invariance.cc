@@ -2,10 +2,9 @@
 // on which the loads are applied. Model: a curved, twisted beam with a fully coupled section and a second one with a
 // corner, under dead and follower loads.
 
-#include "../scene.h"
-
 #include <samara/base/text.h>
 
+#include "../scene.h"
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -22,16 +21,18 @@ namespace
   std::string
   model(const Matrix3 &Q, const Vector3 &c)
   {
-    const auto at        = [&](const double x, const double y, const double z) { return text_of(Q * Vector3(x, y, z) + c); };
-    const auto direction = [&](const double x, const double y, const double z) { return text_of(Q * Vector3(x, y, z)); };
+    const auto at = [&](const double x, const double y, const double z) { return text_of(Q * Vector3(x, y, z) + c); };
+    const auto direction = [&](const double x, const double y, const double z) {
+      return text_of(Q * Vector3(x, y, z));
+    };
     return "set Analyses = static\nsubsection Sections\n subsection full\n set Type = matrices\n"
            " set Stiffness = 900, 1, .5, .2, .3, .1, 700, .4, .3, .2, .6, 600, .1, .5, .2, 3, .2, .1, 2, .3, 4\n end\nend\n"
            "subsection Bodies\n subsection curved\n set Type = beam\n set Shape = arc\n set Twist = 0.4*s\n"
            " set Section = full\n set Elements = 6\n set Degree = 3\n set Points = " +
            at(0, 0, 0) + "; " + at(0.6, 0.2, 0.1) + "; " + at(1, 0.6, 0) + "\n set Axis 2 = " + direction(0, 1, 0.3) +
            "\n end\n subsection angled\n set Type = beam\n set Section = full\n set Elements = 6\n set Degree = 3\n" +
-           " set Points = " + at(1, 0.6, 0) + "; " + at(1.5, 0.6, 0.2) + "; " + at(1.5, 1.1, 0.4) + "\n set Axis 2 = " +
-           direction(0.1, 0.2, 1) + "\n end\nend\n" +
+           " set Points = " + at(1, 0.6, 0) + "; " + at(1.5, 0.6, 0.2) + "; " + at(1.5, 1.1, 0.4) +
+           "\n set Axis 2 = " + direction(0.1, 0.2, 1) + "\n end\nend\n" +
            "subsection Joints\n subsection clamp\n set Type = rigid\n set Body A = ground\n set Body B = curved.start\n end\n" +
            " subsection weld\n set Type = rigid\n set Body A = curved.end\n set Body B = angled.start\n end\nend\n" +
            "subsection Loads\n subsection tip\n set Type = point load\n set At = angled.end\n set Force = " +
@@ -90,7 +91,6 @@ TEST(Invariance, ModelTurnedAndMoved)
   first.equilibrium();
   second.equilibrium();
   const auto e = strains(first);
-  printf("%.3e largest %.3e turn %g\n", difference(e, strains(second)), *std::max_element(e.begin(), e.end()), first.value("angled.end.rotation z"));
   EXPECT_LT(difference(e, strains(second)), 1e-12);
   // the loads were large
   EXPECT_GT(*std::max_element(e.begin(), e.end()), 0.3);
@@ -118,7 +118,7 @@ TEST(Invariance, RigidMotionDoesNotStrain)
 
   // nor does it change strains that are there
   scene.equilibrium();
-  const auto before = strains(scene);
+  const auto   before = strains(scene);
   const double energy = scene.system.energy(scene.context.state).strain;
   move(scene.context.state, some_rotation(), {3, -2, 5});
   EXPECT_LT(difference(before, strains(scene)), 1e-12);
@@ -137,7 +137,6 @@ TEST(Invariance, NumberOfLoadSteps)
       Scene often(model_text, {"Static/Time = 1", "Static/Load steps = " + std::to_string(n)});
       often.equilibrium();
       EXPECT_GT(often.analysis<StaticAnalysis>().n_steps, once.analysis<StaticAnalysis>().n_steps);
-      printf("steps %u: %u %.3e\n",n , often.analysis<StaticAnalysis>().n_steps, difference(strains(once), strains(often)));
       EXPECT_LT(difference(strains(once), strains(often)), 1e-12) << n << " load steps";
     }
 }
@@ -162,7 +161,6 @@ TEST(Invariance, OrderOfLoads)
     }
   std::vector<double> e;
   at_once.system.strains(state, e);
-  printf("%.3e\n",difference(strains(at_once), e));
   EXPECT_LT(difference(strains(at_once), e), 1e-12);
 }
 
@@ -175,10 +173,11 @@ TEST(Invariance, UnloadedModelsAreInEquilibrium)
                                   "Points = 0, 0, 0; 1, 0.5, 0.2; 1, 2, 1; 0, 2, 0",
                                   "Shape = expressions\n set Expressions = cos(4*s), sin(4*s), s^2"})
     {
-      Scene scene("subsection Sections\n subsection full\n set Type = matrices\n"
-                  " set Stiffness = 9, 1, .5, .2, .3, .1, 7, .4, .3, .2, .6, 6, .1, .5, .2, 3, .2, .1, 2, .3, 4\n end\nend\n"
-                  "subsection Bodies\n subsection b\n set Type = beam\n set Section = full\n set Twist = s + 0.3*s^2\n set " +
-                  shape + "\n end\nend\n");
+      Scene scene(
+        "subsection Sections\n subsection full\n set Type = matrices\n"
+        " set Stiffness = 9, 1, .5, .2, .3, .1, 7, .4, .3, .2, .6, 6, .1, .5, .2, 3, .2, .1, 2, .3, 4\n end\nend\n"
+        "subsection Bodies\n subsection b\n set Type = beam\n set Section = full\n set Twist = s + 0.3*s^2\n set " +
+        shape + "\n end\nend\n");
       State               state = scene.system.reference();
       std::vector<double> r;
       scene.system.stresses(state, state.stress);

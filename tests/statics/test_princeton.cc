@@ -1,12 +1,12 @@
 // Straight cantilevers under dead end forces that bend in two directions and twist.
 //
 // References: Princeton beam, the model of Bauchau et al. (2016), derivable,
-// ../shared/reference/beams/princeton_beam_exact_model.csv; composite cantilever of Wang, Sprague et al. (2017), the values
-// of Kynema-FMB in ../shared/reference/beams/beamdyn_composite_cantilever.csv. Shooting with 30 digits confirms these to
-// 15 digits, (-0.0902726627566, -0.0647488486259, 1.22973648292376); the other column of the file is 9e-12 off.
+// ../shared/reference/beams/princeton_beam_exact_model.csv; composite cantilever of Wang, Sprague et al. (2017), the
+// values of Kynema-FMB in ../shared/reference/beams/beamdyn_composite_cantilever.csv. Shooting with 30 digits confirms
+// these to 15 digits, (-0.0902726627566, -0.0647488486259, 1.22973648292376); the other column of the file is 9e-12
+// off.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -25,7 +25,8 @@ namespace
   composite(const unsigned int degree, const unsigned int elements)
   {
     Scene scene("prm/benchmarks/composite_cantilever.prm",
-                {"Bodies/beam/Degree = " + std::to_string(degree), "Bodies/beam/Elements = " + std::to_string(elements)});
+                {"Bodies/beam/Degree = " + std::to_string(degree),
+                 "Bodies/beam/Elements = " + std::to_string(elements)});
     scene.equilibrium();
     return vector(scene, "beam.end.displacement");
   }
@@ -56,11 +57,11 @@ TEST(PrincetonBeam, EveryRowOfTheReference)
   for (const Row &row : rows)
     {
       Scene scene("prm/benchmarks/princeton_beam.prm",
-                  {"Constants/P = " + std::to_string(row.P) + " N", "Constants/angle = " + std::to_string(row.angle) + " deg"});
+                  {"Constants/P = " + std::to_string(row.P) + " N",
+                   "Constants/angle = " + std::to_string(row.angle) + " deg"});
       scene.equilibrium();
       const Vector3 u = vector(scene, "beam.end.displacement") - row.displacement,
                     r = vector(scene, "beam.end.rotation") * M_PI / 180 - row.rotation;
-      printf("%g %g: %.2e %.2e\n", row.P, row.angle, u.norm() / row.displacement.norm(), r.norm() / row.rotation.norm());
       // the reference has ten digits
       EXPECT_LT(u.norm() / row.displacement.norm(), 1e-9) << row.P << " N at " << row.angle;
       EXPECT_LT(r.norm() / row.rotation.norm(), 1e-9) << row.P << " N at " << row.angle;
@@ -73,8 +74,7 @@ TEST(CompositeCantilever, TwelveDigitsOfTheReference)
 {
   for (const unsigned int p : {3, 4})
     {
-    printf("%.3e\n", (composite(p, 24) - composite_reference).norm());
-    EXPECT_LT((composite(p, 24) - composite_reference).norm(), 2e-12) << "degree " << p;
+      EXPECT_LT((composite(p, 24) - composite_reference).norm(), 2e-12) << "degree " << p;
     }
 }
 
@@ -87,7 +87,6 @@ TEST(CompositeCantilever, ConvergesWithOrderTwiceTheDegree)
     {
       const double one = (composite(p, coarse[p]) - composite_reference).norm(),
                    two = (composite(p, 2 * coarse[p]) - composite_reference).norm();
-      printf("p %u: %u %.3e %.3e order %.3f\n", p, coarse[p], one, two, std::log2(one / two));
       EXPECT_NEAR(std::log2(one / two), 2. * p, 0.3) << "degree " << p;
     }
 }

@@ -4,7 +4,6 @@
 // Reference: equilibrium of the whole model, for every kind of load, through a weld and through a hinge.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -56,7 +55,8 @@ subsection Joints
   end
 end
 subsection Loads
-)" + loads + "\nend\n";
+)" + loads +
+           "\nend\n";
   }
 
   /** Force, then moment about the origin. */
@@ -81,7 +81,6 @@ subsection Loads
   void
   expect_balance(const Scene &scene, const Vector6 &applied)
   {
-    printf("%.3e of %.3e, hinge %g deg\n", (on_ground(scene) - applied).norm() / applied.norm(), applied.norm(), scene.value("hinge.rotation"));
     EXPECT_LT((on_ground(scene) - applied).norm(), 1e-10 * applied.norm());
     EXPECT_GT(std::abs(scene.value("hinge.rotation")), 5.) << "the model has hardly moved";
   }
@@ -142,8 +141,8 @@ TEST(Reactions, UniformLineLoad)
 
 
 
-// In steady rotation Ω about z through (1, 2) the inertial forces have the resultant m Ω² times the way from the axis to
-// the centre of mass.
+// In steady rotation Ω about z through (1, 2) the inertial forces have the resultant m Ω² times the way from the axis
+// to the centre of mass.
 TEST(Reactions, CentrifugalForce)
 {
   Scene         scene(model("subsection r\n set Type = steady rotation\n set Speed = 1.5\n set Axis = 0, 0, 2\n"

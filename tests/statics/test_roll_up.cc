@@ -1,10 +1,9 @@
 // Roll-up of a cantilever by an end moment.
 //
-// Reference: analytic, ../shared/reference/beams/rollup_end_moment.csv: with a = 2πk the end is at (sin a/a, (1 − cos a)/a)
-// of the length, for every axial and shear stiffness. Expected order 2p at the nodes, no locking, one load step.
+// Reference: analytic, ../shared/reference/beams/rollup_end_moment.csv: with a = 2πk the end is at (sin a/a, (1 − cos
+// a)/a) of the length, for every axial and shear stiffness. Expected order 2p at the nodes, no locking, one load step.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -23,7 +22,7 @@ namespace
     // EA = 12 (L/h)² EI/L² for a rectangle of height h
     const double EA = 12 * slenderness * slenderness;
     Scene        scene("prm/benchmarks/roll_up.prm",
-                       {"Constants/turns = " + std::to_string(turns),
+                {"Constants/turns = " + std::to_string(turns),
                         "Constants/EA = " + std::to_string(EA) + " N",
                         "Constants/GA = " + std::to_string(EA / 3) + " N",
                         "Bodies/beam/Degree = " + std::to_string(degree),
@@ -52,7 +51,9 @@ TEST(RollUp, EveryRowOfTheReference)
                          Row{2, 0., 0.}})
     {
       Scene scene("prm/benchmarks/roll_up.prm",
-                  {"Constants/turns = " + std::to_string(row.turns), "Bodies/beam/Degree = 4", "Bodies/beam/Elements = 48"});
+                  {"Constants/turns = " + std::to_string(row.turns),
+                   "Bodies/beam/Degree = 4",
+                   "Bodies/beam/Elements = 48"});
       scene.equilibrium();
       EXPECT_NEAR(scene.value("beam.end.position x"), row.x, 2e-11) << row.turns << " turns";
       EXPECT_NEAR(scene.value("beam.end.position z"), row.z, 2e-11) << row.turns << " turns";
@@ -68,7 +69,6 @@ TEST(RollUp, ConvergesWithOrderTwiceTheDegree)
   for (unsigned int p = 1; p <= 4; ++p)
     {
       const Result one = roll_up(1, p, coarse[p]), two = roll_up(1, p, 2 * coarse[p]);
-      printf("p %u: %u %.3e %.3e order %.3f\n", p, coarse[p], one.error, two.error, std::log2(one.error / two.error));
       EXPECT_NEAR(std::log2(one.error / two.error), 2. * p, 0.3) << "degree " << p;
       EXPECT_GT(two.error, 1e-13) << "round-off: the order means nothing, degree " << p;
     }

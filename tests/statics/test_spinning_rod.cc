@@ -4,7 +4,6 @@
 // tan k/k − 1 of the length, and a root force of EA (1/cos k − 1).
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -31,9 +30,9 @@ TEST(SpinningRod, EveryRowOfTheReference)
   {
     double k, extension;
   };
-  for (const Row &row : {Row{0.1, 0.0033467208545055}, {0.3, 0.031120832032077}, {0.5, 0.092604979687581}, {1, 0.5574077246549}})
+  for (const Row &row :
+       {Row{0.1, 0.0033467208545055}, {0.3, 0.031120832032077}, {0.5, 0.092604979687581}, {1, 0.5574077246549}})
     {
-      printf("%g: %.3e\n", row.k, extension(row.k, 4, 8)/ row.extension-1);
       EXPECT_NEAR(extension(row.k, 4, 8) / row.extension, 1., 1e-11) << row.k;
     }
 }
@@ -47,7 +46,6 @@ TEST(SpinningRod, ConvergesWithOrderTwiceTheDegree)
   for (unsigned int p = 1; p <= 4; ++p)
     {
       const double one = extension(1, p, coarse[p]) - exact, two = extension(1, p, 2 * coarse[p]) - exact;
-      printf("p %u: %u %.3e %.3e order %.3f\n", p, coarse[p], one, two, std::log2(one / two));
       EXPECT_NEAR(std::log2(one / two), 2. * p, 0.3) << "degree " << p;
     }
 }
@@ -57,13 +55,12 @@ TEST(SpinningRod, ConvergesWithOrderTwiceTheDegree)
 // The force on the ground is the root force, on a line through any point and about any axis.
 TEST(SpinningRod, PullsAtTheGround)
 {
-  Scene              scene("prm/benchmarks/spinning_rod.prm", {"Bodies/rod/Elements = 8"});
-  const State       &state = scene.equilibrium();
+  Scene               scene("prm/benchmarks/spinning_rod.prm", {"Bodies/rod/Elements = 8"});
+  const State        &state = scene.equilibrium();
   std::vector<double> r;
   scene.system.residual(state, state.stress, r);
   const double pull = 3e5 * (1 / std::cos(1.) - 1);
   const auto   n    = scene.system.size();
-  printf("%.3e %.3e\n", -r[n]/pull-1, scene.value("rod.start.force 1")/pull-1);
   EXPECT_NEAR(-r[n] / pull, 1., 1e-10);
   for (unsigned int i = 1; i < 6; ++i)
     EXPECT_NEAR(r[n + i] / pull, 0., 1e-10) << i;

@@ -67,6 +67,10 @@ namespace samara
     void         tangent(const Point<double> &point, SparseMatrix &K) const override;
     void         damping(const Point<double> &point, SparseMatrix &C) const override;
     double       strain_energy(const double *e) const override;
+    void         constraint_rates(const Point<double> &point, double *rates) const override;
+    void         constraint_time_rates(const Point<double> &point, double *rates) const override;
+    bool         has_loads() const override;
+    bool         has_damping() const override;
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;

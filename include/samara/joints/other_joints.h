@@ -40,6 +40,7 @@ namespace samara
     void residual(const Point<std::complex<double>> &point, std::complex<double> *r) const override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
     void damping(const Point<double> &point, SparseMatrix &C) const override;
+    void constraint_rates(const Point<double> &point, double *rates) const override;
 
   private:
     bool reaction_wanted = false;
@@ -74,6 +75,7 @@ namespace samara
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void constraint_rates(const Point<double> &point, double *rates) const override;
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
@@ -111,6 +113,11 @@ namespace samara
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   damping(const Point<double> &point, SparseMatrix &C) const override;
     double strain_energy(const double *e) const override;
+    bool
+    has_damping() const override
+    {
+      return !C_d.isZero(0.);
+    }
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;

@@ -15,6 +15,12 @@ namespace samara
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
+    double potential_energy(const Point<double> &point) const override;
+    bool
+    has_loads() const override
+    {
+      return true;
+    }
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
@@ -51,7 +57,11 @@ namespace samara
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 
-    void draw(const State &state, Drawing &drawing) const override;
+    bool
+    has_loads() const override
+    {
+      return true;
+    }
 
   protected:
     void add_axes_parameter(Parameters &prm);

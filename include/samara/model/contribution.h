@@ -94,6 +94,30 @@ namespace samara
     virtual void tangent(const Point<double> &, SparseMatrix &) const {}
     virtual void damping(const Point<double> &, SparseMatrix &) const {}
 
+    /** Rates of this contribution's constraints, ġ = G y + ∂g/∂t, into the global array of multipliers. */
+    virtual void constraint_rates(const Point<double> &, double *) const {}
+    /** The part ∂g/∂t alone. */
+    virtual void constraint_time_rates(const Point<double> &, double *) const {}
+
+    /** Whether the residual has loads in it besides σ and λ, and whether σ has viscous parts. */
+    virtual bool
+    has_loads() const
+    {
+      return false;
+    }
+    virtual bool
+    has_damping() const
+    {
+      return false;
+    }
+
+    /** Potential energy of the loads that have one [J]; they count as loads otherwise. */
+    virtual double
+    potential_energy(const Point<double> &) const
+    {
+      return 0;
+    }
+
     /** ½ eᵀ C e, integrated [J]. */
     virtual double
     strain_energy(const double * /*e*/) const

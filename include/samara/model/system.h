@@ -53,6 +53,16 @@ namespace samara
 
     std::vector<std::string> multiplier_names;
 
+    /**
+     * A constraint that is not quadratic: its force gets a correction along the rate of a coordinate, so that it does no
+     * work over a step (formulation, 5.3).
+     */
+    struct Correction
+    {
+      unsigned int multiplier, coordinate;
+    };
+    std::vector<Correction> corrections;
+
     /** What an unknown is, for messages: "shaft 1, node 3 at (2, 0, 0): rotation about d1". */
     std::string name_of(unsigned int unknown) const;
 

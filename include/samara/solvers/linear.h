@@ -3,6 +3,7 @@
 
 #include <samara/model/matrix.h>
 
+#include <complex>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -39,6 +40,19 @@ namespace samara
 
     unsigned int n_factorizations = 0; ///< for reports
   };
+
+  /** The same for complex values on a real pattern. */
+  class ComplexSolver
+  {
+  public:
+    virtual ~ComplexSolver() = default;
+
+    /** @throws SingularMatrix */
+    virtual void factorize(const std::vector<std::complex<double>> &values) = 0;
+    virtual void solve(std::complex<double> *b) const                       = 0;
+  };
+
+  std::unique_ptr<ComplexSolver> make_complex_klu(const std::shared_ptr<const Pattern> &pattern);
 
   /** KLU of SuiteSparse: left-looking LU for matrices as sparse as those of chains of bodies. */
   std::unique_ptr<LinearSolver> make_klu(const std::shared_ptr<const Pattern> &pattern);
