@@ -13,6 +13,11 @@ namespace samara
     using namespace dealii::Patterns;
     prm.add("Load steps", initial_steps, "Number of load steps to begin with; they grow and shrink by themselves.", Integer(1));
     prm.add("Smallest step", smallest_step, "Fraction of the load below which a step is given up [1].", Double(0, 1));
+    prm.add("Stability limits",
+            stability_limits,
+            "Where the tangent matrix becomes singular, at a limit point or a bifurcation: stop there, or pass and follow what "
+            "Newton's method finds beyond. Not watched when parts rotate.",
+            Selection("stop|pass"));
     prm.add("Time", time, "Time at which functions of time are taken [s].");
     prm.add("Tolerance",
             tolerance,
@@ -102,6 +107,29 @@ namespace samara
 
 
 
+  int
+  StaticAnalysis::stability_sign(const Context &context, const State &state) const
+  {
+    for (const double speed : context.speeds)
+      if (speed != 0.)
+        return 0;
+    SparseMatrix K(context.system.layout.pattern);
+    State        at = state;
+    context.system.stresses(at, at.stress);
+    context.system.tangent(at, K);
+    try
+      {
+        solver->factorize(K);
+      }
+    catch (const SingularMatrix &)
+      {
+        return 0; // free to move: nothing can be said
+      }
+    return solver->reciprocal_condition() > 1e-18 ? solver->determinant_sign() : 0;
+  }
+
+
+
   void
   StaticAnalysis::run(Context &context)
   {
@@ -129,6 +157,14 @@ namespace samara
       return result;
     };
 
+    int sign = 0;
+    if (stability_limits == "stop")
+      {
+        State here  = context.state;
+        here.factor = start_factor;
+        sign        = stability_sign(context, here);
+      }
+
     n_steps = n_iterations = 0;
     double fraction = 0, step = 1. / initial_steps;
     while (fraction < 1.)
@@ -139,9 +175,14 @@ namespace samara
         // between two speeds of a sweep there may be a critical one, where no path leads through: start afresh beyond it
         if (!result.converged && next == 1. && start_speeds != speeds && start_factor == 1.)
           result = attempt(system.reference(), next, trial);
+        if (result.converged && sign != 0 && stability_sign(context, trial) != sign)
+          {
+            result.converged = false;
+            result.reason    = "a stability limit (limit point or bifurcation) is passed";
+          }
         if (!result.converged)
           {
-            step /= 2;
+            step = (next - fraction) / 2;
             context.log.line("  load step to " + short_text(next) + ": " + result.reason + "; trying " +
                              short_text(fraction + step));
             if (step < smallest_step)
@@ -191,7 +232,10 @@ namespace samara
     const std::string place = context.system.layout.name_of(result.worst);
     std::string       text  = "static analysis: no equilibrium found beyond " + short_text(100 * fraction) +
                        " % of the load: " + result.reason + ".\n";
-    if (result.reason.find("singular") != std::string::npos)
+    if (result.reason.find("stability") != std::string::npos)
+      text += "  The equilibrium is stable up to there. Set Stability limits = pass in subsection Static to go on to whatever "
+              "equilibrium is found beyond.";
+    else if (result.reason.find("singular") != std::string::npos)
       text += "  No stiffness is found for: " + place +
               ".\n  Something can move freely there: clamp it, hold its joint by a spring or a prescribed motion, or remove "
               "a constraint that is there twice.";

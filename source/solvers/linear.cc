@@ -60,6 +60,18 @@ namespace samara
         klu_solve(symbolic, numeric, pattern->size(), 1, b, &common);
       }
 
+      int
+      determinant_sign() const override
+      {
+        // P A Q = L U with unit diagonal in L, and positive row scaling
+        const double *const diagonal = static_cast<const double *>(numeric->Udiag);
+        int                 sign     = parity(numeric->Pnum) * parity(symbolic->Q);
+        for (int i = 0; i < pattern->size(); ++i)
+          if (diagonal[i] < 0)
+            sign = -sign;
+        return sign;
+      }
+
       double
       reciprocal_condition() const override
       {
@@ -67,6 +79,22 @@ namespace samara
       }
 
     private:
+      /** +1 for an even permutation, -1 for an odd one. */
+      int
+      parity(const int *permutation) const
+      {
+        std::vector<bool> seen(pattern->size(), false);
+        int               sign = 1;
+        for (int i = 0; i < pattern->size(); ++i)
+          for (int j = i, length = 0; !seen[j]; j = permutation[j], ++length)
+            {
+              seen[j] = true;
+              if (length > 0)
+                sign = -sign;
+            }
+        return sign;
+      }
+
       std::shared_ptr<const Pattern> pattern;
       mutable klu_common             common;
       klu_symbolic                  *symbolic        = nullptr;

@@ -112,7 +112,7 @@ TEST(DeepArch, HasNoEquilibriumBeyondTheLimit)
 // With the default number of iterations the program goes from 0.997 of the limit load in 15 iterations to an
 // equilibrium on another branch, the crown at (33, -148), and does not say so. Enable this when a load step that jumps
 // is noticed.
-TEST(DeepArch, DISABLED_DoesNotJumpToAnotherBranch)
+TEST(DeepArch, DoesNotJumpToAnotherBranch)
 {
   auto all = overrides(1.01 * limit_load);
   all.push_back("Static/Iterations = 30");

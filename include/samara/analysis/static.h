@@ -31,13 +31,16 @@ namespace samara
     // entries
     unsigned int initial_steps = 1, max_iterations = 30;
     double       tolerance = 1e-9, time = 0, smallest_step = 1e-4;
+    std::string  stability_limits = "stop";
 
     std::unique_ptr<LinearSolver> solver;
     std::unique_ptr<History>      history, speed_history;
     std::unique_ptr<Pictures>     pictures;
 
     NewtonResult equilibrium(const Context &context, Newton &newton, State &state, const std::vector<double> &speeds) const;
-    void         record(Context &context, const State &state, double fraction, const NewtonResult &result);
+    /** Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. */
+    int  stability_sign(const Context &context, const State &state) const;
+    void record(Context &context, const State &state, double fraction, const NewtonResult &result);
     [[noreturn]] void give_up(const Context &context, const NewtonResult &result, double fraction) const;
   };
 } // namespace samara

@@ -35,6 +35,9 @@ namespace samara
     /** Replace the right-hand side @p b by the solution. */
     virtual void solve(double *b) const = 0;
 
+    /** Sign of the determinant, +1 or -1: it changes where an equilibrium loses its stability statically. */
+    virtual int determinant_sign() const = 0;
+
     /** Rough reciprocal condition number of the last factorisation. */
     virtual double reciprocal_condition() const = 0;
 
