@@ -52,10 +52,10 @@ TEST(Sections, ForceAtTheTensionCentreDoesNotBend)
 {
   Scene scene(
     model(constants("s", 1, " set Tension centre = 0.2, -0.3\n set Shear centre = 0.1, 0.4\n set EI23 = 0.5\n"),
-          "Force = 10, 0, 0",
+          "Force = 4, 0, 0",
           "0.2 -0.3"));
   scene.equilibrium();
-  EXPECT_NEAR(scene.value("beam.end.displacement x"), 2 * 10. / 100, 1e-13);
+  EXPECT_NEAR(scene.value("beam.end.displacement x"), 2 * 4. / 100, 1e-13);
   for (const std::string probe : {"displacement y", "displacement z", "rotation x", "rotation y", "rotation z"})
     EXPECT_NEAR(scene.value("beam.end." + probe), 0., 1e-11) << probe;
   // away from it, it bends: by the moment F (y₃ K₂ − y₂ K₃) about the tension centre
