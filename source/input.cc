@@ -62,6 +62,9 @@ namespace samara
     // in the order of the catalogue, so that what is referred to comes before what refers to it
     for (auto &contribution : model.contributions)
       contribution->initialize(model);
+    if (!rotor_speeds.empty() && model.rotations.empty())
+      model.complaints.add(root.where("Rotor speeds"),
+                           "<Rotor speeds> need a load of type <steady rotation> that says what turns");
     model.complaints.throw_if_any();
     if (model.nodes.size() == 1)
       throw InputError(file + ": the model has no body; add one to subsection <Bodies>.");
@@ -85,6 +88,8 @@ namespace samara
         for (const auto &object : section->sections)
           {
             const std::string kind = object.value("Type");
+            if (kind.empty() && object.entry("Copy of") != nullptr)
+              continue; // there is a complaint about the original, or that there is none
             if (!group.kinds.contains(kind))
               {
                 complaints.add(object.entry("Type") != nullptr ? object.entry("Type")->where : object.where,
@@ -103,6 +108,7 @@ namespace samara
             contribution->add_parameters(contribution->parameters);
             contribution->parameters.parse(object, quantities, complaints);
             model.contributions.push_back(std::move(contribution));
+            subsections.push_back(group.subsection);
           }
       }
   }
@@ -115,25 +121,25 @@ namespace samara
                        const Quantities &quantities,
                        Complaints       &complaints)
   {
+    // subsections of analyses that are not asked for are checked all the same
+    std::map<std::string, std::unique_ptr<Analysis>> all;
+    for (const auto &kind : catalogue.analyses.kinds())
+      {
+        const std::string name     = subsection_of_analysis(kind);
+        auto             &analysis = all[kind] = catalogue.analyses.make(kind);
+        analysis->parameters                   = Parameters(name, "analysis");
+        analysis->add_parameters(analysis->parameters);
+        if (const auto *section = outline.section(name))
+          analysis->parameters.parse(*section, quantities, complaints);
+      }
     for (const auto &kind : analysis_names)
       if (!catalogue.analyses.contains(kind))
         complaints.add(root.where("Analyses"),
                        "there is no analysis <" + kind + ">" + did_you_mean(kind, catalogue.analyses.kinds()));
-    // subsections of analyses that are not asked for are checked all the same
-    for (const auto &kind : catalogue.analyses.kinds())
-      {
-        const std::string name     = subsection_of_analysis(kind);
-        const auto        place_of = [&, kind = kind]() {
-          return std::find(analysis_names.begin(), analysis_names.end(), kind);
-        };
-        auto analysis        = catalogue.analyses.make(kind);
-        analysis->parameters = Parameters(name, "analysis");
-        analysis->add_parameters(analysis->parameters);
-        if (const auto *section = outline.section(name))
-          analysis->parameters.parse(*section, quantities, complaints);
-        if (place_of() != analysis_names.end())
-          analyses.push_back(std::move(analysis));
-      }
+      else if (all[kind] == nullptr)
+        complaints.add(root.where("Analyses"), "the analysis <" + kind + "> is asked for twice");
+      else
+        analyses.push_back(std::move(all[kind]));
   }
 
 
@@ -162,9 +168,22 @@ namespace samara
   Input::print(std::ostream &out) const
   {
     root.print(out);
-    for (const auto &contribution : model.contributions)
-      contribution->parameters.print(out);
-    for (const auto &analysis : analyses)
-      analysis->parameters.print(out);
+    for (unsigned int i = 0; i < subsections.size(); ++i)
+      {
+        const Contribution &object = *model.contributions[i];
+        if (i == 0 || subsections[i] != subsections[i - 1])
+          out << "subsection " << subsections[i] << '\n';
+        out << "  subsection " << object.name << "\n    set Type = " << object.kind << '\n';
+        object.parameters.print(out, "    ");
+        out << "  end\n";
+        if (i + 1 == subsections.size() || subsections[i] != subsections[i + 1])
+          out << "end\n";
+      }
+    for (unsigned int i = 0; i < analysis_names.size(); ++i)
+      {
+        out << "subsection " << subsection_of_analysis(analysis_names[i]) << '\n';
+        analyses[i]->parameters.print(out, "  ");
+        out << "end\n";
+      }
   }
 } // namespace samara

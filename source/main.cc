@@ -1,7 +1,7 @@
 #include <samara/base/errors.h>
 #include <samara/program.h>
 
-#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
 
 #include <CLI/CLI.hpp>
 
@@ -42,8 +42,9 @@ main(int argc, char **argv)
 
   try
     {
-      const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-      samara::Log                                    log(std::cout, options.quiet);
+      // one thread and no MPI, which would want to start a daemon and complains where it cannot
+      dealii::MultithreadInfo::set_thread_limit(1);
+      samara::Log log(std::cout, options.quiet);
       samara::run(options, log);
       return samara::success;
     }

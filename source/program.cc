@@ -47,6 +47,10 @@ namespace samara
     const auto   start = std::chrono::steady_clock::now();
     Input        input(Catalogue(), options.model, options.overrides);
     System       system(input.model);
+    if (system.size() == 0)
+      throw InputError(options.model +
+                       ": every body is welded to the ground: nothing can move, and there is nothing to "
+                       "compute. Leave out a rigid joint, or give it <Reaction = true>.");
     const auto   probes = input.make_probes();
     const auto   counts = check_model(system);
     if (options.check)
@@ -70,10 +74,17 @@ namespace samara
     std::vector<double> speeds;
     for (const auto &rotation : input.model.rotations)
       speeds.push_back(rotation.speed);
-    if (!input.rotor_speeds.empty() && speeds.empty())
-      throw InputError(options.model + ": <Rotor speeds> need a load of type <steady rotation> that says what turns");
     Context context{system, log, folder, probes, input.pictures, system.reference(), speeds, input.rotor_speeds};
-    run_all(input, context);
+    try
+      {
+        run_all(input, context);
+      }
+    catch (const NotConverged &problem)
+      {
+        if (counts.n_free_motions == 0)
+          throw;
+        throw NotConverged(problem.what() + ("\n  " + counts.free_motions_text()));
+      }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     log.line("done in " + short_text(seconds) + " s; results are in " + folder);
   }

@@ -31,7 +31,8 @@ namespace samara
     /** The probes, once the system is assembled. @throws InputError */
     std::vector<Probe> make_probes() const;
 
-    /** All values as they are used, in the format of a .prm file. */
+    /** All values as they are used, in SI units, as a .prm file that says the same: without constants, copies,
+     * includes. */
     void print(std::ostream &out) const;
 
     /** Declare the entries that stand outside of named objects; for reading and for the documentation. */
@@ -40,6 +41,7 @@ namespace samara
   private:
     Parameters               root;
     std::vector<std::string> analysis_names;
+    std::vector<std::string> subsections; ///< of each contribution: "Bodies", ...
     std::string              redundant = "refuse";
 
     void read_objects(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);

@@ -177,6 +177,25 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** One line for all motions of the same bodies. */
+    std::string
+    list_of(const std::vector<std::string> &motions, const std::string &indent)
+    {
+      std::string text;
+      for (auto motion = motions.begin(); motion != motions.end(); ++motion)
+        {
+          const auto n = std::count(motions.begin(), motions.end(), *motion);
+          if (std::find(motions.begin(), motion, *motion) == motion)
+            text += indent + "moving: " + *motion + (n > 1 ? " (" + std::to_string(n) + " motions)" : "");
+        }
+      return text;
+    }
+  } // namespace
+
+
+
   ModelCheck
   check_model(const System &system)
   {
@@ -195,19 +214,28 @@ namespace samara
     const Layout                &layout = system.layout;
     const Eigen::IOFormat        vector(8, 0, ", ", ", ", "", "", "(", ")"), rows(8, 0, ", ", "\n                    ");
     std::ostringstream           out;
-    out << file << ": no mistakes found\n"
+    out << file << (redundant.empty() ? ": no mistakes found\n" : ": some constraints are redundant\n")
         << "  unknowns          " << layout.n_unknowns() << ": 6 for each of " << layout.n_nodes - 1 << " nodes, "
         << layout.n_coordinates << " joint coordinates, " << layout.n_multipliers << " multipliers (constraints)\n"
         << "  total mass        " << mass.mass << " kg\n"
         << "  centre of mass    " << mass.centre.transpose().format(vector) << " m\n"
         << "  inertia about it  " << mass.inertia.format(rows) << " kg m^2\n"
         << "  free motions      " << n_free_motions;
-    for (const auto &motion : free_motions)
-      out << "\n                    moving: " << motion;
+    out << list_of(free_motions, "\n                    ");
     out << "\n  redundant         " << redundant.size();
     for (const auto &constraint : redundant)
       out << "\n                    " << constraint;
     return out.str();
+  }
+
+
+
+  std::string
+  ModelCheck::free_motions_text() const
+  {
+    return "In the reference configuration " + std::to_string(n_free_motions) +
+           (n_free_motions == 1 ? " motion is" : " motions are") +
+           " free, those of steady rotations among them:" + list_of(free_motions, "\n    ");
   }
 
 

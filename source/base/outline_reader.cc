@@ -167,9 +167,9 @@ namespace samara
     const std::string name  = trim(text.substr(0, equal));
     const std::string value = trim(text.substr(equal + 1));
     if (name.empty())
-      complaints.add(place, "this 'set' has no name before the '='.");
+      return complaints.add(place, "this 'set' has no name before the '='.");
     if (value.find('{') != std::string::npos)
-      complaints.add(place, "<" + name + ">: a value must not contain '{'.");
+      return complaints.add(place, "<" + name + ">: a value must not contain '{'.");
 
     auto      &entries = open.back()->entries;
     const auto twin =

@@ -36,6 +36,66 @@ namespace samara
       return split_top_level(text.substr(head.size(), text.rfind(']') - head.size()), '|');
     }
 
+    /** "three", as long as one would write it so. */
+    std::string
+    count_in_words(const std::string &number)
+    {
+      const std::string words[] = {"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
+      return number.size() == 1 ? words[number[0] - '0'] : number;
+    }
+
+    std::string
+    between(const std::string &text, const std::string &begin, const std::string &end)
+    {
+      const auto first = text.find(begin), last = text.rfind(end);
+      return first == std::string::npos || last == std::string::npos ?
+               "" :
+               text.substr(first + begin.size(), last - first - begin.size());
+    }
+
+    /** "a number of at least 0" for "[Double 0...MAX_DOUBLE (inclusive)]", as deal.II tells it to machines. */
+    std::string
+    in_words(const std::string &pattern)
+    {
+      const auto starts = [&](const std::string &head) { return pattern.compare(0, head.size(), head) == 0; };
+      const auto bounds = [](const std::string &range) -> std::pair<std::string, std::string> {
+        const auto dots = range.find("...");
+        return dots == std::string::npos ? std::make_pair("", "") :
+                                           std::make_pair(range.substr(0, dots), range.substr(dots + 3));
+      };
+      if (starts("[Double") || starts("[Integer"))
+        {
+          const bool        is_double = starts("[Double");
+          const std::string largest   = is_double ? "MAX_DOUBLE" : "2147483647";
+          const auto [low, high] =
+            bounds(between(pattern, is_double ? "[Double " : "[Integer range ", " (inclusive)]"));
+          const bool has_low  = !low.empty() && low != "-MAX_DOUBLE" && low != "-2147483648",
+                     has_high = !high.empty() && high != largest;
+          return (is_double ? "a number" : "a whole number") + (has_low && has_high ? " from " + low + " to " + high :
+                                                                has_low             ? " of at least " + low :
+                                                                has_high            ? " of at most " + high :
+                                                                                      "");
+        }
+      if (starts("[List of <"))
+        {
+          std::string each = in_words(between(pattern, "[List of <", "> of length "));
+          const auto [low, high] =
+            bounds(between(pattern.substr(pattern.rfind("> of length ")), "> of length ", " (inclusive)"));
+          if (const auto number = each.find("number"); starts("[List of <[List"))
+            each = "lists of " + each;
+          else if (number != std::string::npos)
+            each = each.insert(number + 6, "s").substr(2); // without "a "
+          if (low == "1" && high == "1")
+            return in_words(between(pattern, "[List of <", "> of length "));
+          if (low == high)
+            return count_in_words(low) + " " + each;
+          if (high != std::to_string(dealii::Patterns::List::max_int_value))
+            return count_in_words(low) + " to " + count_in_words(high) + " " + each;
+          return (low == "0" ? "" : count_in_words(low) + " or more ") + each;
+        }
+      return starts("[Bool") ? "true or false" : pattern;
+    }
+
     /** A bar would end the cell of a table. */
     std::string
     cell(const std::string &text)
@@ -62,7 +122,8 @@ namespace samara
   {
     for (const auto &other : entries)
       AssertThrow(other.name != entry.name, ExcMessage("The entry <" + entry.name + "> is added twice."));
-    entry.unit = has_unit ? unit_of(entry.documentation) : "";
+    entry.value = entry.default_value;
+    entry.unit  = has_unit ? unit_of(entry.documentation) : "";
     AssertThrow(!has_unit || Quantities::is_si_unit(entry.unit),
                 ExcMessage("The documentation of the entry <" + entry.name + "> declares [" + entry.unit +
                            "], which is not an SI unit."));
@@ -101,9 +162,23 @@ namespace samara
   void
   Parameters::parse(const Outline &section, const Quantities &quantities, Complaints &complaints)
   {
+    const auto *const type = section.entry("Type");
+    parse(section, quantities, complaints, type != nullptr && type->inherited);
+  }
+
+
+
+  void
+  Parameters::parse(const Outline    &section,
+                    const Quantities &quantities,
+                    Complaints       &all_complaints,
+                    const bool        is_copy)
+  {
     set_place(section.where);
+    Complaints of_original;
     for (const auto &given : section.entries)
       {
+        Complaints &complaints = is_copy && given.inherited ? of_original : all_complaints;
         const auto mine =
           std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == given.name; });
         if (mine != entries.end())
@@ -117,9 +192,11 @@ namespace samara
           return s->path.back() == given.name;
         });
         if (mine != subsections.end())
-          (*mine)->parse(given, quantities, complaints);
+          (*mine)->parse(given, quantities, all_complaints, is_copy);
+        else if (is_copy && given.inherited)
+          continue;
         else if (std::find(ignored.begin(), ignored.end(), given.name) == ignored.end())
-          complain_about_subsection(given, complaints);
+          complain_about_subsection(given, all_complaints);
       }
   }
 
@@ -134,8 +211,8 @@ namespace samara
     entry.where = given.where;
     try
       {
-        const std::string si_text = entry.read(given.value, quantities, entry);
-        inside([&](ParameterHandler &prm) { prm.set(entry.name, si_text); });
+        entry.value = entry.read(given.value, quantities, entry);
+        inside([&](ParameterHandler &prm) { prm.set(entry.name, entry.value); });
       }
     catch (const std::invalid_argument &e)
       {
@@ -155,8 +232,8 @@ namespace samara
     if (!choices.empty())
       throw std::invalid_argument("<" + users_text + "> is not a choice" + did_you_mean(users_text, choices));
     const bool is_plain = entry.unit.empty() || entry.unit == "1";
-    throw std::invalid_argument("<" + users_text +
-                                "> is not accepted. Wanted is: " + trim(entry.pattern->description(PatternBase::Text)) +
+    throw std::invalid_argument("<" + users_text + "> is not accepted: wanted is " +
+                                in_words(entry.pattern->description(PatternBase::Machine)) +
                                 (is_plain ? "" : ", in [" + entry.unit + "]") + ".");
   }
 
@@ -223,21 +300,30 @@ namespace samara
 
 
 
-  void
+  bool
   Parameters::require(const std::string &wanted, Complaints &complaints) const
   {
-    if (!is_set(wanted))
-      complaints.add(place,
+    const bool is_given = is_set(wanted) && !existing(wanted).value.empty();
+    if (!is_given)
+      complaints.add(where(wanted),
                      (name.empty() ? "" : description() + ": ") + "<" + wanted +
                        "> must be given: " + existing(wanted).documentation);
+    return is_given;
   }
 
 
 
   void
-  Parameters::print(std::ostream &out) const
+  Parameters::print(std::ostream &out, const std::string &indent) const
   {
-    handler->print_parameters(out, ParameterHandler::ShortPRM | ParameterHandler::KeepDeclarationOrder);
+    for (const auto &e : entries)
+      out << indent << (e.where.empty() ? "# set " : "set ") << e.name << " = " << e.value << '\n';
+    for (const auto &s : subsections)
+      {
+        out << indent << "subsection " << s->path.back() << '\n';
+        s->print(out, indent + "  ");
+        out << indent << "end\n";
+      }
   }
 
 

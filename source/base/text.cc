@@ -146,4 +146,17 @@ namespace samara
     const auto result = std::from_chars(begin, end, number);
     return result.ec == std::errc() && result.ptr == end;
   }
+
+
+
+  bool
+  split_at(const std::string &text, std::string &name, std::string &place)
+  {
+    const auto at = text.rfind(" at ");
+    if (at == std::string::npos)
+      return false;
+    name  = trim(text.substr(0, at));
+    place = trim(text.substr(at + 4));
+    return !name.empty() && !place.empty();
+  }
 } // namespace samara

@@ -47,7 +47,8 @@ namespace samara
     model = &model_;
     try
       {
-        section = &model->find<Section>(section_name, "section");
+        if (parameters.require("Section", model->complaints))
+          section = &model->find<Section>(section_name, "section");
       }
     catch (const std::invalid_argument &problem)
       {
@@ -97,17 +98,15 @@ namespace samara
       breaks.push_back(x * L);
     for (const auto &text : frame_names)
       {
-        const auto at = text.rfind(" at ");
-        char      *end;
-        const double x = at == std::string::npos ? -1 : std::strtod(text.c_str() + at + 4, &end);
-        if (x < 0 || x > 1)
+        std::string point, place;
+        double      x = 0;
+        if (!split_at(text, point, place) || !text_to_number(place, x) || x < 0 || x > 1)
           model->complaints.add(parameters.where("Frames"),
                                 "a frame is written <name at x> with x from 0 (start) to 1 (end), not <" + text + ">");
+        else if (!named.emplace(point, x * L).second)
+          model->complaints.add(parameters.where("Frames"), "beam <" + name + "> has a point <" + point + "> already");
         else
-          {
-            named[trim(text.substr(0, at))] = x * L;
-            breaks.push_back(x * L);
-          }
+          breaks.push_back(x * L);
       }
     std::sort(breaks.begin(), breaks.end());
     breaks.erase(std::unique(breaks.begin(),
@@ -267,9 +266,13 @@ namespace samara
   {
     if (named.count(point) == 1)
       return named.at(point);
-    if (point.substr(0, 3) == "at ")
-      return std::strtod(point.c_str() + 3, nullptr) * curve->length();
-    return {};
+    if (point.substr(0, 3) != "at ")
+      return {};
+    double x = 0;
+    if (!text_to_number(trim(point.substr(3)), x) || x < 0 || x > 1)
+      throw std::invalid_argument("there is no <" + point + "> on beam <" + name +
+                                  ">; write <at x> with x from 0 (start) to 1 (end)");
+    return curve == nullptr ? 0. : x * curve->length();
   }
 
 
@@ -342,26 +345,20 @@ namespace samara
 
     std::vector<kernel::NodeValues<double>> nodes;
     gather(i, state.q.data(), nodes);
-    static const dealii::FE_Q<1> *fe = nullptr;
-    static unsigned int           fe_degree = 0;
-    if (fe_degree != degree)
-      {
-        delete fe;
-        fe        = new dealii::FE_Q<1>(degree);
-        fe_degree = degree;
-      }
+    // one for each degree, made when first used
+    static thread_local std::map<unsigned int, dealii::FE_Q<1>> elements_of_degree;
+    const dealii::FE_Q<1> &fe = elements_of_degree.try_emplace(degree, degree).first->second;
     Local   result;
     Sample &sample = result.sample;
     sample.D.setZero();
-    Vector3 spin = Vector3::Zero();
     for (unsigned int a = 0; a < table->n_nodes; ++a)
       {
-        const double  N = fe->shape_value(a, xi);
+        const double  N = fe.shape_value(a, xi);
         const Vector6 y = elements[i].frames[a].twist(state.y.data());
         sample.x += N * nodes[a].x;
         sample.D += N * nodes[a].D;
         sample.velocity += N * nodes[a].D * y.head<3>();
-        spin += N * nodes[a].D * y.tail<3>();
+        result.spin += N * nodes[a].D * y.tail<3>();
       }
     for (unsigned int k = 0; k < 4; ++k)
       sample.D = renormalised(sample.D);
@@ -417,11 +414,7 @@ namespace samara
 
     return frame_probe(quantity, [=](const State &state) -> FrameMotion {
       const Local l = local(state, abscissa);
-      const int node = node_at(abscissa);
-      Vector3    spin = Vector3::Zero();
-      if (node >= 0)
-        spin = node_frames[node].triad(state.q.data()) * node_frames[node].twist(state.y.data()).tail<3>();
-      return {l.sample.x, l.sample.x - l.sample.displacement, l.sample.D, l.D_reference, l.sample.velocity, spin};
+      return {l.sample.x, l.sample.x - l.sample.displacement, l.sample.D, l.D_reference, l.sample.velocity, l.spin};
     });
   }
 

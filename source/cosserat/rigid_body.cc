@@ -4,7 +4,7 @@
 #include <samara/model/system.h>
 
 #include <cmath>
-#include <cstdlib>
+#include <sstream>
 
 namespace samara
 {
@@ -71,36 +71,30 @@ namespace samara
 
     named["centre"]         = {node, position, D};
     named["centre of mass"] = {node.then(centre_of_mass), position + D * centre_of_mass, D};
-    if (!read_frames(model, node))
-      model.complaints.add(parameters.where("Frames"), "frames are written <name at x y z, name at x y z>, in metres");
+    read_frames(model, node);
   }
 
 
 
-  bool
+  void
   RigidBody::read_frames(Model &model, const Frame &node)
   {
+    const Matrix3 D = model.triad(node);
     for (const auto &text : frame_entries)
       {
-        const auto at = text.rfind(" at ");
-        if (at == std::string::npos)
-          return false;
-        const char *begin = text.c_str() + at + 4;
+        std::string        point, place, word, rest;
+        bool               is_frame = split_at(text, point, place);
         Vector3     x;
+        std::istringstream words(place);
         for (unsigned int i = 0; i < 3; ++i)
-          {
-            char *end;
-            x(i) = std::strtod(begin, &end);
-            if (end == begin)
-              return false;
-            begin = end;
-          }
-        if (!trim(begin).empty())
-          return false;
-        const Matrix3 D              = model.triad(node);
-        named[trim(text.substr(0, at))] = {model.frame_at(node, x, D), x, D};
+          is_frame = is_frame && (words >> word) && text_to_number(word, x(i));
+        if (!is_frame || (words >> rest))
+          model.complaints.add(parameters.where("Frames"),
+                               "a frame is written <name at x y z>, plain numbers in metres, not <" + text + ">");
+        else if (!named.insert({point, {model.frame_at(node, x, D), x, D}}).second)
+          model.complaints.add(parameters.where("Frames"),
+                               "rigid body <" + name + "> has a point <" + point + "> already");
       }
-    return true;
   }
 
 

@@ -245,12 +245,13 @@ namespace samara
   {
     for (const auto &station : stations)
       {
-        const auto at = station.rfind(" at ");
-        if (at == std::string::npos)
-          throw std::invalid_argument("a station is written <section at abscissa>, not <" + station + ">");
-        const auto &section = model.find<Section>(trim(station.substr(0, at)), "section");
-        abscissae.push_back(std::stod(station.substr(at + 4)));
-        values.push_back(section.at(0));
+        std::string section, place;
+        double      x = 0;
+        if (!split_at(station, section, place) || !text_to_number(place, x) || x < 0 || x > 1)
+          throw std::invalid_argument("a station is written <section at x> with x from 0 (start) to 1 (end), not <" +
+                                      station + ">");
+        abscissae.push_back(x);
+        values.push_back(model.find<Section>(section, "section").at(0));
       }
   }
 
@@ -280,12 +281,17 @@ namespace samara
         if (cells.size() != columns.size())
           throw std::invalid_argument("<" + line + "> has not as many numbers as the first line has names");
         for (unsigned int i = 0; i < cells.size(); ++i)
-          if (columns[i] == "x")
-            abscissae.push_back(std::stod(cells[i]));
-          else if (variables.count(columns[i]) == 1)
-            *variables.at(columns[i]) = std::stod(cells[i]);
-          else
-            throw std::invalid_argument("there is no column <" + columns[i] + "> in a table of section properties");
+          {
+            double number = 0;
+            if (!text_to_number(cells[i], number))
+              throw std::invalid_argument("<" + cells[i] + "> in the file <" + file + "> is not a number");
+            if (columns[i] == "x")
+              abscissae.push_back(number);
+            else if (variables.count(columns[i]) == 1)
+              *variables.at(columns[i]) = number;
+            else
+              throw std::invalid_argument("there is no column <" + columns[i] + "> in a table of section properties");
+          }
         values.push_back(c.values());
       }
     if (abscissae.size() != values.size())

@@ -37,6 +37,55 @@ namespace samara
 
 
 
+  std::optional<std::array<Frame, 2>>
+  ends_of_joint(Model &model, const Contribution &joint, const std::string &body_a, const std::string &body_b)
+  {
+    std::array<Frame, 2> ends;
+    bool                 are_known = true;
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        const std::string entry = i == 0 ? "Body A" : "Body B";
+        try
+          {
+            if (joint.parameters.require(entry, model.complaints))
+              ends[i] = model.frame(i == 0 ? body_a : body_b);
+            else
+              are_known = false;
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            model.complaints.add(joint.parameters.where(entry), problem.what());
+            are_known = false;
+          }
+      }
+    if (!are_known)
+      return {};
+    if (ends[0].node != ends[1].node)
+      return ends;
+    // a body that could not be made has complained already; its frames are those of the ground
+    if (ends[0].node != 0 || (body_a == "ground" && body_b == "ground"))
+      model.complaints.add(joint.parameters.where("Body B"),
+                           "joint <" + joint.name + "> connects a body to itself: <" + body_a + "> and <" + body_b +
+                             "> cannot move against each other");
+    return {};
+  }
+
+
+
+  bool
+  check_ends(Model &model, const Contribution &joint, const Frame &a, const Frame &b, const std::string &between)
+  {
+    if (a.node != b.node)
+      return true;
+    model.complaints.add(joint.parameters.where("Body B"),
+                         "joint <" + joint.name + ">: " + between + " are " +
+                           (a.node == 0 ? "both welded to the ground" : "welded together") +
+                           " by rigid joints and cannot move against each other");
+    return false;
+  }
+
+
+
   void
   Joint::add_parameters(Parameters &prm)
   {
@@ -54,7 +103,7 @@ namespace samara
   void
   Joint::lock_displacement(const unsigned int i)
   {
-    locked.push_back({{PairFunction::gap, i}, "displacement " + std::to_string(i + 1)});
+    locked.push_back({{PairFunction::gap, i}, "displacement " + std::to_string(i + 1), 0., i});
   }
 
 
@@ -62,7 +111,10 @@ namespace samara
   void
   Joint::lock_rotation(const unsigned int i, const unsigned int j)
   {
-    locked.push_back({{PairFunction::cosine, i, j}, "rotation " + std::to_string(4 - i - j)});
+    // the multiplier is a moment of B on A about E_j × E_i, which is plus or minus the third axis
+    const unsigned int k    = 3 - i - j;
+    const double       sign = (i + 1) % 3 == j ? 1. : -1.;
+    locked.push_back({{PairFunction::cosine, i, j}, "rotation " + std::to_string(k + 1), 0., k, sign});
   }
 
 
@@ -74,6 +126,7 @@ namespace samara
     free.back().name  = name;
     free.back().unit  = "m";
     free.back().first = {PairFunction::gap, i};
+    free.back().axis  = i;
     return free.back();
   }
 
@@ -123,34 +176,25 @@ namespace samara
 
 
   void
-  Joint::initialize(Model &model)
+  Joint::initialize(Model &m)
   {
-    Frame ends[2];
-    for (unsigned int i = 0; i < 2; ++i)
-      try
-        {
-          ends[i] = model.frame(i == 0 ? body_a : body_b);
-        }
-      catch (const std::invalid_argument &problem)
-        {
-          complain(model, i == 0 ? "Body A" : "Body B", problem.what());
-          return;
-        }
-    if (ends[0].node == ends[1].node)
-      return complain(model, "Body B", "joint <" + name + "> connects a body to itself: both frames are on the same node");
+    model           = &m;
+    const auto ends = ends_of_joint(m, *this, body_a, body_b);
+    if (!ends)
+      return;
     try
       {
-        place(model, ends[0], ends[1]);
+        place(m, (*ends)[0], (*ends)[1]);
       }
     catch (const std::invalid_argument &problem)
       {
-        return complain(model, "Axis", problem.what());
+        return complain(m, "Axis", problem.what());
       }
     for (auto &motion : free)
       {
         motion.is_prescribed = parameters.subsection(motion.name).is_set("Prescribed");
         if (motion.is_used() || is_screw)
-          use_coordinate(model, motion.name);
+          use_coordinate(m, motion.name);
       }
   }
 
@@ -171,11 +215,25 @@ namespace samara
 
 
 
+  std::vector<std::string>
+  Joint::rotation_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &motion : free)
+      if (motion.is_angle())
+        names.push_back(motion.name);
+    return names;
+  }
+
+
+
   void
   Joint::connect(Layout &layout)
   {
     frame_a = layout.model.resolved(frame_a);
     frame_b = layout.model.resolved(frame_b);
+    if (!check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
+      return;
     rows.clear();
     for (const auto &l : locked)
       rows.push_back("joint " + name + ", " + l.name);
@@ -198,6 +256,10 @@ namespace samara
     for (unsigned int i = 0; i < rows.size(); ++i)
       multipliers[i] = first_multiplier + i;
     layout.couple(block, {frame_a, frame_b}, coordinates, multipliers);
+    unsigned int row = first_multiplier + locked.size() + used.size();
+    for (const auto *motion : used)
+      if (motion->is_prescribed)
+        model->prescribed[motion->coordinate] = row++;
     for (unsigned int i = 0; i < used.size(); ++i)
       if (used[i]->is_angle() && !used[i]->is_prescribed)
         layout.corrections.push_back({first_multiplier + static_cast<unsigned int>(locked.size()) + i,
@@ -480,10 +542,45 @@ namespace samara
         return Probe{path, motion.is_angle() ? "rad/s" : "m/s", [&](const State &state) {
                        return state.rates[motion.coordinate];
                      }};
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      if (path == "reaction " + std::to_string(i + 1))
-        return Probe{path, "N or N m", [=](const State &state) { return state.multipliers[first_multiplier + i]; }};
+    for (const bool is_moment : {false, true})
+      for (unsigned int i = 0; i < 3; ++i)
+        if (path == (is_moment ? "moment " : "force ") + std::to_string(i + 1))
+          if (const auto value = action(is_moment, i))
+            return Probe{path, is_moment ? "N m" : "N", value};
     return {};
+  }
+
+
+
+  std::function<double(const State &)>
+  Joint::action(const bool is_moment, const unsigned int axis) const
+  {
+    if (rows.empty())
+      return nullptr;
+    for (unsigned int i = 0; i < used.size(); ++i)
+      if (used[i]->is_angle() == is_moment && used[i]->axis == axis)
+        return [this, i](const State &state) {
+          const double lambda = state.multipliers[first_multiplier + locked.size() + i];
+          return used[i]->is_angle() ? lambda : -lambda;
+        };
+    const auto is_rotation = [](const Locked &l) { return l.function.kind == PairFunction::cosine; };
+    for (unsigned int i = 0; i < locked.size(); ++i)
+      if (locked[i].axis == axis && locked[i].function.kind == (is_moment ? PairFunction::cosine : PairFunction::gap))
+        {
+          if (!is_moment || std::count_if(locked.begin(), locked.end(), is_rotation) == 1)
+            return [this, i](const State &state) { return locked[i].sign * state.multipliers[first_multiplier + i]; };
+          // all moments of locked rotations together, seen in the axes of A
+          return [this, axis, is_rotation](const State &state) {
+            const Matrix3 A = frame_a.triad(state.q.data()), B = frame_b.triad(state.q.data());
+            Vector3       moment = Vector3::Zero();
+            for (unsigned int k = 0; k < locked.size(); ++k)
+              if (is_rotation(locked[k]))
+                moment += state.multipliers[first_multiplier + k] *
+                          A.col(locked[k].function.i).cross(B.col(locked[k].function.j));
+            return A.col(axis).dot(moment);
+          };
+        }
+    return nullptr;
   }
 
 
@@ -494,8 +591,10 @@ namespace samara
     std::vector<std::string> names;
     for (const auto &motion : free)
       names.push_back(motion.name);
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      names.push_back("reaction " + std::to_string(i + 1));
+    for (const bool is_moment : {false, true})
+      for (unsigned int i = 0; i < 3; ++i)
+        if (action(is_moment, i))
+          names.push_back((is_moment ? "moment " : "force ") + std::to_string(i + 1));
     return names;
   }
 

@@ -11,9 +11,11 @@ namespace samara
     FreeMotion &about_1 = free_rotation_about_3("rotation 1");
     about_1.first       = {PairFunction::cosine, 1, 1};
     about_1.second      = {PairFunction::cosine, 2, 1};
+    about_1.axis        = 0;
     FreeMotion &about_2 = free_rotation_about_3("rotation 2");
     about_2.first       = {PairFunction::cosine, 0, 0};
     about_2.second      = {PairFunction::cosine, 0, 2};
+    about_2.axis        = 1;
     axis                = Vector3::UnitX();
     Joint::add_parameters(prm);
     prm.add("Second axis", second_axis, "Direction of the axis on body B, at a right angle to the first [1].");
@@ -40,7 +42,7 @@ namespace samara
     lock_rotation(2, 1);
     lock_rotation(0, 1);
     Joint::add_parameters(prm);
-    prm.add("Reaction", reaction_wanted, "Keep both nodes and make the six reactions unknowns.");
+    prm.add("Reaction", reaction_wanted, "Keep both nodes and make the forces and moments between them unknowns.");
   }
 
 
@@ -50,18 +52,8 @@ namespace samara
   {
     if (reaction_wanted)
       return Joint::initialize(model);
-    Frame a, b;
-    for (const bool first : {true, false})
-      try
-        {
-          (first ? a : b) = model.frame(first ? body_a : body_b);
-        }
-      catch (const std::invalid_argument &problem)
-        {
-          model.complaints.add(parameters.where(first ? "Body A" : "Body B"), problem.what());
-          return;
-        }
-    model.weld(a, b);
+    if (const auto ends = ends_of_joint(model, *this, body_a, body_b))
+      model.weld((*ends)[0], (*ends)[1]);
   }
 
 
@@ -108,6 +100,17 @@ namespace samara
       Joint::constraint_rates(point, rates);
   }
 
+  std::optional<Probe>
+  Rigid::probe(const std::string &path) const
+  {
+    if (!reaction_wanted && (path.substr(0, 6) == "force " || path.substr(0, 7) == "moment "))
+      throw std::invalid_argument("joint <" + name + "> has made one body of two, and knows no <" + path +
+                                  ">; set Reaction = true there");
+    return Joint::probe(path);
+  }
+
+
+
   void
   Rigid::draw(const State &, Drawing &) const
   {}
@@ -140,6 +143,24 @@ namespace samara
 
 
 
+  std::optional<Probe>
+  Distance::probe(const std::string &path) const
+  {
+    if (path != "force")
+      return {};
+    return Probe{path, "N", [this](const State &state) { return 2 * length * state.multipliers[first_multiplier]; }};
+  }
+
+
+
+  std::vector<std::string>
+  Distance::probe_names() const
+  {
+    return {"force"};
+  }
+
+
+
   void
   Distance::draw(const State &state, Drawing &drawing) const
   {
@@ -165,21 +186,22 @@ namespace samara
   void
   Gear::initialize(Model &model)
   {
+    bool are_known = true;
     for (const bool first : {true, false})
       try
         {
-          const std::string path = first ? joint_a : joint_b;
-          const auto        dot  = path.find('.');
-          auto &joint = model.find<Contribution>(path.substr(0, dot), "joint");
-          const auto coordinate = joint.use_coordinate(model, dot == std::string::npos ? "" : path.substr(dot + 1));
-          if (!coordinate || model.coordinate_units[*coordinate] != "rad")
-            throw std::invalid_argument("<" + path + "> has no such free rotation (or several: write name.rotation 1)");
-          coordinates[first ? 0 : 1] = *coordinate;
+          if (parameters.require(first ? "Joint A" : "Joint B", model.complaints))
+            coordinates[first ? 0 : 1] = model.use_rotation(first ? joint_a : joint_b);
+          else
+            are_known = false;
         }
       catch (const std::invalid_argument &problem)
         {
           model.complaints.add(parameters.where(first ? "Joint A" : "Joint B"), problem.what());
+          are_known = false;
         }
+    if (are_known && coordinates[0] == coordinates[1])
+      model.complaints.add(parameters.where("Joint B"), "gear <" + name + "> connects a rotation to itself");
   }
 
 
@@ -251,58 +273,57 @@ namespace samara
     prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
     prm.add("Axis", axis, "Direction of axis 1 in the reference configuration, inertial components [1].");
     prm.add("Axis 2", axis_2, "Direction near which axis 2 lies; 0, 0, 0: any [1].");
-    prm.add("Stiffness",
-            stiffness,
-            "Axial and two transverse stiffnesses [N/m], torsional and two bending stiffnesses [N*m/rad], in SI units.",
-            List(Double(0), 6, 6));
-    prm.add("Damping", viscosity, "The same for dampers, N*s/m and N*m*s/rad, in SI units.", List(Double(0), 6, 6));
-    prm.add("Coupling",
-            coupling,
-            "Couplings of the stiffnesses: the 15 numbers of the upper triangle by rows, without the diagonal, in SI units.");
+    const List three(Double(0), 3, 3);
+    prm.add("Stiffness", stiffness, "Of the axial and two transverse springs [N/m].", three);
+    prm.add("Rotational stiffness",
+            rotational_stiffness,
+            "Of the springs in torsion and two bendings [N*m/rad].",
+            three);
+    prm.add("Damping", viscosity, "Of the axial and two transverse dampers [N*s/m].", three);
+    prm.add("Rotational damping",
+            rotational_viscosity,
+            "Of the dampers in torsion and two bendings [N*m*s/rad].",
+            three);
+    prm.add(
+      "Coupling",
+      coupling,
+      "Couplings of the six stiffnesses, displacements first: the 15 numbers of the upper triangle by rows, without "
+      "the diagonal, in SI units.");
   }
 
 
 
   void
-  FlexibleJoint::initialize(Model &model)
+  FlexibleJoint::initialize(Model &m)
   {
-    Frame ends[2];
-    for (unsigned int i = 0; i < 2; ++i)
-      try
-        {
-          ends[i] = model.frame(i == 0 ? body_a : body_b);
-        }
-      catch (const std::invalid_argument &problem)
-        {
-          model.complaints.add(parameters.where(i == 0 ? "Body A" : "Body B"), problem.what());
-          return;
-        }
+    model           = &m;
+    const auto ends = ends_of_joint(m, *this, body_a, body_b);
+    if (!ends)
+      return;
     if (!parameters.is_set("Position"))
-      position = model.position(ends[1]);
+      position = m.position((*ends)[1]);
     if (axis.isZero(0.))
-      {
-        model.complaints.add(parameters.where("Axis"), "the axis must not be zero");
-        return;
-      }
+      return m.complaints.add(parameters.where("Axis"), "the axis must not be zero");
     // triad_about() gives axis 3; turned so that it becomes axis 1 and "Axis 2" stays the second
     const Matrix3 E = triad_about(axis, axis_2);
     Matrix3       D;
     D.col(0) = E.col(2);
     D.col(1) = E.col(0);
     D.col(2) = E.col(1);
-    frame_a  = model.frame_at(ends[0], position, D);
-    frame_b  = model.frame_at(ends[1], position, D);
+    frame_a  = m.frame_at((*ends)[0], position, D);
+    frame_b  = m.frame_at((*ends)[1], position, D);
 
-    C   = Eigen::Map<const Vector6>(stiffness.data()).asDiagonal();
-    C_d = Eigen::Map<const Vector6>(viscosity.data()).asDiagonal();
+    C = C_d = Matrix6::Zero();
+    C.diagonal() << stiffness, rotational_stiffness;
+    C_d.diagonal() << viscosity, rotational_viscosity;
     if (!coupling.empty() && coupling.size() != 15)
-      model.complaints.add(parameters.where("Coupling"), "give 15 numbers, not " + std::to_string(coupling.size()));
+      m.complaints.add(parameters.where("Coupling"), "give 15 numbers, not " + std::to_string(coupling.size()));
     else if (!coupling.empty())
       for (unsigned int i = 0, k = 0; i < 6; ++i)
         for (unsigned int j = i + 1; j < 6; ++j, ++k)
           C(i, j) = C(j, i) = coupling[k];
     if (Eigen::SelfAdjointEigenSolver<Matrix6>(C).eigenvalues()(0) < -1e-12 * C.norm())
-      model.complaints.add(parameters.where("Coupling"), "the stiffness matrix has a negative eigenvalue");
+      m.complaints.add(parameters.where("Coupling"), "the stiffness matrix has a negative eigenvalue");
   }
 
 
@@ -312,7 +333,8 @@ namespace samara
   {
     frame_a = layout.model.resolved(frame_a);
     frame_b = layout.model.resolved(frame_b);
-    layout.couple(block, {frame_a, frame_b});
+    if (check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
+      layout.couple(block, {frame_a, frame_b});
   }
 
 

@@ -152,7 +152,8 @@ namespace samara
   {
     try
       {
-        points.push_back({model.frame(at), 1., 0., {}});
+        if (parameters.require("At", model.complaints))
+          points.push_back({model.frame(at), 1., 0., {}});
       }
     catch (const std::invalid_argument &problem)
       {
@@ -177,6 +178,8 @@ namespace samara
   void
   LineLoad::initialize(Model &model)
   {
+    if (!parameters.require("Body", model.complaints))
+      return;
     try
       {
         for (const auto &station : model.find<Body>(body, "body").stations())
@@ -212,13 +215,11 @@ namespace samara
     if (!joint.empty())
       try
         {
-          const auto dot        = joint.find('.');
-          auto      &turning    = m.find<Contribution>(joint.substr(0, dot), "joint");
-          const auto coordinate = turning.use_coordinate(m, dot == std::string::npos ? "" : joint.substr(dot + 1));
-          if (!coordinate || m.coordinate_units[*coordinate] != "rad")
-            throw std::invalid_argument("<" + joint + "> has no such free rotation (or several: write name.rotation 1)");
-          rotation.coordinate = *coordinate;
-          holding             = true;
+          rotation.coordinate = m.use_rotation(joint);
+          for (const auto &other : m.rotations)
+            if (other.coordinate == rotation.coordinate)
+              throw std::invalid_argument("steady rotation <" + other.name + "> says already how <" + joint +
+                                          "> turns");
         }
       catch (const std::invalid_argument &problem)
         {
@@ -234,8 +235,18 @@ namespace samara
   void
   SteadyRotation::connect(Layout &layout)
   {
-    if (!holding)
+    if (rotation.coordinate < 0)
       return;
+    const auto prescribed = model->prescribed.find(rotation.coordinate);
+    holding               = prescribed == model->prescribed.end();
+    if (!holding)
+      {
+        if (parameters.is_set("Azimuth"))
+          model->complaints.add(parameters.where("Azimuth"),
+                                "the angle of <" + joint + "> is prescribed there; leave out the <Azimuth>");
+        model->holds.push_back(prescribed->second);
+        return;
+      }
     multiplier = layout.add_multipliers({"steady rotation " + name});
     model->holds.push_back(multiplier);
     layout.couple(block, {}, {static_cast<unsigned int>(rotation.coordinate)}, {multiplier});

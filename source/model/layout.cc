@@ -13,9 +13,12 @@ namespace samara
     n_coordinates = model.coordinates.size();
     for (auto &c : model.contributions)
       {
-        c->first_strain = n_strains;
+        const unsigned int multipliers_before = n_multipliers;
+        c->first_strain                       = n_strains;
         c->connect(*this);
         n_strains += c->n_strains();
+        if (n_multipliers > multipliers_before)
+          constraining.push_back(c.get());
       }
     model.complaints.throw_if_any();
 

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace samara
@@ -161,6 +162,31 @@ namespace samara
     const auto        dot  = path.find('.');
     const std::string name = trim(path.substr(0, dot));
     return find<Body>(name, "body").frame(dot == std::string::npos ? "" : trim(path.substr(dot + 1)));
+  }
+
+
+
+  unsigned int
+  Model::use_rotation(const std::string &path)
+  {
+    const auto        dot    = path.find('.');
+    const std::string name   = trim(path.substr(0, dot)),
+                      motion = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    Contribution *joint      = &find<Contribution>(name, "joint");
+    for (const auto &c : contributions) // a body may have the same name
+      if (c->name == name && !c->rotation_names().empty())
+        joint = c.get();
+    const auto rotations = joint->rotation_names();
+    if (rotations.empty())
+      throw std::invalid_argument(joint->kind + " <" + name + "> has no free rotation that could be used");
+    if (motion.empty() && rotations.size() > 1)
+      throw std::invalid_argument(joint->kind + " <" + name + "> has several rotations: write <" + name + "." +
+                                  join(rotations, "> or <" + name + ".") + ">");
+    const std::string wanted = motion.empty() ? rotations[0] : motion;
+    if (std::find(rotations.begin(), rotations.end(), wanted) == rotations.end())
+      throw std::invalid_argument(joint->kind + " <" + name + "> has no free rotation <" + motion + ">" +
+                                  did_you_mean(motion, rotations));
+    return joint->use_coordinate(*this, wanted).value();
   }
 
 

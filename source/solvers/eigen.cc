@@ -166,26 +166,52 @@ namespace samara
 
 
 
-    std::vector<Mode>
-    dense_modes(const ShiftInvert &op, const double relative_zero)
+    /** An orthonormal basis of the motions that obey the constraints, G ζ = 0. */
+    Eigen::MatrixXd
+    admissible(const SparseMatrix &K, const unsigned int n)
     {
-      const unsigned int n = op.n;
-      Eigen::MatrixXd    A(2 * n, 2 * n);
-      for (unsigned int j = 0; j < 2 * n; ++j)
-        op.apply(Eigen::VectorXd::Unit(2 * n, j).eval().data(), A.col(j).data());
+      const Eigen::MatrixXd Gt = K.dense().topRightCorner(n, K.pattern->size() - n);
+      if (Gt.cols() == 0)
+        return Eigen::MatrixXd::Identity(n, n);
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
+      return Eigen::MatrixXd(qr.householderQ()).rightCols(n - qr.rank());
+    }
+
+
+
+    /**
+     * All modes by the dense matrix of the same operator in a basis of the admissible motions. Without this projection the
+     * infinite eigenvalues of the constraints, which are threefold defective, would come out as large finite ones.
+     */
+    std::vector<Mode>
+    dense_modes(const SparseMatrix &M, const SparseMatrix &C, const SparseMatrix &K, const unsigned int n, const double shift)
+    {
+      const Eigen::MatrixXd Z = admissible(K, n);
+      const unsigned int    m = Z.cols();
+      if (m == 0)
+        return {};
+      const auto reduced      = [&](const SparseMatrix &A) -> Eigen::MatrixXd {
+        return Z.transpose() * A.dense().topLeftCorner(n, n) * Z;
+      };
+      const Eigen::MatrixXd Mr = reduced(M), Cr = reduced(C);
+      const Eigen::PartialPivLU<Eigen::MatrixXd> lu(reduced(K) + shift * Cr + shift * shift * Mr);
+      Eigen::MatrixXd                            A(2 * m, 2 * m);
+      A << -lu.solve(Cr + shift * Mr), -lu.solve(Mr), Eigen::MatrixXd::Identity(m, m), Eigen::MatrixXd::Zero(m, m);
+      A.bottomRows(m) += shift * A.topRows(m);
       const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
-      const double                              largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
-      std::vector<Mode>                         modes;
-      for (unsigned int i = 0; i < 2 * n; ++i)
-        if (std::abs(eigen.eigenvalues()(i)) > relative_zero * largest)
-          add_mode(modes, eigen.eigenvalues()(i), op.shift, eigen.eigenvectors().col(i).head(n));
+      // what has no mass is twice defective at zero: its eigenvalues are there to the root of round-off
+      const double      zero = 1e-7 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+      std::vector<Mode> modes;
+      for (unsigned int i = 0; i < 2 * m; ++i)
+        if (std::abs(eigen.eigenvalues()(i)) > zero)
+          add_mode(modes, eigen.eigenvalues()(i), shift, Z * eigen.eigenvectors().col(i).head(m));
       return modes;
     }
 
 
 
     std::vector<Mode>
-    krylov_modes(const Teuchos::RCP<ShiftInvert> &op, const unsigned int n_modes, const unsigned int n_blocks)
+    krylov_modes(const Teuchos::RCP<ShiftInvert> &op, const unsigned int n_modes, const unsigned int n_blocks, const unsigned int attempt)
     {
       using MV      = Epetra_MultiVector;
       using Problem = Anasazi::BasicEigenproblem<double, MV, Epetra_Operator>;
@@ -193,7 +219,7 @@ namespace samara
       // a start vector with all modes in it and, after one application, without the infinite ones
       auto start = Teuchos::rcp(new MV(op->OperatorDomainMap(), 1));
       for (unsigned int i = 0; i < 2 * op->n; ++i)
-        (*start)[0][i] = std::sin(1. + 1.7 * i);
+        (*start)[0][i] = std::sin(1. + (1.7 + 0.3 * attempt) * i);
       MV copy(*start);
       op->Apply(copy, *start);
 
@@ -244,9 +270,25 @@ namespace samara
   {
     const auto         op       = Teuchos::rcp(new ShiftInvert(M, C, K, n_kinematic, shift));
     const unsigned int n_blocks = std::max(4 * n_modes, 30u);
-    // where the Krylov space would be most of the space anyway, the dense matrix is simpler and complete
-    std::vector<Mode> modes =
-      2 * n_kinematic < 2 * n_blocks || n_kinematic < 60 ? dense_modes(*op, 1e-11) : krylov_modes(op, n_modes, n_blocks);
+    std::vector<Mode>  modes;
+    bool               found = false;
+    // the Schur form of nearly equal eigenvalues cannot always be sorted (LAPACK trexc); then from another start vector
+    for (unsigned int attempt = 0; attempt < 3 && !found && n_kinematic > std::max(n_blocks, 60u); ++attempt)
+      try
+        {
+          modes = krylov_modes(op, n_modes, n_blocks + 12 * attempt, attempt);
+          found = true;
+        }
+      catch (const std::logic_error &)
+        {
+          continue;
+        }
+    // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
+    if (!found && n_kinematic > 1500)
+      throw NotConverged("the Arnoldi iteration cannot separate nearly equal eigenvalues; ask for fewer or more modes, or move the "
+                         "shift");
+    if (!found)
+      modes = dense_modes(M, C, K, n_kinematic, shift);
     std::sort(modes.begin(), modes.end(), [](const Mode &a, const Mode &b) { return std::abs(a.lambda) < std::abs(b.lambda); });
     if (modes.size() > n_modes)
       modes.resize(n_modes);

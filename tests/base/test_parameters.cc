@@ -70,8 +70,7 @@ namespace
                 "subsection Drawing\n  set Size = 5 kg\n  set Colour = red\nend\n"),
       (Strings{
         "a.prm:2: <Mas> is not a parameter of <hub> (rigid body); did you mean <Mass>?",
-        "a.prm:3: <Mass> of <hub> (rigid body): <-1> is not accepted. Wanted is: A floating point number v such that "
-        "0 <= v <= MAX_DOUBLE, in [kg].",
+        "a.prm:3: <Mass> of <hub> (rigid body): <-1> is not accepted: wanted is a number of at least 0, in [kg].",
         "a.prm:4: <Position> of <hub> (rigid body): <1, 2>: 3 values are wanted, not 2.",
         "a.prm:5: <Shape> of <hub> (rigid body): <spere> is not a choice; did you mean <sphere>?",
         "a.prm:6: <Drawings> is not a subsection of <hub> (rigid body); did you mean <Drawing>?",
@@ -103,6 +102,64 @@ namespace
     hub.parameters.require("Position", complaints);
     EXPECT_EQ(complaints.all(),
               Strings{"a.prm:1: <hub> (rigid body): <Position> must be given: Reference position [m]."});
+  }
+
+
+
+  TEST(Parameters, EmptyIsNotGiven)
+  {
+    Parameters  parameters("hinge", "revolute");
+    std::string body;
+    parameters.add("Body A", body, "First frame.");
+    Complaints complaints;
+    parameters.parse(Outline::of_text("set Body A =", "a.prm", complaints), Quantities(), complaints);
+    EXPECT_FALSE(parameters.require("Body A", complaints));
+    EXPECT_EQ(complaints.all(), Strings{"a.prm:1: <hinge> (revolute): <Body A> must be given: First frame."});
+  }
+
+
+
+  TEST(Parameters, SayInWordsWhatIsWanted)
+  {
+    const auto wanted = [](const dealii::Patterns::PatternBase &pattern, const std::vector<double> &valid) {
+      Parameters          parameters;
+      std::vector<double> x = valid;
+      parameters.add("x", x, "Numbers.", pattern);
+      Complaints complaints;
+      parameters.parse(Outline::of_text("set x = -9.5, 7", "a.prm", complaints), Quantities(), complaints);
+      return complaints.empty() ? "" : complaints.all()[0].substr(complaints.all()[0].find("wanted"));
+    };
+    using namespace dealii::Patterns;
+    EXPECT_EQ(wanted(List(Double(0), 3, 3), {1, 2, 3}), "wanted is three numbers of at least 0.");
+    EXPECT_EQ(wanted(List(Double(), 1, 1), {1}), "wanted is a number.");
+    EXPECT_EQ(wanted(List(Double(0, 0.5), 1, 6), {0.1}), "wanted is one to six numbers from 0 to 0.5.");
+    EXPECT_EQ(wanted(List(Double(0), 15, 15), std::vector<double>(15, 1.)), "wanted is 15 numbers of at least 0.");
+    EXPECT_EQ(wanted(List(Double(0), 1), {1}), "wanted is one or more numbers of at least 0.");
+    EXPECT_EQ(wanted(List(Double(0)), {1}), "wanted is numbers of at least 0.");
+    EXPECT_EQ(wanted(List(Integer(1)), {1}), "wanted is whole numbers of at least 1.");
+    EXPECT_EQ(wanted(List(Integer(1, 4)), {1}), "wanted is whole numbers from 1 to 4.");
+    EXPECT_EQ(wanted(List(Integer()), {1}), "wanted is whole numbers.");
+  }
+
+
+
+  // The original complains itself, and is of the same kind unless the copy has a type of its own.
+  TEST(Parameters, CopiesAreSilentAboutWhatTheyInherit)
+  {
+    const auto complaints_of = [](const std::string &type) {
+      Complaints    complaints;
+      const Outline all = Outline::of_text("subsection one\n set Type = rigid body\n set Mass = -1\n set Mas = 1\n"
+                                           " subsection Drawing\n  set Size = 1 kg\n end\n subsection X\n end\nend\n"
+                                           "subsection two\n set Copy of = one\n set Shape = no\n" +
+                                             type + "end\n",
+                                           "a.prm",
+                                           complaints);
+      RigidBody     hub;
+      hub.parameters.parse(*all.section("two"), Quantities(), complaints);
+      return complaints.all();
+    };
+    EXPECT_EQ(complaints_of("").size(), 1u);
+    EXPECT_EQ(complaints_of("set Type = rigid body\n").size(), 5u);
   }
 
 
@@ -156,6 +213,22 @@ namespace
     EXPECT_EQ(one.position, two.position);
     EXPECT_EQ(one.shape, two.shape);
     EXPECT_EQ(one.size, two.size);
+  }
+
+
+
+  TEST(Parameters, PrintDefaultsAsComments)
+  {
+    RigidBody hub, again;
+    hub.parse("set Mass = 2\nset Shape = sphere\nsubsection Drawing\nend\n");
+    std::ostringstream text;
+    hub.parameters.print(text, " ");
+    EXPECT_EQ(text.str(),
+              " set Mass = 2\n # set Position = 0, 0, 0.5\n set Shape = sphere\n subsection Drawing\n"
+              "   # set Size = 0.25\n end\n");
+    again.parse(text.str());
+    EXPECT_FALSE(again.parameters.is_set("Position"));
+    EXPECT_TRUE(again.parameters.is_set("Shape"));
   }
 
 

@@ -79,4 +79,16 @@ namespace
     EXPECT_TRUE(text_to_number("+.5", x));
     EXPECT_EQ(x, 0.5);
   }
+
+
+
+  TEST(Text, SplitAt)
+  {
+    std::string name, place;
+    ASSERT_TRUE(split_at("look at me at  0.3 ", name, place));
+    EXPECT_EQ(name, "look at me");
+    EXPECT_EQ(place, "0.3");
+    for (const char *text : {"", "at 0.3", " at 0.3", "pin", "pin at", "pin at ", "pinat 3"})
+      EXPECT_FALSE(split_at(text, name, place)) << text;
+  }
 } // namespace

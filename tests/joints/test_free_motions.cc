@@ -1,6 +1,6 @@
-// The motions each kind of joint leaves free (table 1 of Bauchau, Bottasso & Nikishkov 2001, and the kinds beyond it): how many
-// there are, by three routes, and where they point. A free rigid body hangs on the ground by one joint at J, away from its
-// centre, with a skew axis.
+// The motions each kind of joint leaves free (table 1 of Bauchau, Bottasso & Nikishkov 2001, and the kinds beyond it):
+// how many there are, by three routes, and where they point. A free rigid body hangs on the ground by one joint at J,
+// away from its centre, with a skew axis.
 
 #include "../scene.h"
 
@@ -34,7 +34,10 @@ namespace
             {"spherical", {"", 3, {{none, a}, {none, b}, {none, c}}}},
             {"universal", {axis + "set Second axis = 2, 1, 2\n", 2, {{none, a}, {none, b}}}},
             {"rigid", {"set Reaction = true\n", 0, {}}},
-            {"flexible joint", {axis + "set Axis 2 = 2, 1, 2\nset Stiffness = 7, 0, 5, 0, 3, 0\n", 3, {{b, none}, {none, a}, {none, c}}}}};
+            {"flexible joint",
+             {axis + "set Axis 2 = 2, 1, 2\nset Stiffness = 7, 0, 5\nset Rotational stiffness = 0, 3, 0\n",
+              3,
+              {{b, none}, {none, a}, {none, c}}}}};
   }
 
   /** With @p used, all free motions are unknowns of the system too. */
@@ -58,13 +61,14 @@ subsection Joints
     set Body A = ground
     set Body B = body.centre
     set Position = 0.4, -0.3, 0.2
-    set Type = )" + kind + "\n" + entries;
-    const std::map<std::string, std::vector<std::string>> names = {
-      {"revolute", {"rotation"}},
-      {"prismatic", {"displacement"}},
-      {"cylindrical", {"displacement", "rotation"}},
-      {"planar", {"displacement 1", "displacement 2", "rotation"}},
-      {"universal", {"rotation 1", "rotation 2"}}};
+    set Type = )" + kind +
+                       "\n" + entries;
+    const std::map<std::string, std::vector<std::string>> names = {{"revolute", {"rotation"}},
+                                                                   {"prismatic", {"displacement"}},
+                                                                   {"cylindrical", {"displacement", "rotation"}},
+                                                                   {"planar",
+                                                                    {"displacement 1", "displacement 2", "rotation"}},
+                                                                   {"universal", {"rotation 1", "rotation 2"}}};
     if (used && names.count(kind) > 0)
       for (const auto &name : names.at(kind))
         text += "subsection " + name + "\n set Damper = 1e-12\n end\n";
@@ -75,8 +79,8 @@ subsection Joints
   Eigen::MatrixXd
   free_motions(const System &system)
   {
-    State state  = system.reference();
-    state.held   = false;
+    State state = system.reference();
+    state.held  = false;
     SparseMatrix K(system.layout.pattern);
     system.tangent(state, K);
     // rows of the constraints, and those of the springs that resist
@@ -154,7 +158,9 @@ TEST(FreeMotions, Distance)
   text.replace(text.find("end\nsubsection Joints"),
                0,
                "  subsection anchor\n set Type = rigid body\n set Position = 0, 0, 2\n end\n");
-  text.replace(text.rfind("end\n"), 4, " subsection fix\n set Type = rigid\n set Body A = ground\n set Body B = anchor.centre\n end\nend\n");
+  text.replace(text.rfind("end\n"),
+               4,
+               " subsection fix\n set Type = rigid\n set Body A = ground\n set Body B = anchor.centre\n end\nend\n");
   Scene scene(text);
   EXPECT_EQ(check_model(scene.system).n_free_motions, 5u);
   EXPECT_EQ(zero_modes(scene), 5u);
@@ -174,11 +180,12 @@ TEST(FreeMotions, GearCouplesTwo)
             ".centre\n set Axis = " + (name == "A" ? "1, 0, 0" : "0, 3, 4") + "\n end\n";
   Scene two(text + "end\n");
   EXPECT_EQ(check_model(two.system).n_free_motions, 2u);
-  Scene coupled(text + " subsection gear\n set Type = gear\n set Joint A = A\n set Joint B = B\n set Ratio = -2.5\n end\nend\n");
+  Scene coupled(
+    text + " subsection gear\n set Type = gear\n set Joint A = A\n set Joint B = B\n set Ratio = -2.5\n end\nend\n");
   EXPECT_EQ(check_model(coupled.system).n_free_motions, 1u);
   EXPECT_EQ(zero_modes(coupled), 1u);
-  const auto            mode  = coupled.modes().at(0).shape;
-  const Vector3         spin_A = mode.segment<3>(3).real(), spin_B = mode.segment<3>(9).real();
+  const auto    mode   = coupled.modes().at(0).shape;
+  const Vector3 spin_A = mode.segment<3>(3).real(), spin_B = mode.segment<3>(9).real();
   EXPECT_LT((spin_B + 2.5 * spin_A(0) * Vector3(0, 0.6, 0.8)).norm(), 1e-9 * spin_A.norm());
   EXPECT_LT(spin_A.tail<2>().norm(), 1e-9 * spin_A.norm());
 }

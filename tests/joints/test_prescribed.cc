@@ -1,5 +1,5 @@
-// Prescribed motions of joints, small and large. A motion of B seen from A: rotations turn by the right hand about "Axis",
-// displacements go along it, and angles count beyond a half turn. Expected: exact, so 1e-9, Newton's tolerance.
+// Prescribed motions of joints, small and large. A motion of B seen from A: rotations turn by the right hand about
+// "Axis", displacements go along it, and angles count beyond a half turn. Expected: exact, so 1e-9, Newton's tolerance.
 
 #include "../scene.h"
 
@@ -36,7 +36,9 @@ subsection Joints
   subsection j
     set Position = 0.4, -0.3, 0.2
     set Type = )") +
-           kind + "\n" + (reversed ? "set Body A = body.centre\nset Body B = ground\n" : "set Body A = ground\nset Body B = body.centre\n") +
+           kind + "\n" +
+           (reversed ? "set Body A = body.centre\nset Body B = ground\n" :
+                       "set Body A = ground\nset Body B = body.centre\n") +
            entries + "end\nend\nsubsection Static\n set Load steps = 8\nend\n";
   }
 
@@ -54,7 +56,9 @@ subsection Joints
   expect_motion(Scene &scene, const Matrix3 &R, const Vector3 &d, const std::string &what)
   {
     const State &state = scene.equilibrium();
-    EXPECT_LT((state.triad(1) - R).norm(), 1e-9) << what << ": the body's axes are\n" << state.triad(1) << "\ninstead of\n" << R;
+    EXPECT_LT((state.triad(1) - R).norm(), 1e-9) << what << ": the body's axes are\n"
+                                                 << state.triad(1) << "\ninstead of\n"
+                                                 << R;
     EXPECT_LT((state.position(1) - (J + d + R * (centre - J))).norm(), 1e-9) << what;
   }
 
@@ -119,7 +123,8 @@ TEST(Prescribed, Cylindrical)
 TEST(Prescribed, Planar)
 {
   Scene scene(
-    model("planar", axis + prescribed("rotation", 4) + prescribed("displacement 1", 0.8) + prescribed("displacement 2", -0.5)));
+    model("planar",
+          axis + prescribed("rotation", 4) + prescribed("displacement 1", 0.8) + prescribed("displacement 2", -0.5)));
   expect_motion(scene, turn(4, a), 0.8 * b - 0.5 * c, "planar");
 }
 
@@ -130,7 +135,7 @@ TEST(Prescribed, Universal)
 {
   for (const auto &[first, second] : {std::pair(0.6, 0.), {0., 0.6}, {0.6, -0.8}, {2.5, 1.2}, {-4., 2.8}})
     {
-      Scene scene(model("universal",
+      Scene         scene(model("universal",
                         "set Axis = 1, 2, -2\nset Second axis = 2, 1, 2\n" + prescribed("rotation 1", first) +
                           prescribed("rotation 2", second)));
       const Matrix3 E = triad(a, b);
@@ -138,7 +143,9 @@ TEST(Prescribed, Universal)
                     turn(first, a) * turn(second, b),
                     Vector3::Zero(),
                     "universal " + std::to_string(first) + ", " + std::to_string(second));
-      EXPECT_LT((scene.context.state.triad(1) - E * rotation_of_angles({first, second, 0}, "123") * E.transpose()).norm(), 1e-9);
+      EXPECT_LT(
+        (scene.context.state.triad(1) - E * rotation_of_angles({first, second, 0}, "123") * E.transpose()).norm(),
+        1e-9);
       EXPECT_NEAR(scene.value("j.rotation 1"), first * 180 / M_PI, 1e-7);
       EXPECT_NEAR(scene.value("j.rotation 2"), second * 180 / M_PI, 1e-7);
     }
@@ -149,7 +156,8 @@ TEST(Prescribed, Universal)
 // Functions of time are taken at the time the statics are asked for.
 TEST(Prescribed, AtATime)
 {
-  Scene scene(model("revolute", axis + "subsection rotation\n set Prescribed = 0.2 + 0.1*t^2\nend\n"), {"Static/Time = 2"});
+  Scene scene(model("revolute", axis + "subsection rotation\n set Prescribed = 0.2 + 0.1*t^2\nend\n"),
+              {"Static/Time = 2"});
   expect_motion(scene, turn(0.6, a), Vector3::Zero(), "at t = 2");
 }
 
@@ -159,13 +167,15 @@ TEST(Prescribed, AtATime)
 TEST(Prescribed, ChainOfTwo)
 {
   std::string text = model("revolute", axis + prescribed("rotation", 0.9));
-  text.replace(text.find("end\nsubsection Joints"),
-               0,
-               "  subsection second\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n set Position = 2, 0, 0\n end\n");
-  text.replace(text.find("end\nend\nsubsection Static"),
-               4,
-               "end\n subsection k\n set Type = revolute\n set Axis = 2, 1, 2\n set Body A = body.centre\n set Body B = second.centre\n" +
-                 prescribed("rotation", -2.2) + " end\n");
+  text.replace(
+    text.find("end\nsubsection Joints"),
+    0,
+    "  subsection second\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n set Position = 2, 0, 0\n end\n");
+  text.replace(
+    text.find("end\nend\nsubsection Static"),
+    4,
+    "end\n subsection k\n set Type = revolute\n set Axis = 2, 1, 2\n set Body A = body.centre\n set Body B = second.centre\n" +
+      prescribed("rotation", -2.2) + " end\n");
   Scene        scene(text);
   const State &state = scene.equilibrium();
   EXPECT_LT((state.triad(2) - turn(0.9, a) * turn(-2.2, b)).norm(), 1e-9);
@@ -178,11 +188,12 @@ TEST(Prescribed, ChainOfTwo)
 TEST(Prescribed, UnusedMotionIsTold)
 {
   std::string text = model("revolute", axis);
-  text.replace(text.find("end\nend\nsubsection Static"),
-               4,
-               "end\n subsection same axis\n set Type = cylindrical\n set Position = 0.4, -0.3, 0.2\n set Axis = 1, 2, -2\n"
-               " set Body A = ground\n set Body B = body.centre\n" +
-                 prescribed("rotation", 2.) + " end\n");
+  text.replace(
+    text.find("end\nend\nsubsection Static"),
+    4,
+    "end\n subsection same axis\n set Type = cylindrical\n set Position = 0.4, -0.3, 0.2\n set Axis = 1, 2, -2\n"
+    " set Body A = ground\n set Body B = body.centre\n" +
+      prescribed("rotation", 2.) + " end\n");
   Scene scene(text);
   scene.system.drop(check_model(scene.system).redundant_multipliers);
   scene.equilibrium();

@@ -1,5 +1,5 @@
-// Springs, forces and moments at joints in equilibrium, against closed forms: directions and signs. "Moment" and "Force" act
-// on body B, their reactions on body A; a spring is free of load at "Rest".
+// Springs, forces and moments at joints in equilibrium, against closed forms: directions and signs. "Moment" and
+// "Force" act on body B, their reactions on body A; a spring is free of load at "Rest".
 
 #include "../scene.h"
 
@@ -54,7 +54,8 @@ TEST(Springs, RevoluteWithMomentAndRest)
 
 TEST(Springs, MomentIsAFunctionOfTime)
 {
-  Scene scene(model("set Type = revolute\n" + motion("rotation", "set Spring = 2\nset Moment = t^2\n")), {"Static/Time = 0.5"});
+  Scene scene(model("set Type = revolute\n" + motion("rotation", "set Spring = 2\nset Moment = t^2\n"),
+                    "subsection Static\n set Time = 0.5\nend\n"));
   scene.equilibrium();
   EXPECT_NEAR(radians(scene, "j.rotation"), 0.125, 1e-9);
 }
@@ -87,7 +88,8 @@ TEST(Springs, PrismaticForceAndOuterForce)
 // A torque on the nut: k_θ θ + k_d p (p θ) = M + p F.
 TEST(Springs, Screw)
 {
-  Scene scene(model("set Type = screw\nset Pitch = 0.3\nset Axis = 0, 0, 1\n" + motion("rotation", "set Spring = 2\nset Moment = 1\n") +
+  Scene scene(model("set Type = screw\nset Pitch = 0.3\nset Axis = 0, 0, 1\n" +
+                    motion("rotation", "set Spring = 2\nset Moment = 1\n") +
                     motion("displacement", "set Spring = 30\nset Force = 4\n")));
   scene.equilibrium();
   const double theta = (1 + 0.3 * 4) / (2 + 0.09 * 30);
@@ -100,9 +102,10 @@ TEST(Springs, Screw)
 // The reaction of a moment between A and B turns A the other way.
 TEST(Springs, ReactionOnBodyA)
 {
-  const std::string more = "subsection Bodies\n subsection second\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n"
-                           " set Position = 2, 0, 0\n end\n";
-  std::string       text = model("set Type = revolute\n" + motion("rotation", "set Spring = 5\n"));
+  const std::string more =
+    "subsection Bodies\n subsection second\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n"
+    " set Position = 2, 0, 0\n end\n";
+  std::string text = model("set Type = revolute\n" + motion("rotation", "set Spring = 5\n"));
   text.replace(text.find("subsection Bodies\n"), 18, more);
   text.replace(text.rfind("end\n"),
                4,
@@ -113,7 +116,9 @@ TEST(Springs, ReactionOnBodyA)
   EXPECT_NEAR(radians(unloaded, "j.rotation"), 0., 1e-9);
   EXPECT_NEAR(radians(unloaded, "k.rotation"), 0.3, 1e-9);
   // an outer moment on the second passes both springs, one inside the joint only its own
-  Scene outer(text + "subsection Loads\n subsection f\n set Type = point load\n set At = second.centre\n set Moment = 0, 0, 2\n end\nend\n");
+  Scene outer(
+    text +
+    "subsection Loads\n subsection f\n set Type = point load\n set At = second.centre\n set Moment = 0, 0, 2\n end\nend\n");
   outer.equilibrium();
   EXPECT_NEAR(radians(outer, "j.rotation"), 2. / 5, 1e-9);
   EXPECT_NEAR(radians(outer, "k.rotation"), 0.3 + 2. / 7, 1e-9);
@@ -128,12 +133,13 @@ TEST(Springs, ReactionOnBodyA)
 // A pendulum that its spring holds 0.6 rad below the horizontal: k θ = m g l cos θ.
 TEST(Springs, PendulumUnderGravity)
 {
-  const double      k = 2 * 9.81 * std::cos(0.6) / 0.6;
+  const double       k = 2 * 9.81 * std::cos(0.6) / 0.6;
   std::ostringstream spring;
   spring.precision(17);
   spring << "set Spring = " << k << "\n";
-  Scene scene(model("set Type = revolute\nset Axis = 0, 1, 0\n" + motion("rotation", spring.str()),
-                    "subsection Loads\n subsection g\n set Type = gravity\n set Acceleration = 0, 0, -9.81\n end\nend\n"));
+  Scene scene(
+    model("set Type = revolute\nset Axis = 0, 1, 0\n" + motion("rotation", spring.str()),
+          "subsection Loads\n subsection g\n set Type = gravity\n set Acceleration = 0, 0, -9.81\n end\nend\n"));
   scene.equilibrium();
   EXPECT_NEAR(radians(scene, "j.rotation"), 0.6, 1e-9);
   // the frequency about it: (m l² + J) ω² = k + m g l sin θ
@@ -157,8 +163,9 @@ TEST(Springs, Universal)
 // Planar: springs in both directions and a rotation; displacements go along the axes of A, which do not turn.
 TEST(Springs, Planar)
 {
-  Scene scene(model("set Type = planar\nset Axis = 0, 0, 1\nset Axis 1 = 1, 0, 0\n" + motion("displacement 1", "set Spring = 10\n") +
-                      motion("displacement 2", "set Spring = 20\n") + motion("rotation", "set Spring = 3\nset Moment = 1.5\n"),
+  Scene        scene(model("set Type = planar\nset Axis = 0, 0, 1\nset Axis 1 = 1, 0, 0\n" +
+                      motion("displacement 1", "set Spring = 10\n") + motion("displacement 2", "set Spring = 20\n") +
+                      motion("rotation", "set Spring = 3\nset Moment = 1.5\n"),
                     load("set Force = 2, 8, 5\nset Moment = 0, 0, 0\n")));
   const State &state = scene.equilibrium();
   // k θ = M + (r × f)_z with the arm r = (cos θ, sin θ) of the body's centre from the joint

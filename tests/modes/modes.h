@@ -86,7 +86,8 @@ namespace samara
 
 
 
-  /** Share of direction @p i of the nodes' axes in the displacements of a mode; 0 of all three for one that only rotates. */
+  /** Share of direction @p i of the nodes' axes in the displacements of a mode; 0 of all three for one that only
+   * rotates. */
   inline double
   share(const System &system, const Mode &mode, const unsigned int i)
   {

@@ -1,5 +1,5 @@
-// Damping of beams and joints against closed forms. Stiffness-proportional damping β gives every mode λ² + β ω² λ + ω² = 0:
-// |λ| = ω and the damping ratio β ω/2, exactly, whatever the mesh. A damper at a joint with one degree of freedom:
+// Damping of beams and joints against closed forms. Stiffness-proportional damping β gives every mode λ² + β ω² λ + ω²
+// = 0: |λ| = ω and the damping ratio β ω/2, exactly, whatever the mesh. A damper at a joint with one degree of freedom:
 // J λ² + c λ + k = 0.
 
 #include "modes.h"
@@ -78,8 +78,8 @@ TEST(Damping, RatioAtAFrequency)
 // Damping of shear only, on a beam in which shear and bending work together, is less than that of both and not zero.
 TEST(Damping, OfSingleStrains)
 {
-  const double beta  = 0.004;
-  const auto   shear = modes_in_plane("Bodies/beam/Damping = 0, 0, 0.004, 0, 0, 0");
+  const double beta    = 0.004;
+  const auto   shear   = modes_in_plane("Bodies/beam/Damping = 0, 0, 0.004, 0, 0, 0");
   const auto   bending = modes_in_plane("Bodies/beam/Damping = 0, 0, 0, 0, 0.004, 0");
   const auto   others  = modes_in_plane("Bodies/beam/Damping = 0.004, 0.004, 0, 0.004, 0, 0.004");
   // to first order the energies of shear and bending share the damping: the ratios add up to that of all
@@ -99,8 +99,8 @@ TEST(Damping, DamperOfAJoint)
   Scene       scene(flywheel);
   const auto &modes = scene.modes();
   ASSERT_EQ(modes.size(), 1u);
-  EXPECT_NEAR(modes[0].frequency(), 5., 1e-10);            // sqrt(k/J)
-  EXPECT_NEAR(modes[0].damping_ratio(), 0.2, 1e-10);       // c/(2 sqrt(k J))
+  EXPECT_NEAR(modes[0].frequency(), 5., 1e-10);              // sqrt(k/J)
+  EXPECT_NEAR(modes[0].damping_ratio(), 0.2, 1e-10);         // c/(2 sqrt(k J))
   EXPECT_NEAR(modes[0].lambda.imag(), std::sqrt(24.), 1e-9); // ω sqrt(1 − ζ²)
 }
 
@@ -119,19 +119,18 @@ TEST(Damping, Overcritical)
 
 
 
-// Material damping does not slow a rigid rotation: the hinged blade keeps its flap frequency and is damped in it by nothing.
+// Material damping does not slow a rigid rotation: the hinged blade flaps undamped, at the frequency it has without it.
 TEST(Damping, NotOfRigidMotion)
 {
   Scene scene("prm/benchmarks/rotating_beam_hinged.prm", {"Constants/eta = 7", "Bodies/blade/Damping = 0.001"});
   scene.equilibrium();
   unsigned int n = 0;
   for (const auto &mode : scene.modes())
-    if (std::abs(mode.frequency() - 7) < 1e-4)
-      {
-        ++n;
-        EXPECT_NEAR(mode.damping_ratio(), 0., 1e-7);
-      }
-    else if (mode.frequency() > 8)
-      EXPECT_GT(mode.damping_ratio(), 1e-4);
+    {
+      const bool is_rigid_flap = std::abs(mode.frequency() - 7) < 1e-4;
+      n += is_rigid_flap;
+      EXPECT_TRUE(!is_rigid_flap || std::abs(mode.damping_ratio()) < 1e-7) << mode.damping_ratio();
+      EXPECT_TRUE(mode.frequency() < 8 || mode.damping_ratio() > 1e-4) << mode.damping_ratio();
+    }
   EXPECT_EQ(n, 1u);
 }

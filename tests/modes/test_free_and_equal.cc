@@ -1,5 +1,5 @@
-// What is hard for an eigenvalue solver: free motions (double zeros without a full set of eigenvectors) and many modes of the same
-// frequency, both usual in rotorcraft models.
+// What is hard for an eigenvalue solver: free motions (double zeros without a full set of eigenvectors) and many modes
+// of the same frequency, both usual in rotorcraft models.
 
 #include "modes.h"
 
@@ -45,15 +45,15 @@ end
   std::string
   star()
   {
-    std::string       model = free_beam.substr(0, free_beam.find("subsection Bodies")) + "subsection Bodies\n";
+    std::string       model  = free_beam.substr(0, free_beam.find("subsection Bodies")) + "subsection Bodies\n";
     const std::string ends[] = {"1, 0, 0", "0, 1, 0", "-1, 0, 0", "0, -1, 0"};
     for (unsigned int i = 0; i < 4; ++i)
       model += " subsection arm" + std::to_string(i) + "\n set Type = beam\n set Points = 0, 0, 0; " + ends[i] +
                "\n set Section = slender\n set Elements = 6\n end\n";
     model += "end\nsubsection Joints\n";
     for (unsigned int i = 0; i < 4; ++i)
-      model += " subsection clamp" + std::to_string(i) + "\n set Type = rigid\n set Body A = ground\n set Body B = arm" +
-               std::to_string(i) + ".start\n end\n";
+      model += " subsection clamp" + std::to_string(i) +
+               "\n set Type = rigid\n set Body A = ground\n set Body B = arm" + std::to_string(i) + ".start\n end\n";
     return model + "end\nsubsection Modal\n set Modes = 20\nend\n";
   }
 } // namespace

@@ -1,12 +1,13 @@
-// Lateral buckling of narrow beams and frames. The references are linear buckling loads, which neglect how far the beam has
-// sagged before; the models' greater bending stiffness is therefore 1e6 times the lesser (beams), or 1000 times that of
-// the real section (frames: 2.5e6 times the lesser), and what is left is of the order of this ratio.
+// Lateral buckling of narrow beams and frames. The references are linear buckling loads, which neglect how far the beam
+// has sagged before; the models' greater bending stiffness is therefore 1e6 times the lesser (beams), or 1000 times
+// that of the real section (frames: 2.5e6 times the lesser), and what is left is of the order of this ratio.
 //
-// References: solutions of the differential equations, 12 digits. Cantilever: end force P L²/sqrt(EI GJ) = 4.01259934358,
-// uniform load q L³/sqrt(EI GJ) = 12.8537633214, end moment by a pair of dead forces (quasi-tangential) π/2; between forks:
-// moment π, force in the middle 16.9361321505, uniform load 28.3149570727. Right-angle frame (Argyris et al. 1979, L = 240,
-// b = 30, t = 0.6, E = 71240, ν = 0.31, GJ = G b t³/3), dead end force along ±x, ±y: 1.08675749196 (1.088 ... 1.09 in the
-// literature, with the sag), 0.680235302094, 0.650752494162, 3.96917786262.
+// References: solutions of the differential equations, 12 digits. Cantilever: end force P L²/sqrt(EI GJ)
+// = 4.01259934358, uniform load q L³/sqrt(EI GJ) = 12.8537633214, end moment by a pair of dead forces
+// (quasi-tangential) π/2; between forks: moment π, force in the middle 16.9361321505, uniform load 28.3149570727.
+// Right-angle frame (Argyris et al. 1979, L = 240, b = 30, t = 0.6, E = 71240, ν = 0.31, GJ = G b t³/3), dead end force
+// along ±x, ±y: 1.08675749196 (1.088 ... 1.09 in the literature, with the sag), 0.680235302094,
+// 0.650752494162, 3.96917786262.
 
 #include "modes.h"
 
@@ -18,11 +19,11 @@ namespace
 {
   const std::string file = "prm/benchmarks/lateral_buckling.prm";
 
-  /** The file without what stands between @p from and the subsection Modal, and @p text there. */
+  /** A file without what stands between @p from and the subsection Modal, and @p text there. */
   std::string
-  with(const std::string &from, const std::string &text)
+  with(const std::string &name, const std::string &from, const std::string &text)
   {
-    std::ifstream     in(std::string(SAMARA_SOURCE_DIR) + "/" + file);
+    std::ifstream     in(std::string(SAMARA_SOURCE_DIR) + "/" + name);
     std::stringstream stream;
     stream << in.rdbuf();
     const std::string all = stream.str();
@@ -36,16 +37,17 @@ namespace
   const std::string sags = "subsection Loads\n subsection force\n set Type = line load\n set Body = beam\n"
                            " set Force = 0, 0, -P\n end\nend\n";
 
-  /** Forks: ends that bend in both directions but neither shift sideways nor twist. @p moment bends the beam at both. */
+  /** Forks: ends that bend in both directions but neither shift sideways nor twist; @p moment bends both. */
   std::string
   forks(const std::string &moment)
   {
     const std::string tilt = " set Type = universal\n set Axis = 0, 1, 0\n set Second axis = 0, 0, 1\n"
                              " subsection rotation 1\n set Moment = ";
-    return beam + " subsection slider\n set Type = rigid body\n set Position = 1, 0, 0\n end\nend\n"
+    return beam +
+           " subsection slider\n set Type = rigid body\n set Position = 1, 0, 0\n end\nend\n"
            "subsection Joints\n subsection left\n set Body A = ground\n set Body B = beam.start\n" +
-           tilt + moment + "\n end\n end\n subsection right\n set Body A = slider.centre\n set Body B = beam.end\n" + tilt +
-           "-(" + moment +
+           tilt + moment + "\n end\n end\n subsection right\n set Body A = slider.centre\n set Body B = beam.end\n" +
+           tilt + "-(" + moment +
            ")\n end\n end\n subsection guide\n set Type = prismatic\n set Body A = ground\n set Body B = slider.centre\n"
            " set Axis = 1, 0, 0\n end\nend\n";
   }
@@ -63,7 +65,7 @@ namespace
 TEST(LateralBuckling, Cantilever)
 {
   EXPECT_NEAR(buckling_load(file, 2, 5), 4.01259934358, 2e-5);
-  EXPECT_NEAR(buckling_load(with("Loads", sags), 8, 15), 12.8537633214, 5e-5);
+  EXPECT_NEAR(buckling_load(with(file, "Loads", sags), 8, 15), 12.8537633214, 5e-5);
 }
 
 
@@ -103,16 +105,16 @@ subsection Loads
   end
 end
 )";
-  EXPECT_NEAR(buckling_load(with("Bodies", beam + text), 1, 2), M_PI / 2, 1e-5);
+  EXPECT_NEAR(buckling_load(with(file, "Bodies", beam + text), 1, 2), M_PI / 2, 1e-5);
 }
 
 
 
 TEST(LateralBuckling, BetweenForks)
 {
-  EXPECT_NEAR(buckling_load(with("Bodies", forks("P")), 2, 4), M_PI, 2e-5);
-  EXPECT_NEAR(buckling_load(with("Bodies", forks("0") + middle_force()), 12, 20), 16.9361321505, 1e-4);
-  EXPECT_NEAR(buckling_load(with("Bodies", forks("0") + sags), 22, 32), 28.3149570727, 1e-4);
+  EXPECT_NEAR(buckling_load(with(file, "Bodies", forks("P")), 2, 4), M_PI, 2e-5);
+  EXPECT_NEAR(buckling_load(with(file, "Bodies", forks("0") + middle_force()), 12, 20), 16.9361321505, 1e-4);
+  EXPECT_NEAR(buckling_load(with(file, "Bodies", forks("0") + sags), 22, 32), 28.3149570727, 1e-4);
 }
 
 
@@ -134,4 +136,25 @@ TEST(LateralBuckling, RightAngleFrame)
   };
   EXPECT_NEAR(along_y(0.5, 0.8), 0.650752494162, 1e-5);
   EXPECT_NEAR(along_y(-3.5, -4.5), -3.96917786262, 1e-4);
+}
+
+
+
+// The hinged right-angle frame (Argyris et al. 1979): both legs 240 long, bent in their plane by moments ±M at their feet, which
+// turn about z only; one foot slides along x. Reference: 622.20808722 for both signs, solution of the differential
+// equations of half a frame that buckles symmetrically, without the deflection before buckling.
+TEST(LateralBuckling, HingedFrame)
+{
+  const std::string foot = " set Body A = ground\n set Axis = 0, 0, 1\n";
+  const std::string text = "subsection Bodies\n subsection frame\n set Type = beam\n set Section = strip\n"
+                           " set Points = 0, 0, 0; side/sqrt(2), side/sqrt(2), 0; sqrt(2)*side, 0, 0\n"
+                           " set Axis 2 = -1, 1, 0\n set Elements = 8\n end\nend\n"
+                           "subsection Joints\n subsection left\n set Type = revolute\n set Body B = frame.start\n" +
+                           foot + " subsection rotation\n set Moment = Px\n end\n end\n" +
+                           " subsection right\n set Type = planar\n set Body B = frame.end\n set Axis 1 = 0, 1, 0\n" +
+                           foot + " subsection rotation\n set Moment = -Px\n end\n" +
+                           " subsection displacement 1\n set Prescribed = 0\n end\n end\nend\n";
+  const std::string model = with("prm/benchmarks/right_angle_frame.prm", "Bodies", text);
+  EXPECT_NEAR(buckling_load(model, 500, 700, "Px"), 622.20808722, 622e-5);
+  EXPECT_NEAR(buckling_load(model, -500, -700, "Px"), -622.20808722, 622e-5);
 }

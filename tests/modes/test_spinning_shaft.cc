@@ -1,7 +1,7 @@
-// Whirling of a simply supported shaft that spins in its bearings (prm/benchmarks/spinning_shaft.prm): rotary inertia, no
-// shear (Rayleigh). In fixed axes (1 + b) ω² − 2 b Ω ω − ω0² = 0 with b = (n π k/L)², ω0 = (n π)², in units of
-// sqrt(EI/(m L⁴)); the positive root whirls with the spin, the negative one against it. Axes that turn with the shaft see
-// |ω − Ω|. What is left of shear is (n π)²/(2 GA) < 5e-7.
+// Whirling of a simply supported shaft that spins in its bearings (prm/benchmarks/spinning_shaft.prm): rotary inertia,
+// no shear (Rayleigh). In fixed axes (1 + b) ω² − 2 b Ω ω − ω0² = 0 with b = (n π k/L)², ω0 = (n π)², in units of
+// sqrt(EI/(m L⁴)); the positive root whirls with the spin, the negative one against it. Axes that turn with the shaft
+// see |ω − Ω|. What is left of shear is (n π)²/(2 GA) < 5e-7.
 
 #include "modes.h"
 
@@ -18,50 +18,33 @@ namespace
     unsigned int n;
     double       k, Omega, forward, backward;
   };
-  const Row rows[] = {
-    {1, 0.025, 0, 9.839304169, -9.839304169},
-    {1, 0.025, 5, 9.870005345, -9.808698489},
-    {1, 0.025, 9.8696, 9.899997629, -9.778982799},
-    {1, 0.025, 20, 9.962681834, -9.71745441},
-    {1, 0.025, 40, 10.08758705, -9.597132202},
-    {1, 0.05, 0, 9.750050941, -9.750050941},
-    {1, 0.05, 5, 9.871193614, -9.630394972},
-    {1, 0.05, 9.8696, 9.990605617, -9.515288362},
-    {1, 0.05, 20, 10.24353507, -9.2803405},
-    {1, 0.05, 40, 10.76070635, -8.834317216},
-    {2, 0.025, 0, 39.00020376, -39.00020376},
-    {2, 0.025, 5, 39.12078893, -38.87999029},
-    {2, 0.025, 9.8696, 39.2385865, -38.76326925},
-    {2, 0.025, 20, 39.48477446, -38.52157989},
-    {2, 0.025, 40, 39.97529061, -38.04890147},
-    {2, 0.05, 0, 37.66352433, -37.66352433},
-    {2, 0.05, 5, 38.11535319, -37.21705157},
-    {2, 0.05, 9.8696, 38.56054566, -36.78737012},
-    {2, 0.05, 20, 39.50295349, -35.90974699},
-    {2, 0.05, 40, 41.4277436, -34.24133061},
-    {3, 0.025, 0, 86.4589061, -86.4589061},
-    {3, 0.025, 5, 86.72228879, -86.19632332},
-    {3, 0.025, 9.8696, 86.97957135, -85.94135758},
-    {3, 0.025, 20, 87.51723614, -85.41337425},
-    {3, 0.025, 40, 88.58836153, -84.38063775},
-    {3, 0.05, 0, 80.35166983, -80.35166983},
-    {3, 0.05, 5, 81.26537472, -79.44823816},
-    {3, 0.05, 9.8696, 82.16512315, -78.57824095},
-    {3, 0.05, 20, 84.06808931, -76.79954306},
-    {3, 0.05, 40, 87.94829966, -73.41120716}};
+  const Row rows[] = {{1, 0.025, 0, 9.839304169, -9.839304169},      {1, 0.025, 5, 9.870005345, -9.808698489},
+                      {1, 0.025, 9.8696, 9.899997629, -9.778982799}, {1, 0.025, 20, 9.962681834, -9.71745441},
+                      {1, 0.025, 40, 10.08758705, -9.597132202},     {1, 0.05, 0, 9.750050941, -9.750050941},
+                      {1, 0.05, 5, 9.871193614, -9.630394972},       {1, 0.05, 9.8696, 9.990605617, -9.515288362},
+                      {1, 0.05, 20, 10.24353507, -9.2803405},        {1, 0.05, 40, 10.76070635, -8.834317216},
+                      {2, 0.025, 0, 39.00020376, -39.00020376},      {2, 0.025, 5, 39.12078893, -38.87999029},
+                      {2, 0.025, 9.8696, 39.2385865, -38.76326925},  {2, 0.025, 20, 39.48477446, -38.52157989},
+                      {2, 0.025, 40, 39.97529061, -38.04890147},     {2, 0.05, 0, 37.66352433, -37.66352433},
+                      {2, 0.05, 5, 38.11535319, -37.21705157},       {2, 0.05, 9.8696, 38.56054566, -36.78737012},
+                      {2, 0.05, 20, 39.50295349, -35.90974699},      {2, 0.05, 40, 41.4277436, -34.24133061},
+                      {3, 0.025, 0, 86.4589061, -86.4589061},        {3, 0.025, 5, 86.72228879, -86.19632332},
+                      {3, 0.025, 9.8696, 86.97957135, -85.94135758}, {3, 0.025, 20, 87.51723614, -85.41337425},
+                      {3, 0.025, 40, 88.58836153, -84.38063775},     {3, 0.05, 0, 80.35166983, -80.35166983},
+                      {3, 0.05, 5, 81.26537472, -79.44823816},       {3, 0.05, 9.8696, 82.16512315, -78.57824095},
+                      {3, 0.05, 20, 84.06808931, -76.79954306},      {3, 0.05, 40, 87.94829966, -73.41120716}};
 
   struct Critical
   {
     unsigned int n;
     double       k, forward, backward;
   };
-  const Critical criticals[] = {
-    {1, 0.025, 9.900186298, 9.7795316},
-    {1, 0.05, 9.993666375, 9.52342465},
-    {2, 0.025, 39.9746655, 38.0936986},
-    {2, 0.05, 41.58379279, 34.67707596},
-    {3, 0.025, 91.39976369, 82.24143036},
-    {3, 0.05, 100.7096081, 68.8143341}};
+  const Critical criticals[] = {{1, 0.025, 9.900186298, 9.7795316},
+                                {1, 0.05, 9.993666375, 9.52342465},
+                                {2, 0.025, 39.9746655, 38.0936986},
+                                {2, 0.05, 41.58379279, 34.67707596},
+                                {3, 0.025, 91.39976369, 82.24143036},
+                                {3, 0.05, 100.7096081, 68.8143341}};
 
   /** Frequencies with the sign of the whirl: positive if the shaft's middle line circles from y to z, with the spin. */
   std::vector<double>
@@ -70,18 +53,18 @@ namespace
     std::vector<double> result;
     for (const auto &mode : scene.modes())
       {
-          double area = 0, size = 0;
-          for (unsigned int node = 1; node < scene.system.layout.n_nodes; ++node)
-            {
-              const auto u = mode.shape.segment<3>(scene.system.layout.of_node(node));
-              area += (std::conj(u(1)) * u(2)).imag();
-              size += u.tail<2>().squaredNorm();
-            }
-          if (size < 1e-3) // it turns about its axis or stretches; shapes have unit norm
-            continue;
-          // Re[u exp(iωt)] circles from axis 2 to axis 3 if u₃ = −i u₂
-          result.push_back(area < 0 ? mode.frequency() : -mode.frequency());
-        }
+        double area = 0, size = 0;
+        for (unsigned int node = 1; node < scene.system.layout.n_nodes; ++node)
+          {
+            const auto u = mode.shape.segment<3>(scene.system.layout.of_node(node));
+            area += (std::conj(u(1)) * u(2)).imag();
+            size += u.tail<2>().squaredNorm();
+          }
+        if (size < 1e-3) // it turns about its axis or stretches; shapes have unit norm
+          continue;
+        // Re[u exp(iωt)] circles from axis 2 to axis 3 if u₃ = −i u₂
+        result.push_back(area < 0 ? mode.frequency() : -mode.frequency());
+      }
     return result;
   }
 
@@ -97,8 +80,9 @@ namespace
   std::vector<double>
   whirls_of(const double k, const double Omega, const std::string &axes)
   {
-    Scene scene(file,
-                {"Constants/k = " + exact(k), "Constants/Omega = " + exact(Omega), "Modal/Axes = " + axes, "Modal/Modes = 16"});
+    Scene scene(
+      file,
+      {"Constants/k = " + exact(k), "Constants/Omega = " + exact(Omega), "Modal/Axes = " + axes, "Modal/Modes = 16"});
     scene.equilibrium();
     return whirls(scene);
   }

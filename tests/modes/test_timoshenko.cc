@@ -1,8 +1,8 @@
 // Frequencies of shear flexible beams at rest.
 //
-// Simply supported Timoshenko beam (prm/benchmarks/timoshenko_beam.prm), E/G = 2.6, slenderness L/r 10, 20, 50: exact roots
-// of s r² ω⁴ − (1 + a² (r² + s)) ω² + a⁴ = 0, a = n π, s = EI/(κ G A L²), in units of sqrt(EI/(m L⁴)). The two shear factors
-// tell rotary inertia from shear. Expected: order 2p.
+// Simply supported Timoshenko beam (prm/benchmarks/timoshenko_beam.prm), E/G = 2.6, slenderness L/r 10, 20, 50: exact
+// roots of s r² ω⁴ − (1 + a² (r² + s)) ω² + a⁴ = 0, a = n π, s = EI/(κ G A L²), in units of sqrt(EI/(m L⁴)). The two
+// shear factors tell rotary inertia from shear. Expected: order 2p.
 
 #include "modes.h"
 
@@ -19,13 +19,12 @@ namespace
     double                slenderness, kappa;
     std::array<double, 4> omega;
   };
-  const Row rows[] = {
-    {10, 5. / 6., {8.38735763266, 25.3458803025, 44.1265715521, 63.0949419417}},
-    {10, 0.85, {8.40466332982, 25.4617012648, 44.4005100872, 63.5531729397}},
-    {20, 5. / 6., {9.41059792322, 33.5494305306, 65.6466582976, 101.38352121}},
-    {20, 0.85, {9.41692642596, 33.6186533193, 65.87198061, 101.846805059}},
-    {50, 5. / 6., {9.79053586029, 38.2667607342, 83.0865210446, 141.226166556}},
-    {50, 0.85, {9.79169501335, 38.2838929004, 83.1634056228, 141.435483504}}};
+  const Row rows[] = {{10, 5. / 6., {8.38735763266, 25.3458803025, 44.1265715521, 63.0949419417}},
+                      {10, 0.85, {8.40466332982, 25.4617012648, 44.4005100872, 63.5531729397}},
+                      {20, 5. / 6., {9.41059792322, 33.5494305306, 65.6466582976, 101.38352121}},
+                      {20, 0.85, {9.41692642596, 33.6186533193, 65.87198061, 101.846805059}},
+                      {50, 5. / 6., {9.79053586029, 38.2667607342, 83.0865210446, 141.226166556}},
+                      {50, 0.85, {9.79169501335, 38.2838929004, 83.1634056228, 141.435483504}}};
 
   /** The same supports made of other joints: the start on a universal joint, the end hinged to a massless slider. */
   const std::string other_supports = R"(  subsection slider
@@ -100,7 +99,7 @@ TEST(Timoshenko, Order)
       std::vector<double> errors[2];
       for (const unsigned int refined : {0, 1})
         {
-          const unsigned int n[] = {0, 24, 12, 6, 4};
+          const unsigned int n[]   = {0, 24, 12, 6, 4};
           Scene              scene = beam(rows[0], p, n[p] << refined);
           const auto         omega = frequencies(scene, 2);
           for (const unsigned int k : {0, 1, 2})
@@ -127,4 +126,3 @@ TEST(Timoshenko, SupportsOfOtherJoints)
   for (unsigned int n = 0; n < 4; ++n)
     EXPECT_NEAR(omega.at(n), rows[0].omega[n], 2e-7 * rows[0].omega[n]) << n + 1;
 }
-

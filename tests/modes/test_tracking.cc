@@ -1,8 +1,8 @@
 // Modes keep their numbers along a sweep of the speed, also where two branches cross.
 //
 // The clamped blade of prm/benchmarks/rotating_beam.prm with a lag stiffness 4 times the flap stiffness: flap 1 starts
-// below lag 1 and crosses it between Ω = 6 and 8. References: rotating_beam.inc, clamped, delta = 0; lag in units of its own
-// stiffness, ω = 2 μ_lag(Ω/2). 6 digits are kept here.
+// below lag 1 and crosses it between Ω = 6 and 8. References: rotating_beam.inc, clamped, delta = 0; lag in units of
+// its own stiffness, ω = 2 μ_lag(Ω/2). 6 digits are kept here.
 
 #include "modes.h"
 
@@ -16,7 +16,8 @@ namespace
 {
   const std::vector<double> speeds = {0, 2, 4, 6, 8, 10, 12};
   const double              flap[] = {3.51602, 4.13732, 5.58500, 7.36037, 9.25684, 11.20233, 13.17015};
-  const double lag[] = {2 * 3.516015, 2 * 3.543236, 2 * 3.621797, 2 * 3.743512, 2 * 3.897723, 2 * 4.073896, 2 * 4.263225};
+  const double              lag[] =
+    {2 * 3.516015, 2 * 3.543236, 2 * 3.621797, 2 * 3.743512, 2 * 3.897723, 2 * 4.073896, 2 * 4.263225};
 
   struct Row
   {
@@ -49,12 +50,13 @@ TEST(Tracking, BranchesCross)
   const std::string folder = "tracking_" + std::to_string(getpid());
   std::filesystem::create_directory(folder);
   {
-    Scene scene("prm/benchmarks/rotating_beam.prm", {"Constants/eta = 1", "Sections/slender/EI3 = 4", "Modal/Animations = 0"});
+    Scene scene("prm/benchmarks/rotating_beam.prm",
+                {"Constants/eta = 1", "Sections/slender/EI3 = 4", "Modal/Animations = 0"});
     scene.context.folder   = folder;
     scene.context.pictures = false;
     scene.context.sweep    = speeds;
-    auto &statics = scene.analysis<StaticAnalysis>();
-    auto &modal   = scene.analysis<ModalAnalysis>();
+    auto &statics          = scene.analysis<StaticAnalysis>();
+    auto &modal            = scene.analysis<ModalAnalysis>();
     statics.start(scene.context);
     modal.start(scene.context);
     for (const double speed : speeds)
@@ -72,7 +74,9 @@ TEST(Tracking, BranchesCross)
     for (const unsigned int branch : {1, 2})
       {
         const double expected = branch == 1 ? flap[i] : lag[i];
-        const auto   row = std::find_if(fan.begin(), fan.end(), [&](const Row &r) { return r.speed == speeds[i] && r.branch == branch; });
+        const auto   row      = std::find_if(fan.begin(), fan.end(), [&](const Row &r) {
+          return r.speed == speeds[i] && r.branch == branch;
+        });
         ASSERT_NE(row, fan.end()) << "no branch " << branch << " at speed " << speeds[i];
         EXPECT_NEAR(row->frequency, expected, 1e-4 * expected) << "branch " << branch << " at speed " << speeds[i];
       }

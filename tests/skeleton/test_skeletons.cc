@@ -9,11 +9,10 @@
 #include <samara/joints/skeleton.h>
 
 #include "../base/temporary_folder.h"
+#include "../complex_step.h"
 #include <gtest/gtest.h>
 
 #include <sstream>
-
-#include "complex_step.h"
 
 using namespace samara;
 
@@ -175,9 +174,13 @@ end
   EXPECT_NEAR(scene.value("pin.displacement x"), along_the_slot / std::sqrt(2.), 1e-14);
   EXPECT_NEAR(scene.value("pin.displacement y"), along_the_slot / std::sqrt(2.), 1e-14);
   EXPECT_NEAR(scene.value("pin.displacement z"), 0, 1e-14);
-  // reactions: forces of B on A along joint axes 2 and 3; joint axis 2 is (-1, 1, 0)/√2
-  EXPECT_NEAR(scene.value("slot.reaction 1"), -10 / std::sqrt(2.), 1e-12);
-  EXPECT_NEAR(scene.value("slot.reaction 2"), 3, 1e-12);
+  // with which the slot holds the pin; joint axis 2 is (-1, 1, 0)/√2, and 1 and 3 are those of the springs
+  EXPECT_NEAR(scene.value("slot.force 1"), -50 * along_the_slot, 1e-12);
+  EXPECT_NEAR(scene.value("slot.force 2"), 10 / std::sqrt(2.), 1e-12);
+  EXPECT_NEAR(scene.value("slot.force 3"), -3, 1e-12);
+  EXPECT_NEAR(scene.value("slot.moment 1"), 0, 1e-12);
+  EXPECT_NEAR(scene.value("slot.moment 2"), 0, 1e-12);
+  EXPECT_NEAR(scene.value("slot.moment 3"), -2, 1e-12);
 }
 
 

@@ -19,6 +19,9 @@ namespace samara
     /** All of it for people. */
     std::string text(const System &system, const std::string &file) const;
 
+    /** What can move freely, for the message of an analysis that found no solution. */
+    std::string free_motions_text() const;
+
     /** What is wrong with the redundant constraints and what to do. */
     std::string complaint(const std::string &file) const;
   };

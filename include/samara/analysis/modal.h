@@ -23,7 +23,7 @@ namespace samara
 
 
   /**
-   * Modes of small motions about the context's state (the paper, section 4.1; formulation, section 8), an equilibrium at
+   * Modes of small motions about the context's state (the paper, section 4.1; doc/theory/modes.md), an equilibrium at
    * rest or in steady rotation.
    *
    * Writes modes.csv, or modes_<speed>.csv for each speed of a sweep and fan.csv with all of them, where modes keep

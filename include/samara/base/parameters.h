@@ -60,14 +60,14 @@ namespace samara
     /** "file:line" of the subsection. */
     const std::string &where() const;
 
-    /** Complain if the entry was not given. */
-    void require(const std::string &name, Complaints &complaints) const;
+    /** Complain if the entry was not given, or is empty; returns whether it was given. */
+    bool require(const std::string &name, Complaints &complaints) const;
 
     /**
-     * All values in SI units, as they are used, in the format of a .prm file; of the whole object, nested subsections
-     * among them.
+     * All values in SI units, as they are used, in the format of a .prm file; nested subsections among them, every line
+     * behind @p indent. What the file did not say stands in comments, so that it is not said when this is read again.
      */
-    void print(std::ostream &out) const;
+    void print(std::ostream &out, const std::string &indent = "") const;
 
     /** A Markdown table of all entries. */
     void document(std::ostream &out) const;
@@ -79,6 +79,7 @@ namespace samara
       std::string                                    documentation;
       std::string                                    unit;
       std::string                                    default_value;
+      std::string                                    value; ///< in SI units
       std::string                                    where;
       std::unique_ptr<dealii::Patterns::PatternBase> pattern;
 
@@ -90,6 +91,9 @@ namespace samara
     static void check_pattern(const std::string &users_text, const std::string &si_text, const Entry &entry);
 
     void declare(Entry entry, bool has_unit);
+
+    /** With @p is_copy, mistakes in what is inherited are left to the original, which is of the same kind. */
+    void parse(const Outline &section, const Quantities &quantities, Complaints &complaints, bool is_copy);
 
     void read_entry(Entry &entry, const Outline::Entry &given, const Quantities &quantities, Complaints &complaints);
 

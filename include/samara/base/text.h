@@ -35,6 +35,9 @@ namespace samara
    * in every locale.
    */
   bool text_to_number(const std::string &text, double &number);
+
+  /** Split "name at 0.3" into its name and what stands behind the last " at "; returns whether both are there. */
+  bool split_at(const std::string &text, std::string &name, std::string &place);
 } // namespace samara
 
 #endif

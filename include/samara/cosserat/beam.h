@@ -72,7 +72,8 @@ namespace samara
     Matrix3             triad_at(double s, double inside) const;
     std::vector<unsigned int> materials_of_cell(const Cell &cell);
 
-    /** Arc length of a named point or of "at x"; nothing if there is none. */
+    /** Arc length of a named point or of "at x"; nothing if there is none. @throws std::invalid_argument if x is wrong
+     */
     std::optional<double> abscissa_of(const std::string &point) const;
     int                   node_at(double s) const;
 
@@ -81,6 +82,7 @@ namespace samara
     {
       Sample  sample;
       Matrix3 D_reference;
+      Vector3 spin = Vector3::Zero(); ///< inertial axes [rad/s]
       Vector6 strain, stress; ///< in section axes
     };
     Local local(const State &state, double s) const;

@@ -14,7 +14,7 @@ namespace samara
    *
    * Strains of direction α are sampled at tying points, p Gauss points along α times p + 1 across, and interpolated to
    * the (p+1)^(dim−1) · ... integration points. For dim = 1 both are the p Gauss points (reduced integration, no
-   * locking); for dim = 2 this is the line-reduced assumed strain of section 3 of the formulation.
+   * locking); for dim = 2 this is the line-reduced assumed strain.
    */
   template <int dim>
   struct ElementTable

@@ -15,13 +15,13 @@ namespace samara
    *     Γ = dᵀ x'         K = axial(dᵀ d'),  i.e. K_k = ½ (d_j · d_i' − d_i · d_j') for (k, i, j) cyclic
    *
    * Both are quadratic in the nodal x_a, D_a. Virtual displacements and increments are twists (u, θ) in the nodes' own
-   * frames: δx_a = D_a u, δD_a = D_a θ~. With P = D_aᵀ d, P' = D_aᵀ d', w = D_aᵀ x', V = N P' − N' P, the six columns of
-   * node a are
+   * frames: δx_a = D_a u, δD_a = D_a θ~. With P = D_aᵀ d, P' = D_aᵀ d', w = D_aᵀ x', V = N P' − N' P, the six columns
+   * of node a are
    *
    *     B_a = [ N' Pᵀ   N w~             ]
    *           [ 0       ½ (V − tr(V) I)  ]
    *
-   * (doc/theory/formulation.md, section 3; formulas of the same element in spatial increments in the design notes.)
+   * (doc/theory/element.md.)
    */
   namespace kernel
   {

@@ -39,7 +39,7 @@ namespace samara
     };
     std::map<std::string, Point> named;
 
-    bool read_frames(Model &model, const Frame &node);
+    void read_frames(Model &model, const Frame &node);
   };
 } // namespace samara
 

@@ -4,6 +4,7 @@
 #include <samara/joints/pair.h>
 #include <samara/model/system.h>
 
+#include <array>
 #include <deque>
 
 namespace samara
@@ -19,6 +20,7 @@ namespace samara
     /** The functions that tell it: d = value of the first; θ = atan2(± second, first). */
     PairFunction first, second;
     double       sign = 1;
+    unsigned int axis = 2; ///< joint axis along or about which the force or moment of this motion acts
 
     // entries
     double         spring = 0, rest = 0, damper = 0;
@@ -39,11 +41,24 @@ namespace samara
 
 
   /**
-   * What all joints between two frames A and B have in common (the paper, section 2.2; formulation, 5.5).
+   * The frames of the entries "Body A" and "Body B" of a joint; nothing, after a complaint, if they are missing,
+   * unknown or on the same body.
+   */
+  std::optional<std::array<Frame, 2>>
+  ends_of_joint(Model &model, const Contribution &joint, const std::string &body_a, const std::string &body_b);
+
+  /** Whether the two frames are still on different nodes after welding; complains otherwise. */
+  bool check_ends(Model &model, const Contribution &joint, const Frame &a, const Frame &b, const std::string &between);
+
+
+
+  /**
+   * What all joints between two frames A and B have in common (the paper, section 2.2; doc/theory/joints.md).
    *
    * In the reference configuration both frames are at the same place with the same axes E₁ E₂ E₃; a kind of joint says
    * which functions of them stay zero and which relative motions are free, and nothing more. Relative motions are those
-   * of B seen from A. Multipliers are the forces [N] and moments [N m] that hold A and B together.
+   * of B seen from A. Multipliers are, but for their signs, the forces [N] and moments [N m] that hold A and B
+   * together.
    *
    * Rows of the residual, one a multiplier, in this order:
    *
@@ -61,6 +76,7 @@ namespace samara
     void connect(Layout &layout) override;
 
     std::optional<unsigned int> use_coordinate(Model &model, const std::string &motion) override;
+    std::vector<std::string>    rotation_names() const override;
 
     unsigned int n_strains() const override;
     void         strain_rates(const Point<double> &point, double *rates) const override;
@@ -79,7 +95,11 @@ namespace samara
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 
-    /** The free motions by name, "reaction 1" ... in the order of the locked functions. */
+    /**
+     * The free motions by name; "force 1" ... "moment 3", with which A acts on B along and about the axes of A that are
+     * locked or in use. (Where a single rotation is locked its moment is about its own axis, normal to both of its
+     * directions; moments of used rotations are about theirs.)
+     */
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
@@ -91,6 +111,8 @@ namespace samara
       PairFunction function;
       std::string  name;
       double       value = 0; ///< that it keeps
+      unsigned int axis  = 0; ///< joint axis of its force or moment
+      double       sign  = -1; ///< of the force or moment of A on B when the multiplier is positive
     };
     std::vector<Locked>    locked;
     std::deque<FreeMotion> free; // a deque, because parameters keep references to what is in it
@@ -119,10 +141,15 @@ namespace samara
     Frame        frame_a, frame_b;
     unsigned int first_multiplier = 0;
 
+    Model *model = nullptr;
+
   private:
-    Block                   block;
+    Block                     block;
     std::vector<FreeMotion *> used;
     std::vector<std::string>  rows; ///< names of the multipliers
+
+    /** What acts along (force) or about (moment) joint axis @p axis; nothing if nothing does. */
+    std::function<double(const State &)> action(bool is_moment, unsigned int axis) const;
 
     void complain(Model &model, const std::string &entry, const std::string &text) const;
 

@@ -35,6 +35,8 @@ namespace samara
     void connect(Layout &layout) override;
     void draw(const State &, Drawing &) const override;
 
+    std::optional<Probe> probe(const std::string &path) const override;
+
     // a weld is gone after the nodes are merged
     void residual(const Point<double> &point, double *r) const override;
     void residual(const Point<std::complex<double>> &point, std::complex<double> *r) const override;
@@ -48,11 +50,18 @@ namespace samara
 
 
 
-  /** A massless rod with a ball joint at each end: |Δ|² = L² for the gap Δ between the frames. */
+  /**
+   * A massless rod with a ball joint at each end: |Δ|² = L² for the gap Δ between the frames. With the multiplier λ the
+   * tension in it is 2 L λ [N].
+   */
   class Distance : public Joint
   {
   public:
     void add_parameters(Parameters &prm) override;
+
+    /** "force": axial, tension positive */
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
 
   protected:
     void place(Model &model, const Frame &body_a, const Frame &body_b) override;
@@ -94,6 +103,7 @@ namespace samara
 
   /**
    * Six springs and six dampers between frames A and B, with an optional full matrix: a flexible coupling or bushing.
+   * Three of each resist displacements [N/m, N s/m], three rotations [N m/rad, N m s/rad].
    * Strains: the gap in the axes of A, E_iᴬ·Δ [m], and ½ (E_kᴬ·E_jᴮ − E_jᴬ·E_kᴮ), the sine of a rotation about axis i
    * alone [1]. Axis 1 is along "Axis": 1 axial, 2 3 transverse, then torsion about 1, bending about 2 and 3.
    */
@@ -126,7 +136,7 @@ namespace samara
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 
-    /** "strain 1" ... "strain 6", "force 1" ... "force 6". */
+    /** "strain 1" ... "strain 6"; "force 1" ... "force 6", which do work on them: tension positive, of B on A. */
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
@@ -134,8 +144,11 @@ namespace samara
   private:
     std::string         body_a, body_b;
     Vector3             position = Vector3::Zero(), axis = Vector3::UnitX(), axis_2 = Vector3::Zero();
-    std::vector<double> stiffness = {0, 0, 0, 0, 0, 0}, viscosity = {0, 0, 0, 0, 0, 0}, coupling;
+    Vector3             stiffness = Vector3::Zero(), rotational_stiffness = Vector3::Zero();
+    Vector3             viscosity = Vector3::Zero(), rotational_viscosity = Vector3::Zero();
+    std::vector<double> coupling;
     Matrix6             C, C_d;
+    Model              *model = nullptr;
     Frame               frame_a, frame_b;
     Block               block;
 

@@ -123,8 +123,8 @@ namespace samara
 
   /**
    * A steady rotation, the load case of statics and the state about which modes are sought: of the whole model about an
-   * axis fixed in space, or of a joint, with everything that is carried along. A joint is held at its angle in statics;
-   * in modes and dynamics it is free to turn unless its motion is prescribed.
+   * axis fixed in space, or of a joint, with everything that is carried along. A joint is held at its azimuth in
+   * statics; in modes and dynamics it is free to turn. If the joint's angle is prescribed, that keeps it instead.
    */
   class SteadyRotation : public Evaluated<SteadyRotation>
   {
@@ -141,7 +141,7 @@ namespace samara
     Model::Rotation rotation;
     std::string     joint;
     double          azimuth = 0;
-    bool            holding = false; ///< nothing else prescribes the joint's motion
+    bool            holding    = false; ///< at a joint, and nothing else prescribes its motion
     Model          *model   = nullptr;
     unsigned int    multiplier = 0;
     Block           block;

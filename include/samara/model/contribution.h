@@ -31,12 +31,13 @@ namespace samara
    * Its life: construct → add_parameters() → (parse) → initialize() → connect() → assembly. After connect() it is
    * constant: all that changes is in the State.
    *
-   * What it computes, all in the unknowns of section 3 of `doc/theory/formulation.md`, with ζ the increments of nodes
-   * (twists in the nodes' frames), of joint coordinates and multipliers:
+   * What it computes (doc/theory/statics.md), with ζ the increments of nodes (twists in the nodes' frames), of joint
+   * coordinates and multipliers:
    *
    * - strains e, quadratic in the coordinates, and stresses σ = C e + C_d ė, C and C_d constant;
    * - residual rows: Bᵀσ + Gᵀλ − loads for nodes and joint coordinates, constraints g for multipliers;
-   * - tangent: the derivative of the residual with respect to ζ with δσ = C B ζ; damping: with respect to ζ̇, δσ = C_d B ζ̇.
+   * - tangent: the derivative of the residual with respect to ζ with δσ = C B ζ; damping: with respect to ζ̇, δσ = C_d B
+   * ζ̇.
    *
    * Signs: the residual is internal minus applied force. Units: SI throughout.
    */
@@ -62,6 +63,13 @@ namespace samara
      */
     virtual std::optional<unsigned int>
     use_coordinate(Model &, const std::string & /*motion*/)
+    {
+      return {};
+    }
+
+    /** The relative motions among these that are rotations. */
+    virtual std::vector<std::string>
+    rotation_names() const
     {
       return {};
     }

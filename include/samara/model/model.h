@@ -5,6 +5,7 @@
 #include <samara/model/contribution.h>
 #include <samara/model/frame.h>
 
+#include <map>
 #include <memory>
 
 namespace samara
@@ -92,6 +93,12 @@ namespace samara
     template <typename Kind>
     Kind &find(const std::string &name, const std::string &noun) const;
 
+    /**
+     * Make a joint's rotation an unknown, "hinge.rotation", or "hinge" if it has only one, and return the number of the
+     * coordinate. @throws std::invalid_argument saying what rotations there are.
+     */
+    unsigned int use_rotation(const std::string &path);
+
     /** The probe "shaft 1.middle.displacement y". @throws std::invalid_argument */
     Probe probe(const std::string &path) const;
 
@@ -111,8 +118,14 @@ namespace samara
     std::vector<std::unique_ptr<Contribution>> contributions;
     std::vector<Node>                          nodes;       ///< after close(): those that are left
     std::vector<std::string>                   coordinates, coordinate_units;
-    std::vector<unsigned int> holds; ///< multipliers that act only while steady rotations hold their joints
-    Complaints                complaints;
+
+    /** The multiplier that keeps the angle of each rotation at a joint: the rotation's own, or a prescribed one. */
+    std::vector<unsigned int> holds;
+
+    /** The multipliers of prescribed coordinates, by coordinate; known when joints are connected. */
+    std::map<unsigned int, unsigned int> prescribed;
+
+    Complaints complaints;
 
   private:
     std::string nearest_name(const std::string &wrong, const std::vector<const Contribution *> &of) const;

@@ -63,6 +63,9 @@ namespace samara
     };
     std::vector<Correction> corrections;
 
+    /** The contributions that have multipliers. */
+    std::vector<const Contribution *> constraining;
+
     /** What an unknown is, for messages: "shaft 1, node 3 at (2, 0, 0): rotation about d1". */
     std::string name_of(unsigned int unknown) const;
 
@@ -137,6 +140,12 @@ namespace samara
      * dependent only for a moment must not be dropped.)
      */
     void drop(const std::vector<unsigned int> &multipliers);
+
+    const std::vector<unsigned int> &
+    dropped_multipliers() const
+    {
+      return dropped;
+    }
 
     struct Energy
     {

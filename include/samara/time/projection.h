@@ -1,0 +1,44 @@
+#ifndef samara_time_projection_h
+#define samara_time_projection_h
+
+#include <samara/model/system.h>
+#include <samara/solvers/linear.h>
+
+namespace samara
+{
+  /**
+   * What is reported of a state of motion. The integrator's own velocities violate the velocity constraints by O(h^s) and
+   * its stage multipliers are of first order; these have the order of the positions. They are never fed back.
+   */
+  class Projection
+  {
+  public:
+    explicit Projection(const System &system);
+
+    /**
+     * Replace the velocities by the nearest ones, in the norm of the kinetic energy, with G y + ∂g/∂t = 0. Returns the
+     * largest change relative to the largest velocity.
+     * @throws SingularMatrix if something without mass can move freely.
+     */
+    double velocities(State &state);
+
+    /**
+     * Multipliers and accelerations ẏ (nodal twists, rates of coordinates) from M ẏ + f + Gᵀλ = 0 with G ẏ + Ġ y = 0 at
+     * the velocities of the state, which must obey the constraints.
+     */
+    std::vector<double> accelerations(State &state);
+
+  private:
+    const System                 &system;
+    std::unique_ptr<LinearSolver> solver;
+    SparseMatrix                  M, saddle;
+
+    void                factorize(const State &state);
+    std::vector<double> constraint_rates(const State &state) const;
+
+    /** Constraint rates a little later or earlier, on the path that keeps the twists; for Ġ y by differences. */
+    std::vector<double> constraint_rates_after(const State &state, double dt) const;
+  };
+} // namespace samara
+
+#endif

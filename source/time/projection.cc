@@ -1,0 +1,127 @@
+#include <samara/time/projection.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  Projection::Projection(const System &system)
+    : system(system)
+    , solver(make_klu(system.layout.pattern))
+    , M(system.layout.pattern)
+    , saddle(system.layout.pattern)
+  {
+    system.mass(M);
+  }
+
+
+
+  void
+  Projection::factorize(const State &state)
+  {
+    State free = state;
+    free.held  = false;
+    system.tangent(free, saddle);
+    const int n = system.layout.of_multiplier(0);
+    for (int j = 0; j < n; ++j)
+      for (int k = saddle.pattern->column_start[j]; k < saddle.pattern->column_start[j + 1]; ++k)
+        if (saddle.pattern->rows[k] < n)
+          saddle.values[k] = M.values[k];
+    solver->factorize(saddle);
+  }
+
+
+
+  std::vector<double>
+  Projection::constraint_rates(const State &state) const
+  {
+    std::vector<double> rates(system.layout.n_multipliers, 0.);
+    for (const auto *c : system.layout.constraining)
+      c->constraint_rates(state.point(), rates.data());
+    for (const auto i : system.dropped_multipliers())
+      rates[i] = 0;
+    return rates;
+  }
+
+
+
+  double
+  Projection::velocities(State &state)
+  {
+    if (system.layout.n_multipliers == 0)
+      return 0;
+    factorize(state);
+    const std::vector<double> rates = constraint_rates(state);
+    std::vector<double>       b(system.size(), 0.);
+    for (unsigned int i = 0; i < rates.size(); ++i)
+      b[system.layout.of_multiplier(i)] = -rates[i];
+    solver->solve(b.data());
+    double change = 0, largest = 1e-300;
+    for (unsigned int i = 6; i < state.y.size(); ++i)
+      {
+        state.y[i] += b[i - 6];
+        change  = std::max(change, std::abs(b[i - 6]));
+        largest = std::max(largest, std::abs(state.y[i]));
+      }
+    for (unsigned int i = 0; i < state.rates.size(); ++i)
+      state.rates[i] += b[system.layout.of_coordinate(i)];
+    return change / largest;
+  }
+
+
+
+  std::vector<double>
+  Projection::constraint_rates_after(const State &state, const double dt) const
+  {
+    State moved = state;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        // constant twist: the screw motion exp(dt y)
+        const Vector3       v = Eigen::Map<const Vector3>(&state.y[6 * node]), w = Eigen::Map<const Vector3>(&state.y[6 * node + 3]);
+        Eigen::Map<Vector3> x(&moved.q[12 * node]);
+        Eigen::Map<Matrix3> D(&moved.q[12 * node + 3]);
+        x += D * (dt * v + 0.5 * dt * dt * w.cross(v) + dt * dt * dt / 6 * w.cross(w.cross(v)));
+        D = (D * rotation_of_vector(dt * w)).eval();
+      }
+    for (unsigned int i = 0; i < state.rates.size(); ++i)
+      moved.coordinates[i] += dt * state.rates[i];
+    moved.time += dt;
+    return constraint_rates(moved);
+  }
+
+
+
+  std::vector<double>
+  Projection::accelerations(State &state)
+  {
+    factorize(state);
+    State forces = state;
+    forces.held  = false;
+    std::fill(forces.multipliers.begin(), forces.multipliers.end(), 0.);
+    std::vector<double> r, b(system.size(), 0.);
+    system.residual(forces, state.stress, r);
+    for (int i = 0; i < system.layout.of_multiplier(0); ++i)
+      b[i] = -r[i];
+
+    // Ġ y by differences of fourth order over a time in which nothing turns by more than a thousandth
+    double fastest = 1e-3;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[6 * node + 3]).norm());
+    for (const double rate : state.rates)
+      fastest = std::max(fastest, std::abs(rate));
+    const double dt = 1e-3 / fastest;
+    for (const auto &[steps, weight] : std::array<std::pair<double, double>, 4>{{{-2, 1}, {-1, -8}, {1, 8}, {2, -1}}})
+      {
+        const auto rates = constraint_rates_after(state, steps * dt);
+        for (unsigned int i = 0; i < rates.size(); ++i)
+          b[system.layout.of_multiplier(i)] -= weight * rates[i] / (12 * dt);
+      }
+    for (const auto i : system.model.holds)
+      b[system.layout.of_multiplier(i)] = 0;
+    solver->solve(b.data());
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      state.multipliers[i] = b[system.layout.of_multiplier(i)];
+    b.resize(system.layout.of_multiplier(0));
+    return b;
+  }
+} // namespace samara

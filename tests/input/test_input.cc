@@ -1,0 +1,133 @@
+// What stands above the single entries of an input file: used.prm says the same as the file it came from, and analyses
+// are done in the order in which they are asked for.
+
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace samara;
+
+namespace
+{
+  std::string
+  used(const Scene &scene)
+  {
+    std::ostringstream text;
+    scene.input.print(text);
+    return text.str();
+  }
+
+  /** The residual of a state that is far from all equilibria. */
+  std::vector<double>
+  residual(const System &system)
+  {
+    State               state = system.reference();
+    std::vector<double> z(system.size()), stress, r;
+    for (unsigned int i = 0; i < z.size(); ++i)
+      z[i] = 0.1 * std::sin(i + 1.);
+    system.update(state, z);
+    state.time   = 0.3;
+    state.factor = 0.7;
+    system.stresses(state, stress);
+    system.residual(state, stress, r);
+    return r;
+  }
+
+  const std::string turning_hub = R"(
+subsection Constants
+  set speed = 300 rpm
+end
+subsection Bodies
+  subsection hub
+    set Type = rigid body
+    set Mass = 2 lb
+    set Inertia = (2, 2, 2) kg*cm^2
+    set Position = 1 ft, 0, 0
+  end
+  subsection second hub
+    set Copy of = hub
+    set Position = (0, 1, 0) ft
+  end
+end
+subsection Joints
+  subsection hinge
+    set Type = revolute
+    set Body A = ground
+    set Body B = hub.centre
+    subsection rotation
+      set Prescribed = table: 0 s, 0 deg; 1 s, 20 deg
+    end
+  end
+  subsection second hinge
+    set Copy of = hinge
+    set Body B = second hub
+    subsection rotation
+      set Prescribed = speed*t
+      set Spring = 2 lbf*ft/rad
+    end
+  end
+end
+subsection Loads
+  subsection turning
+    set Type = steady rotation
+    set Speed = speed
+  end
+  subsection push
+    set Type = point load
+    set At = hub
+    set Force = 3 lbf * sin(2*pi*t), 0, 5 - t
+  end
+end
+)";
+} // namespace
+
+
+
+TEST(UsedPrm, IsTheSameModel)
+{
+  std::vector<std::string> models = {turning_hub};
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(SAMARA_SOURCE_DIR "/prm"))
+    if (entry.path().extension() == ".prm")
+      models.push_back("prm/" + std::filesystem::relative(entry.path(), SAMARA_SOURCE_DIR "/prm").string());
+  EXPECT_GT(models.size(), 10u);
+  for (const auto &model : models)
+    {
+      const Scene       original(model);
+      const std::string text = used(original);
+      const Scene       again(text);
+      EXPECT_EQ(used(again), text) << model;
+      ASSERT_EQ(again.system.layout.multiplier_names, original.system.layout.multiplier_names) << model;
+      EXPECT_EQ(residual(again.system), residual(original.system)) << model;
+      EXPECT_EQ(again.context.speeds, original.context.speeds) << model;
+      EXPECT_EQ(again.input.rotor_speeds, original.input.rotor_speeds) << model;
+      EXPECT_EQ(again.input.probes, original.input.probes) << model;
+      EXPECT_EQ(again.input.analyses.size(), original.input.analyses.size()) << model;
+    }
+}
+
+
+
+// What the file does not say must not be said by its copy: a joint without "Position" is where body B is, and a motion
+// without "Prescribed" is free.
+TEST(UsedPrm, LeavesDefaultsToBeDefaults)
+{
+  const std::string text = used(Scene(turning_hub));
+  EXPECT_NE(text.find("\nsubsection Joints\n  subsection hinge\n    set Type = revolute\n    set Body A = ground\n"
+                      "    set Body B = hub.centre\n    # set Position = 0, 0, 0\n"),
+            std::string::npos)
+    << text;
+  EXPECT_NE(text.find("\n    set Mass = 0.90718474\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Constants"), std::string::npos);
+  EXPECT_EQ(text.find("Copy of"), std::string::npos);
+}
+
+
+
+TEST(Input, AnalysesInTheOrderOfTheFile)
+{
+  const Scene scene("set Analyses = modal, static\n" + turning_hub);
+  ASSERT_EQ(scene.input.analyses.size(), 2u);
+  EXPECT_NE(dynamic_cast<ModalAnalysis *>(scene.input.analyses[0].get()), nullptr);
+  EXPECT_NE(dynamic_cast<StaticAnalysis *>(scene.input.analyses[1].get()), nullptr);
+}

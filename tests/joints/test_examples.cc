@@ -1,0 +1,73 @@
+// The small models in prm/examples, one for each kind of joint, give what their headers say.
+
+#include "../scene.h"
+
+#include <gtest/gtest.h>
+
+using namespace samara;
+
+namespace
+{
+  struct Expected
+  {
+    std::string                                 file;
+    std::vector<std::pair<std::string, double>> probes;
+    std::vector<double>                         frequencies; ///< all there are
+  };
+
+  const double g = 9.80665;
+
+  const Expected examples[] = {
+    {"revolute",
+     {{"hinge.rotation", 0.5 * 180 / M_PI}, {"pendulum.position z", -std::sin(0.5)}},
+     {std::sqrt((2 * g * std::cos(0.5) / 0.5 + 2 * g * std::sin(0.5)) / 2.01)}},
+    {"prismatic", {{"guide.displacement", -3 * g / 600}}, {std::sqrt(200.)}},
+    {"screw", {{"thread.rotation", -0.05 * g / 0.1 * 180 / M_PI}, {"thread.displacement", -0.0005 * g / 0.1}}, {}},
+    {"cylindrical", {{"sleeve.arm.position x", 0.2}, {"sleeve.arm.position y", 0}, {"sleeve.arm.position z", 0.3}}, {}},
+    {"planar",
+     {{"puck.displacement x", 0.3}, {"puck.displacement y", 0.2}, {"table.rotation", 0.25 * 180 / M_PI}},
+     {std::sqrt(10.), std::sqrt(10.), std::sqrt(20.)}},
+    {"universal",
+     {{"arm.tip.position x", std::sin(40 * M_PI / 180)},
+      {"arm.tip.position y", -std::sin(30 * M_PI / 180) * std::cos(40 * M_PI / 180)},
+      {"arm.tip.position z", std::cos(30 * M_PI / 180) * std::cos(40 * M_PI / 180)}},
+     {}},
+    {"rigid", {{"clamp.force 3", 2 * g}, {"clamp.moment 2", -g}}, {}},
+    {"distance", {{"slider.position x", std::sqrt(3.)}, {"crank.pin.position z", 1}}, {}},
+    {"gear", {{"shaft A.angular velocity x", 100}, {"shaft B.angular velocity y", 50}}, {}},
+    {"flexible_joint",
+     {{"engine.displacement z", -20 * 9.81 / 2e4}, {"mount.force 1", -20 * 9.81}},
+     {20, 20, std::sqrt(500.), std::sqrt(500.), std::sqrt(1000.), 40}}};
+} // namespace
+
+
+
+TEST(Examples, GiveWhatTheySay)
+{
+  for (const auto &example : examples)
+    {
+      Scene scene("prm/examples/" + example.file + ".prm");
+      scene.equilibrium();
+      for (const auto &[probe, value] : example.probes)
+        EXPECT_NEAR(scene.value(probe), value, 1e-8 * (1 + std::abs(value))) << example.file << ": " << probe;
+      if (example.frequencies.empty())
+        continue;
+      const auto &modes = scene.modes();
+      EXPECT_EQ(modes.size(), example.frequencies.size()) << example.file << " has modes that are none";
+      for (unsigned int i = 0; i < std::min(modes.size(), example.frequencies.size()); ++i)
+        EXPECT_NEAR(modes[i].frequency(), example.frequencies[i], 1e-8 * example.frequencies[i]) << example.file;
+    }
+}
+
+
+
+// A pendulum in two directions, and a spin about the vertical without frequency.
+TEST(Examples, Spherical)
+{
+  Scene        scene("prm/examples/spherical.prm");
+  const double expected = std::sqrt(2 * g * 0.5 / (0.02 + 2 * 0.25));
+  unsigned int n        = 0;
+  for (const auto &mode : scene.modes())
+    n += std::abs(mode.frequency() / expected - 1) < 1e-9;
+  EXPECT_EQ(n, 2u);
+}
