@@ -272,16 +272,17 @@ namespace samara
     const unsigned int n_blocks = std::max(4 * n_modes, 30u);
     std::vector<Mode>  modes;
     bool               found = false;
-    // the Schur form of nearly equal eigenvalues cannot always be sorted (LAPACK trexc); then from another start vector
+    // the Schur form of nearly equal eigenvalues cannot always be sorted (LAPACK trexc), and a Krylov space of one start vector
+    // finds equal ones by round-off only: then from another start vector
     for (unsigned int attempt = 0; attempt < 3 && !found && n_kinematic > std::max(n_blocks, 60u); ++attempt)
       try
         {
           modes = krylov_modes(op, n_modes, n_blocks + 12 * attempt, attempt);
           found = true;
         }
-      catch (const std::logic_error &)
+      catch (const std::exception &)
         {
-          continue;
+          continue; // LAPACK's complaint, or no convergence
         }
     // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
     if (!found && n_kinematic > 1500)

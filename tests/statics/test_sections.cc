@@ -93,7 +93,7 @@ TEST(Sections, TaperedTable)
   const unsigned int coarse[] = {0, 16, 8, 8, 12};
   for (unsigned int p = 1; p <= 4; ++p)
     {
-      const auto answers = [&](const unsigned int elements) {
+      const auto answers = [&](const unsigned int elements) -> Vector3 {
         const std::vector<std::string> mesh = {"Bodies/beam/Degree = " + std::to_string(p),
                                                "Bodies/beam/Elements = " + std::to_string(elements)};
         return Vector3(value(model(sections, "Force = 10, 0, 0"), "beam.end.displacement x", mesh) / (0.1 * integral),

@@ -55,7 +55,7 @@ namespace samara
 
     /**
      * A constraint that is not quadratic: its force gets a correction along the rate of a coordinate, so that it does no
-     * work over a step (formulation, 5.3).
+     * work over a step (doc/theory/integrators.md).
      */
     struct Correction
     {
