@@ -105,7 +105,8 @@ TEST(Sections, TaperedTable)
       };
       const Vector3 one = answers(coarse[p]), two = answers(2 * coarse[p]), fine = answers(32);
       for (unsigned int i = 0; i < 3; ++i)
-        EXPECT_NEAR(std::log2(one(i) / two(i)), 2. * p, 0.3) << "degree " << p << ", answer " << i;
+        // with quartics the finer error is near 1e-12, where round-off takes its share
+        EXPECT_NEAR(std::log2(one(i) / two(i)), 2. * p, p == 4 ? 0.5 : 0.3) << "degree " << p << ", answer " << i;
       if (p == 4)
         {
           EXPECT_LT(fine.norm(), 1e-11);
