@@ -23,6 +23,7 @@ namespace samara
     double        time        = 0;       ///< [s], of functions of time
     double        factor      = 1;       ///< of all loads and prescribed motions; the load steps of statics
     bool          held        = true;    ///< steady rotations hold their joints (statics), or leave them free
+    const char   *switches    = nullptr; ///< 0 or 1, see Contribution::switch_values(); null: all 0
   };
 
 
@@ -45,6 +46,9 @@ namespace samara
     double time = 0, factor = 1;
     bool   held = true;
 
+    std::vector<char>   switches;      ///< 0 or 1, see Contribution::switch_values()
+    std::vector<double> accelerations; ///< ẏ, 6 a node, and of the joint coordinates; empty where they are not known
+
     Vector3
     position(const unsigned int node) const
     {
@@ -60,7 +64,8 @@ namespace samara
     Point<double>
     point() const
     {
-      return {q.data(), coordinates.data(), y.data(), rates.data(), multipliers.data(), stress.data(), time, factor, held};
+      return {q.data(),      coordinates.data(), y.data(), rates.data(), multipliers.data(),
+              stress.data(), time,               factor,   held,         switches.data()};
     }
   };
 } // namespace samara

@@ -16,7 +16,7 @@ namespace samara
 
     const Model &model;
 
-    unsigned int n_nodes = 0, n_coordinates = 0, n_multipliers = 0, n_strains = 0;
+    unsigned int n_nodes = 0, n_coordinates = 0, n_multipliers = 0, n_strains = 0, n_switches = 0;
 
     unsigned int
     n_unknowns() const
@@ -62,6 +62,12 @@ namespace samara
       unsigned int multiplier, coordinate;
     };
     std::vector<Correction> corrections;
+
+    /**
+     * Multipliers of constraints on velocities alone, b(q) y = 0 (rolling): only constraint_rates() says what they are.
+     * Their rows of the residual are zero, those of the tangent hold b: in statics increments obey them.
+     */
+    std::vector<unsigned int> nonholonomic;
 
     /** The contributions that have multipliers. */
     std::vector<const Contribution *> constraining;
