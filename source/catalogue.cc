@@ -1,3 +1,4 @@
+#include <samara/analysis/dynamic.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
 #include <samara/catalogue.h>
@@ -48,5 +49,6 @@ namespace samara
 
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
+    analyses.add<DynamicAnalysis>("dynamic", "motion in time");
   }
 } // namespace samara

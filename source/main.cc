@@ -1,4 +1,5 @@
 #include <samara/base/errors.h>
+#include <samara/base/interrupt.h>
 #include <samara/program.h>
 
 #include <deal.II/base/multithread_info.h>
@@ -21,6 +22,7 @@ main(int argc, char **argv)
   app.add_option("--set", options.overrides, "Override an entry: \"Bodies/shaft 1/Degree = 4\"")->allow_extra_args(false);
   app.add_option("--output", options.output, "Folder of the results; default results/<name of the model>");
   app.add_flag("--check", options.check, "Read and assemble the model, say what it is, and stop");
+  app.add_flag("--restart", options.restart, "Go on from the checkpoint in the folder of the results");
   app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
   app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
   auto *const help    = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");
@@ -57,6 +59,11 @@ main(int argc, char **argv)
     {
       std::cerr << error.what() << '\n';
       return samara::not_converged;
+    }
+  catch (const samara::Interrupted &stop)
+    {
+      std::cerr << stop.what() << '\n';
+      return samara::interrupted;
     }
   catch (const std::exception &error)
     {

@@ -19,6 +19,14 @@ namespace samara
         for (const auto &analysis : input.analyses)
           analysis->run(context);
       };
+      if (context.restart)
+        {
+          // the state is in the checkpoint: what was done before it is not repeated
+          for (const auto &analysis : input.analyses)
+            if (analysis->can_restart())
+              return analysis->run(context);
+          throw InputError("--restart: there is no dynamic analysis among the <Analyses>");
+        }
       for (const auto &analysis : input.analyses)
         analysis->start(context);
       if (context.sweep.empty())
@@ -75,6 +83,7 @@ namespace samara
     for (const auto &rotation : input.model.rotations)
       speeds.push_back(rotation.speed);
     Context context{system, log, folder, probes, input.pictures, system.reference(), speeds, input.rotor_speeds};
+    context.restart = options.restart;
     try
       {
         run_all(input, context);

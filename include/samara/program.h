@@ -13,7 +13,7 @@ namespace samara
   {
     std::string              model, output, help_about;
     std::vector<std::string> overrides;
-    bool                     check = false, parameters = false, quiet = false;
+    bool                     check = false, parameters = false, quiet = false, restart = false;
   };
 
   /** Run, check or explain; returns on success. @throws InputError, NotConverged */

@@ -249,6 +249,19 @@ namespace samara
 
   template <int dim>
   double
+  Cosserat<dim>::power(const double *stress, const double *rates) const
+  {
+    double sum = 0;
+    for (unsigned int g = 0; g < points.size(); ++g)
+      sum += points[g].weight *
+             Eigen::Map<const VectorN>(stress + n * g).dot(Eigen::Map<const VectorN>(rates + n * g));
+    return sum;
+  }
+
+
+
+  template <int dim>
+  double
   Cosserat<dim>::strain_energy(const double *e) const
   {
     double energy = 0;

@@ -6,6 +6,13 @@
 
 namespace samara
 {
+  namespace
+  {
+    constexpr unsigned int max_factorizations_per_step = 4;
+  } // namespace
+
+
+
   Integrator::Integrator(const System      &system,
                          const Tableau     &tableau,
                          const double       tolerance,
@@ -19,25 +26,47 @@ namespace samara
     , M(system.layout.pattern)
     , C(system.layout.pattern)
     , K(system.layout.pattern)
+    , is_nonholonomic(system.layout.n_multipliers, false)
     , is_active(system.layout.n_multipliers, true)
+    , real_matrix(system.layout.pattern)
+    , final_weights(tableau.w.transpose() * tableau.b)
+    , no_multipliers(system.layout.n_multipliers, 0.)
   {
+    const Layout      &layout = system.layout;
+    const unsigned int n      = system.size();
     for (const auto &eigenvalue : tableau.eigenvalues)
       {
         factors.emplace_back();
         if (eigenvalue.mu.imag() == 0.)
-          factors.back().real = make_klu(system.layout.pattern);
+          factors.back().real = make_klu(layout.pattern);
         else
-          factors.back().complex = make_complex_klu(system.layout.pattern);
+          factors.back().complex = make_complex_klu(layout.pattern);
       }
-    const int n = system.layout.of_multiplier(0);
-    for (int j = 0; j < system.layout.pattern->size(); ++j)
-      for (int k = system.layout.pattern->column_start[j]; k < system.layout.pattern->column_start[j + 1]; ++k)
-        is_constraint_entry.push_back(j >= n || system.layout.pattern->rows[k] >= n);
+    const int n_kinematic = layout.of_multiplier(0);
+    for (int j = 0; j < layout.pattern->size(); ++j)
+      for (int k = layout.pattern->column_start[j]; k < layout.pattern->column_start[j + 1]; ++k)
+        is_constraint_entry.push_back(j >= n_kinematic || layout.pattern->rows[k] >= n_kinematic);
+    for (const auto i : layout.nonholonomic)
+      is_nonholonomic[i] = true;
     for (const auto i : system.model.holds)
       is_active[i] = false;
     for (const auto i : system.dropped_multipliers())
       is_active[i] = false;
+    for (const auto &c : system.model.contributions)
+      has_damping = has_damping || c->has_damping();
     system.mass(M);
+
+    x.resize(n);
+    x_real.resize(n);
+    x_rates.resize(layout.n_coordinates);
+    e.resize(layout.n_strains);
+    mean_rates.resize(layout.n_multipliers);
+    twists.assign(6 * layout.n_nodes, 0.);
+    for (auto *const increments : {&dy, &dz, &dz_rate})
+      increments->assign(tableau.s, std::vector<double>(n));
+    for (auto *const strains : {&strain_increment, &rate_increment, &stress_increment})
+      strains->assign(layout.n_strains, 0.);
+    previous.assign(tableau.s + 1, std::vector<double>(6 * layout.n_nodes + layout.n_coordinates));
   }
 
 
@@ -47,6 +76,16 @@ namespace samara
   {
     previous_step = 0;
     factored_step = 0;
+    offset        = 1;
+  }
+
+
+
+  void
+  Integrator::step_back()
+  {
+    offset       = 0;
+    extrapolates = true;
   }
 
 
@@ -57,20 +96,30 @@ namespace samara
     StepResult result;
     state.held = false;
     system.strains(state, e_start);
-    const bool refactor = std::abs(factored_step / h - 1) > 1e-9;
-    if (refactor)
-      factorize(state, h);
-    bool converged = iterate(state, h, result, refactor);
-    if (!converged && !refactor)
+    energy_scale = system.energy(state).kinetic + system.energy(state).strain;
+    predict(state, h);
+    bool converged = false;
+    if (std::abs(factored_step / h - 1) < 1e-9)
       {
-        // the old factorisation is no longer good enough
-        factorize(state, h);
-        converged = iterate(state, h, result, true);
+        converged = iterate(state, h, 0.3, result);
+        if (!converged && !(result.last_correction < 0.1))
+          predict(state, h); // not even near
       }
-    if (!converged && previous_step > 0)
+    for (unsigned int i = 0; !converged && i < max_factorizations_per_step; ++i)
       {
-        previous_step = 0; // the extrapolated start was not good
-        converged     = iterate(state, h, result, true);
+        // about the middle of the step, as far as it is known; the last time, where another one would not help
+        freeze(state, h);
+        factorize(h);
+        const bool is_last = i + 1 == max_factorizations_per_step || (i > 0 && result.last_correction < 0.01);
+        converged          = iterate(state, h, is_last ? 0.95 : 0.5, result);
+        if (!converged && (is_last || !(result.last_correction < 10)))
+          {
+            if (previous_step == 0)
+              break;
+            previous_step = 0; // perhaps the extrapolated start was not good
+            predict(state, h);
+            i = 0;
+          }
       }
     n_iterations += result.iterations;
     if (!converged)
@@ -80,7 +129,8 @@ namespace samara
       }
     result.converged = true;
     account(state, h, result);
-    finish(state, h, result);
+    remember(state, h);
+    finish(state, h);
     ++n_steps;
     return result;
   }
@@ -88,36 +138,41 @@ namespace samara
 
 
   bool
-  Integrator::iterate(const State &state, const double h, StepResult &result, const bool fresh)
+  Integrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
-    predict(state, h);
     double       last = 0, last_rate = 0, smallest = 1e300;
     unsigned int n_stagnant = 0;
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
       {
         move_stages(state, h);
         evaluate(state, h);
-        const double size = correct(state, h);
+        // linear convergence: what is still missing is about last · rate/(1 − rate); at round-off it no longer shrinks
+        if (iteration > 0)
+          {
+            const double rate = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
+            if ((last * rate / (1 - rate) < tolerance && energy_error(h) < tolerance * energy_scale) ||
+                (n_stagnant > 1 && smallest < 1e-9))
+              return true;
+          }
+        const double size = solve(h);
         ++result.iterations;
         result.last_correction = size;
         if (!std::isfinite(size) || size > 1e3)
           return false;
+        correct_stresses();
         // the worse of two rates, as they may alternate
-        const double this_rate = iteration > 0 && last > 0 ? size / last : 0.5, rate = std::max(this_rate, last_rate);
-        last_rate              = this_rate;
+        const double this_rate = last > 0 ? size / last : 0;
+        const double rate      = std::max(this_rate, last_rate);
+        last_rate              = iteration > 0 ? this_rate : 0;
         n_stagnant             = size < 0.8 * smallest ? 0 : n_stagnant + 1;
         smallest               = std::min(smallest, size);
-        // linear convergence: what is still missing is about size · rate/(1 − rate); at round-off it no longer shrinks
-        if (iteration > 1 &&
-            ((rate < 0.9 && size * rate / (1 - rate) < tolerance) || (n_stagnant > 2 && smallest < 1e-10)))
+        last                   = size;
+        if (iteration > 1 && rate > slow && size > 1e-8)
           {
-            move_stages(state, h);
-            evaluate(state, h);
-            return true;
+            // too slow with this factorisation, unless little is missing
+            if (std::log(tolerance / size) / std::log(std::min(rate, 0.99)) > 4)
+              return false;
           }
-        last = size;
-        if (iteration > 2 && rate > (fresh ? 1.5 : 0.5) && size > 1e-8)
-          return false;
       }
     // name the place of the largest force that is left
     double largest = 0;
@@ -132,248 +187,176 @@ namespace samara
 
 
 
-  void
-  Integrator::predict(const State &state, const double h)
+  double
+  Integrator::energy_error(const double h) const
   {
-    const unsigned int s = tableau.s;
-    for (unsigned int k = 0; k < s; ++k)
+    double force_work = 0, stress_work = 0;
+    for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        stages[k].time        = state.time + tableau.c(k) * h;
-        stages[k].multipliers = state.multipliers;
-        stages[k].y           = state.y;
-        stages[k].rates       = state.rates;
+        const Stage &stage = stages[k];
+        double       power = 0;
+        for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
+          power += stage.residual[i] * stage.y[6 + i];
+        for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+          power += stage.residual[system.layout.of_coordinate(i)] * stage.rates[i];
+        force_work += h * tableau.b(k) * power;
+        for (const auto &c : system.model.contributions)
+          stress_work += h * tableau.b(k) *
+                         std::abs(c->power(stage.excess.data() + c->first_strain, stage.strain_rates.data() + c->first_strain));
       }
-    if (previous_step == 0)
-      return;
+    return std::abs(force_work) + stress_work;
+  }
+
+
+
+  void
+  Integrator::extrapolate(const double at, std::vector<double> &y, std::vector<double> &rates) const
+  {
     // the polynomial through the start and the stages of the last step
-    std::vector<double> t(1, 0.);
-    for (unsigned int k = 0; k < s; ++k)
-      t.push_back(tableau.c(k));
-    for (unsigned int k = 0; k < s; ++k)
+    std::fill(y.begin(), y.end(), 0.);
+    std::fill(rates.begin(), rates.end(), 0.);
+    const unsigned int n_y = y.size();
+    const auto         node = [&](const unsigned int j) { return j == 0 ? 0. : tableau.c(j - 1); };
+    for (unsigned int j = 0; j <= tableau.s; ++j)
       {
-        const double x = 1 + tableau.c(k) * h / previous_step;
-        std::fill(stages[k].y.begin(), stages[k].y.end(), 0.);
-        std::fill(stages[k].rates.begin(), stages[k].rates.end(), 0.);
-        for (unsigned int j = 0; j <= s; ++j)
-          {
-            double L = 1;
-            for (unsigned int i = 0; i <= s; ++i)
-              if (i != j)
-                L *= (x - t[i]) / (t[j] - t[i]);
-            for (unsigned int i = 0; i < state.y.size(); ++i)
-              stages[k].y[i] += L * previous_y[j][i];
-            for (unsigned int i = 0; i < state.rates.size(); ++i)
-              stages[k].rates[i] += L * previous_y[j][state.y.size() + i];
-          }
+        double L = 1;
+        for (unsigned int i = 0; i <= tableau.s; ++i)
+          if (i != j)
+            L *= (at - node(i)) / (node(j) - node(i));
+        for (unsigned int i = 0; i < n_y; ++i)
+          y[i] += L * previous[j][i];
+        for (unsigned int i = 0; i < rates.size(); ++i)
+          rates[i] += L * previous[j][n_y + i];
       }
   }
 
 
 
   void
-  Integrator::factorize(const State &state, const double h)
+  Integrator::predict(const State &state, const double h)
   {
-    system.damping(state, C);
-    system.tangent(state, K);
-    const unsigned int                n = K.values.size() - 1;
-    std::vector<std::complex<double>> values(n);
-    SparseMatrix                      F(system.layout.pattern);
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        Stage &stage      = stages[k];
+        stage.time        = state.time + tableau.c(k) * h;
+        stage.switches    = state.switches.data();
+        stage.multipliers = state.multipliers;
+        stage.stress      = state.stress;
+        stage.y           = state.y;
+        stage.rates       = state.rates;
+        if (previous_step > 0 && extrapolates)
+          extrapolate(offset + tableau.c(k) * h / previous_step, stage.y, stage.rates);
+      }
+  }
+
+
+
+  void
+  Integrator::remember(const State &state, const double h)
+  {
+    const unsigned int n_y = state.y.size();
+    if (previous_step > 0)
+      {
+        // would extrapolation have been nearer than the velocities at the start?
+        const Stage &last  = stages.back();
+        double       error = 0, change = 0;
+        dy[0].resize(n_y);
+        extrapolate(offset + tableau.c(tableau.s - 1) * h / previous_step, dy[0], x_rates);
+        for (unsigned int i = 0; i < n_y; ++i)
+          {
+            error += std::pow(dy[0][i] - last.y[i], 2);
+            change += std::pow(state.y[i] - last.y[i], 2);
+          }
+        dy[0].resize(system.size());
+        extrapolates = error < change;
+      }
+    else
+      extrapolates = true;
+    for (unsigned int j = 0; j <= tableau.s; ++j)
+      {
+        const auto &y     = j == 0 ? state.y : stages[j - 1].y;
+        const auto &rates = j == 0 ? state.rates : stages[j - 1].rates;
+        std::copy(y.begin(), y.end(), previous[j].begin());
+        std::copy(rates.begin(), rates.end(), previous[j].begin() + n_y);
+      }
+    previous_step = h;
+    offset        = 1;
+  }
+
+
+
+  void
+  Integrator::freeze(const State &state, const double h)
+  {
+    // the mean of the stages; places and triads half a step after the start
+    frozen      = state;
+    frozen.time = state.time + 0.5 * h;
+    for (auto *const values : {&frozen.y, &frozen.rates, &frozen.multipliers, &frozen.stress})
+      std::fill(values->begin(), values->end(), 0.);
+    const auto add = [](const double b, const std::vector<double> &from, std::vector<double> &to) {
+      for (unsigned int i = 0; i < to.size(); ++i)
+        to[i] += b * from[i];
+    };
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        add(tableau.b(k), stages[k].y, frozen.y);
+        add(tableau.b(k), stages[k].rates, frozen.rates);
+        add(tableau.b(k), stages[k].multipliers, frozen.multipliers);
+        add(tableau.b(k), stages[k].stress, frozen.stress);
+      }
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), spin(&frozen.y[6 * node + 3]);
+        Eigen::Map<Matrix3>             D(&frozen.q[12 * node + 3]);
+        const Vector3                   half_turn = 0.5 * h * spin;
+        Eigen::Map<Vector3>(&frozen.q[12 * node]) += 0.5 * h * (D * cayley<double>(0.5 * half_turn) * v);
+        D = (D * cayley<double>(half_turn)).eval();
+      }
+    add(0.5 * h, frozen.rates, frozen.coordinates);
+  }
+
+
+
+  void
+  Integrator::factorize(const double h)
+  {
+    system.damping(frozen, C);
+    system.tangent(frozen, K);
+    const unsigned int n = K.values.size() - 1;
+    matrix.resize(n);
     for (unsigned int j = 0; j < factors.size(); ++j)
       {
         const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
         ++n_factorizations;
         if (factors[j].real)
           {
+            const double hr = hm.real();
             for (unsigned int i = 0; i < n; ++i)
-              F.values[i] = is_constraint_entry[i] ?
-                              K.values[i] :
-                              M.values[i] + hm.real() * C.values[i] + hm.real() * hm.real() * K.values[i];
-            factors[j].real->factorize(F);
+              real_matrix.values[i] =
+                is_constraint_entry[i] ? K.values[i] : M.values[i] + hr * (C.values[i] + hr * K.values[i]);
+            factors[j].real->factorize(real_matrix);
           }
         else
           {
             for (unsigned int i = 0; i < n; ++i)
-              values[i] = is_constraint_entry[i] ? K.values[i] : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
-            factors[j].complex->factorize(values);
+              matrix[i] = is_constraint_entry[i] ? K.values[i] : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
+            factors[j].complex->factorize(matrix);
           }
       }
     factored_step = h;
-    factored_y    = state.y;
-  }
-
-
-
-  namespace
-  {
-    /** Stage triads: [D_1 … D_s] (I − h W) = [D_i … D_i], W with the blocks a_kl Ω~_l. */
-    template <int n>
-    void
-    solve_triads(const Eigen::Matrix<double, n, n> &system_transposed, const Matrix3 &D_start, Matrix3 *D)
-    {
-      Eigen::Matrix<double, n, 3> right;
-      for (int k = 0; k < n / 3; ++k)
-        right.template middleRows<3>(3 * k) = D_start.transpose();
-      const Eigen::Matrix<double, n, 3> solution = system_transposed.partialPivLu().solve(right);
-      for (int k = 0; k < n / 3; ++k)
-        D[k] = solution.template middleRows<3>(3 * k).transpose();
-    }
-
-    template <int s>
-    void
-    stage_triads(const Tableau &t, const double h, const Vector3 *spin, const Matrix3 &D_start, Matrix3 *D)
-    {
-      Eigen::Matrix<double, 3 * s, 3 * s> A = Eigen::Matrix<double, 3 * s, 3 * s>::Identity();
-      for (int k = 0; k < s; ++k)
-        for (int l = 0; l < s; ++l)
-          A.template block<3, 3>(3 * k, 3 * l) += h * t.a(k, l) * skew(spin[l]); // (−Ω~)ᵀ = Ω~
-      solve_triads<3 * s>(A, D_start, D);
-    }
-  } // namespace
-
-
-
-  void
-  Integrator::move_stages(const State &state, const double h)
-  {
-    const unsigned int s = tableau.s;
-    for (auto &stage : stages)
-      {
-        stage.q           = state.q;
-        stage.coordinates = state.coordinates;
-      }
-    final_q           = state.q;
-    final_coordinates = state.coordinates;
-    Vector3 spin[3], velocity[3];
-    Matrix3 D[3];
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const Matrix3 D_start = state.triad(node);
-        for (unsigned int k = 0; k < s; ++k)
-          spin[k] = Eigen::Map<const Vector3>(&stages[k].y[6 * node + 3]);
-        switch (s)
-          {
-            case 1:
-              stage_triads<1>(tableau, h, spin, D_start, D);
-              break;
-            case 2:
-              stage_triads<2>(tableau, h, spin, D_start, D);
-              break;
-            default:
-              stage_triads<3>(tableau, h, spin, D_start, D);
-          }
-        for (unsigned int k = 0; k < s; ++k)
-          velocity[k] = D[k] * Eigen::Map<const Vector3>(&stages[k].y[6 * node]);
-        Eigen::Map<Vector3> x_final(&final_q[12 * node]);
-        Eigen::Map<Matrix3> D_final(&final_q[12 * node + 3]);
-        for (unsigned int k = 0; k < s; ++k)
-          {
-            Eigen::Map<Vector3> x(&stages[k].q[12 * node]);
-            for (unsigned int l = 0; l < s; ++l)
-              x += h * tableau.a(k, l) * velocity[l];
-            Eigen::Map<Matrix3>(&stages[k].q[12 * node + 3]) = D[k];
-            x_final += h * tableau.b(k) * velocity[k];
-            D_final += h * tableau.b(k) * D[k] * skew(spin[k]);
-          }
-      }
-    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-      for (unsigned int k = 0; k < s; ++k)
-        {
-          for (unsigned int l = 0; l < s; ++l)
-            stages[k].coordinates[i] += h * tableau.a(k, l) * stages[l].rates[i];
-          final_coordinates[i] += h * tableau.b(k) * stages[k].rates[i];
-        }
-  }
-
-
-
-  void
-  Integrator::evaluate(const State &state, const double h)
-  {
-    const unsigned int s = tableau.s, n_strains = system.layout.n_strains, n_multipliers = system.layout.n_multipliers;
-    for (auto &stage : stages)
-      {
-        stage.strain_rates.assign(n_strains, 0.);
-        stage.constraint_rates.assign(n_multipliers, 0.);
-        for (const auto &c : system.model.contributions)
-          c->strain_rates(stage.point(), stage.strain_rates.data() + c->first_strain);
-        for (const auto *c : system.layout.constraining)
-          c->constraint_rates(stage.point(), stage.constraint_rates.data());
-      }
-
-    std::vector<double> e(n_strains);
-    for (unsigned int k = 0; k < s; ++k)
-      {
-        Stage &stage = stages[k];
-        e            = e_start;
-        for (unsigned int l = 0; l < s; ++l)
-          for (unsigned int i = 0; i < n_strains; ++i)
-            e[i] += h * tableau.a_alpha(k, l) * stages[l].strain_rates[i];
-        stage.stress.resize(n_strains);
-        for (const auto &c : system.model.contributions)
-          c->stresses(e.data() + c->first_strain,
-                      stage.strain_rates.data() + c->first_strain,
-                      stage.stress.data() + c->first_strain);
-
-        stage.residual.assign(system.size() + 6, 0.);
-        for (const auto &c : system.model.contributions)
-          c->residual(stage.point(), stage.residual.data());
-        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-          {
-            const Matrix6                  &inertia = system.model.nodes[node].inertia;
-            const Eigen::Map<const Vector6> y(&stage.y[6 * node]), y_start(&state.y[6 * node]);
-            Vector6                         acceleration = Vector6::Zero();
-            for (unsigned int l = 0; l < s; ++l)
-              acceleration += tableau.w(k, l) / h * (Eigen::Map<const Vector6>(&stages[l].y[6 * node]) - y_start);
-            Eigen::Map<Vector6>(&stage.residual[system.layout.of_node(node)]) +=
-              inertia * acceleration - ad_star<double>(y, inertia * y);
-          }
-      }
-
-    // constraints: at the end of the step, and the mean of the stages' rates
-    Stage &first            = stages[0];
-    Point<double> end       = first.point();
-    end.q                   = final_q.data();
-    end.coordinates         = final_coordinates.data();
-    end.time                = state.time + h;
-    constraints_at_end.assign(system.size() + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->residual(end, constraints_at_end.data());
-    std::vector<double> mean(n_multipliers, 0.);
-    for (unsigned int k = 0; k < s; ++k)
-      for (unsigned int i = 0; i < n_multipliers; ++i)
-        mean[i] += tableau.b(k) * stages[k].constraint_rates[i];
-    for (auto &stage : stages)
-      for (unsigned int i = 0; i < n_multipliers; ++i)
-        {
-          const int row       = system.layout.of_multiplier(i);
-          stage.residual[row] = is_active[i] ? stage.constraint_rates[i] - mean[i] + constraints_at_end[row] / h : 0.;
-        }
-    for (const auto &correction : system.layout.corrections)
-      {
-        double lambda = 0, squares = 0;
-        for (unsigned int k = 0; k < s; ++k)
-          {
-            lambda += tableau.b(k) * stages[k].multipliers[correction.multiplier];
-            squares += tableau.b(k) * std::pow(stages[k].rates[correction.coordinate], 2);
-          }
-        if (squares > 0)
-          for (auto &stage : stages)
-            stage.residual[system.layout.of_coordinate(correction.coordinate)] -=
-              lambda * mean[correction.multiplier] / squares * stage.rates[correction.coordinate];
-      }
   }
 
 
 
   double
-  Integrator::correct(const State &, const double h)
+  Integrator::solve(const double h)
   {
-    const unsigned int n = system.size(), n_kinematic = system.layout.of_multiplier(0), s = tableau.s;
-    std::vector<std::complex<double>> x(n);
-    std::vector<double>               x_real(n);
-    // corrections are measured against the largest velocity, or one that would matter over the step
-    double                            size = 0, scale = 1e-3 / h;
-    std::vector<std::vector<double>>  dy(s, std::vector<double>(n, 0.)); // twists and rates, then multipliers
+    const Layout      &layout = system.layout;
+    const unsigned int n = system.size(), n_kinematic = layout.of_multiplier(0), s = tableau.s;
+    for (unsigned int k = 0; k < s; ++k)
+      for (auto *const increments : {&dy[k], &dz[k], &dz_rate[k]})
+        std::fill(increments->begin(), increments->end(), 0.);
+
     for (unsigned int j = 0; j < factors.size(); ++j)
       {
         const auto                &eigenvalue = tableau.eigenvalues[j];
@@ -395,44 +378,53 @@ namespace samara
         else
           factors[j].complex->solve(x.data());
 
-        // from displacements in the nodes' frames to twists: δy = ζ/(hμ) + ad_y ζ
-        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-          {
-            Eigen::Map<Eigen::Matrix<std::complex<double>, 6, 1>> z(&x[system.layout.of_node(node)]);
-            const Eigen::Map<const Vector6>                       y(&factored_y[6 * node]);
-            z = (z / hm + ad(y) * z).eval();
-          }
-        for (unsigned int i = system.layout.of_coordinate(0); i < n_kinematic; ++i)
-          x[i] /= hm;
-        for (unsigned int i = n_kinematic; i < n; ++i)
-          x[i] /= hm * hm;
+        // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
         const double twice = factors[j].real ? 1. : 2.;
         for (unsigned int k = 0; k < s; ++k)
-          for (unsigned int i = 0; i < n; ++i)
-            dy[k][i] += twice * (eigenvalue.right(k) * x[i]).real();
+          {
+            const std::complex<double> right = twice * eigenvalue.right(k), rate = right / hm, force = rate / hm;
+            for (unsigned int i = 0; i < n_kinematic; ++i)
+              {
+                dz[k][i] += (right * x[i]).real();
+                dz_rate[k][i] += (rate * x[i]).real();
+              }
+            for (unsigned int i = n_kinematic; i < n; ++i)
+              dy[k][i] += (force * x[i]).real();
+          }
       }
+
+    // corrections are measured against the largest velocity, or one that would matter over the step
+    double size = 0, scale = 1e-3 / h;
     for (unsigned int k = 0; k < s; ++k)
       {
-        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        Stage &stage = stages[k];
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
           {
-            const Eigen::Map<const Vector6> d(&dy[k][system.layout.of_node(node)]);
-            Eigen::Map<Vector6>(&stages[k].y[6 * node]) += d;
-            size = std::max({size, d.head<3>().norm() / length, d.tail<3>().norm()});
-            scale =
-              std::max({scale, Eigen::Map<const Vector3>(&stages[k].y[6 * node]).norm() / length,
-                        Eigen::Map<const Vector3>(&stages[k].y[6 * node + 3]).norm()});
-            if (!std::isfinite(d.squaredNorm()))
-              return d.squaredNorm();
+            // to twists: δy = ζ̇ + ad_y ζ
+            const int                       i = layout.of_node(node);
+            const Eigen::Map<const Vector6> zeta(&dz[k][i]), rate(&dz_rate[k][i]);
+            const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), w(&frozen.y[6 * node + 3]);
+            const Vector3 d_v = rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
+                          d_w = rate.tail<3>() + w.cross(zeta.tail<3>());
+            Eigen::Map<Vector3> y_v(&stage.y[6 * node]), y_w(&stage.y[6 * node + 3]);
+            y_v += d_v;
+            y_w += d_w;
+            const double change = d_v.norm() / length + d_w.norm();
+            if (!std::isfinite(change))
+              return change;
+            size  = std::max(size, change);
+            scale = std::max({scale, y_v.norm() / length, y_w.norm()});
           }
-        for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
           {
-            stages[k].rates[i] += dy[k][system.layout.of_coordinate(i)];
-            size = std::max(size,
-                            std::abs(dy[k][system.layout.of_coordinate(i)]) /
-                              (system.model.coordinate_units[i] == "m" ? length : 1.));
+            const double d = dz_rate[k][layout.of_coordinate(i)],
+                         l = system.model.coordinate_units[i] == "m" ? length : 1.;
+            stage.rates[i] += d;
+            size  = std::max(size, std::abs(d) / l);
+            scale = std::max(scale, std::abs(stage.rates[i]) / l);
           }
-        for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-          stages[k].multipliers[i] += dy[k][system.layout.of_multiplier(i)];
+        for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+          stage.multipliers[i] += dy[k][layout.of_multiplier(i)];
       }
     return size / scale;
   }
@@ -440,104 +432,49 @@ namespace samara
 
 
   void
-  Integrator::account(const State &state, const double h, StepResult &result)
+  Integrator::correct_stresses()
   {
-    const unsigned int s = tableau.s, n_strains = system.layout.n_strains;
-    const auto power = [&](const std::vector<double> &r, const Stage &stage) {
-      double sum = 0;
-      for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
-        sum += r[i] * stage.y[6 + i];
-      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        sum += r[system.layout.of_coordinate(i)] * stage.rates[i];
-      return sum;
+    // δσ = (what the configuration has more) + C B ζ + C_d B ζ̇, B as in the matrices
+    const Layout &layout  = system.layout;
+    Point<double> at      = frozen.point();
+    const auto    strains = [&](const std::vector<double> &z, std::vector<double> &e) {
+      std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
+      at.y     = twists.data();
+      at.rates = z.data() + layout.of_coordinate(0);
+      for (const auto &c : system.model.contributions)
+        c->strain_rates(at, e.data() + c->first_strain);
     };
-    const std::vector<double> no_stress(n_strains, 0.), no_multipliers(system.layout.n_multipliers, 0.);
-    std::vector<double>       r, viscous(n_strains, 0.), time_rates;
-    for (unsigned int k = 0; k < s; ++k)
+    for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        const Stage  &stage = stages[k];
-        Point<double> point = stage.point();
-        point.multipliers   = no_multipliers.data();
+        Stage &stage = stages[k];
+        strains(dz[k], strain_increment);
+        if (has_damping)
+          strains(dz_rate[k], rate_increment);
         for (const auto &c : system.model.contributions)
-          {
-            if (!c->has_loads() && !c->has_damping())
-              continue;
-            point.stress = no_stress.data();
-            r.assign(system.size() + 6, 0.);
-            c->residual(point, r.data());
-            const double load = power(r, stage);
-            result.work_of_loads -= h * tableau.b(k) * load;
-            if (!c->has_damping())
-              continue;
-            c->stresses(no_stress.data() + c->first_strain,
-                        stage.strain_rates.data() + c->first_strain,
-                        viscous.data() + c->first_strain);
-            point.stress = viscous.data();
-            r.assign(system.size() + 6, 0.);
-            c->residual(point, r.data());
-            result.viscous_loss += h * tableau.b(k) * (power(r, stage) - load);
-          }
-        // constraints do the work −λ·(ġ − ∂g/∂t); for those that do not depend on time it vanishes over the step
-        time_rates.assign(system.layout.n_multipliers, 0.);
-        for (const auto *c : system.layout.constraining)
-          c->constraint_time_rates(stage.point(), time_rates.data());
-        for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-          if (is_active[i])
-            result.work_of_drives -=
-              h * tableau.b(k) * stage.multipliers[i] * (stage.constraint_rates[i] - time_rates[i]);
+          c->stresses(strain_increment.data() + c->first_strain,
+                      rate_increment.data() + c->first_strain,
+                      stress_increment.data() + c->first_strain);
+        for (unsigned int i = 0; i < layout.n_strains; ++i)
+          stage.stress[i] += stage.excess[i] + stress_increment[i];
       }
-    for (const auto &correction : system.layout.corrections)
-      for (unsigned int k = 0; k < s; ++k)
-        for (unsigned int l = 0; l < s; ++l)
-          result.work_of_drives += h * tableau.b(k) * tableau.b(l) * stages[k].multipliers[correction.multiplier] *
-                                   stages[l].constraint_rates[correction.multiplier];
-
-    // D = h² α/(2(2s−1)) |Σ b p (ẏ, ė)|² in the norm of the energy
-    double              square = 0;
-    std::vector<double> e(n_strains, 0.);
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const Eigen::Map<const Vector6> y_start(&state.y[6 * node]);
-        Vector6                         v = Vector6::Zero();
-        for (unsigned int k = 0; k < s; ++k)
-          for (unsigned int l = 0; l < s; ++l)
-            v += tableau.b(k) * tableau.p(k) * tableau.w(k, l) / h *
-                 (Eigen::Map<const Vector6>(&stages[l].y[6 * node]) - y_start);
-        square += v.dot(system.model.nodes[node].inertia * v);
-      }
-    for (unsigned int k = 0; k < s; ++k)
-      for (unsigned int i = 0; i < n_strains; ++i)
-        e[i] += tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
-    for (const auto &c : system.model.contributions)
-      square += 2 * c->strain_energy(e.data() + c->first_strain);
-    result.dissipated = h * h * tableau.alpha / (2 * (2. * s - 1)) * square;
   }
 
 
 
   void
-  Integrator::finish(State &state, const double h, StepResult &)
+  Integrator::finish(State &state, const double h)
   {
-    const unsigned int s = tableau.s, n_y = state.y.size(), n_rates = state.rates.size();
-    const auto         keep = [&](const std::vector<double> &y, const std::vector<double> &rates) {
-      std::vector<double> all(y);
-      all.insert(all.end(), rates.begin(), rates.end());
-      return all;
+    const unsigned int s = tableau.s;
+    const auto advance = [&](std::vector<double> &y, std::vector<double> Stage::*of_stage) {
+      for (unsigned int j = 0; j < y.size(); ++j)
+        {
+          const double start = y[j];
+          for (unsigned int k = 0; k < s; ++k)
+            y[j] += final_weights(k) * ((stages[k].*of_stage)[j] - start);
+        }
     };
-    previous_y.assign(1, keep(state.y, state.rates));
-    for (const auto &stage : stages)
-      previous_y.push_back(keep(stage.y, stage.rates));
-    previous_step = h;
-
-    for (unsigned int j = 0; j < n_y + n_rates; ++j)
-      {
-        const double start = previous_y[0][j];
-        double       value = start;
-        for (unsigned int k = 0; k < s; ++k)
-          for (unsigned int l = 0; l < s; ++l)
-            value += tableau.b(k) * tableau.w(k, l) * (previous_y[l + 1][j] - start);
-        (j < n_y ? state.y[j] : state.rates[j - n_y]) = value;
-      }
+    advance(state.y, &Stage::y);
+    advance(state.rates, &Stage::rates);
     state.q           = final_q;
     state.coordinates = final_coordinates;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)

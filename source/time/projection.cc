@@ -51,6 +51,14 @@ namespace samara
     if (system.layout.n_multipliers == 0)
       return 0;
     factorize(state);
+    return project(state);
+  }
+
+
+
+  double
+  Projection::project(State &state) const
+  {
     const std::vector<double> rates = constraint_rates(state);
     std::vector<double>       b(system.size(), 0.);
     for (unsigned int i = 0; i < rates.size(); ++i)
@@ -95,6 +103,28 @@ namespace samara
   Projection::accelerations(State &state)
   {
     factorize(state);
+    return solve_for_accelerations(state);
+  }
+
+
+
+  void
+  Projection::report(State &state)
+  {
+    factorize(state);
+    if (system.layout.n_multipliers > 0)
+      project(state);
+    system.stresses(state, state.stress);
+    const std::vector<double> a = solve_for_accelerations(state);
+    state.accelerations.assign(6, 0.);
+    state.accelerations.insert(state.accelerations.end(), a.begin(), a.end());
+  }
+
+
+
+  std::vector<double>
+  Projection::solve_for_accelerations(State &state) const
+  {
     State forces = state;
     forces.held  = false;
     std::fill(forces.multipliers.begin(), forces.multipliers.end(), 0.);

@@ -18,6 +18,7 @@ namespace samara
     std::vector<double>      speeds; ///< of the model's rotations at present [rad/s]
     std::vector<double>      sweep;  ///< rotor speeds to go through, of the first rotation; empty: none
     bool                     is_equilibrium = false; ///< whether the state has been found by a static analysis
+    bool                     restart        = false; ///< go on from a checkpoint in the folder
 
     /**
      * Whether pictures are to be made here: of a sweep only at the model's own speed, or the last one if that is not
@@ -40,6 +41,13 @@ namespace samara
     Parameters parameters;
 
     virtual void add_parameters(Parameters &prm) = 0;
+
+    /** Whether it writes checkpoints that a run can be continued from; the analyses before it are left out then. */
+    virtual bool
+    can_restart() const
+    {
+      return false;
+    }
 
     /** Before the first of several runs of a sweep. */
     virtual void

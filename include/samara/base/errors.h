@@ -13,7 +13,8 @@ namespace samara
     success        = 0,
     input_error    = 2,
     not_converged  = 3,
-    internal_error = 4
+    internal_error = 4,
+    interrupted    = 130 ///< by the user
   };
 
 

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <string>
 
+#include <unistd.h>
+
 namespace samara
 {
   /** What the program tells while it runs. An ordinary object, handed to whoever has something to say. */
@@ -22,6 +24,25 @@ namespace samara
     {
       if (!quiet)
         *out << text << std::endl;
+    }
+
+    /** How far a long computation is; on a terminal each takes the place of the one before. */
+    void
+    progress(const std::string &text)
+    {
+      if (quiet)
+        return;
+      if (out == &std::cout && isatty(STDOUT_FILENO))
+        *out << '\r' << text << "\033[K" << std::flush;
+      else
+        *out << text << std::endl;
+    }
+
+    /** Whether progress() can be called often. */
+    bool
+    is_terminal() const
+    {
+      return out == &std::cout && isatty(STDOUT_FILENO);
     }
 
     /** Something is doubtful but does not stop the computation. */

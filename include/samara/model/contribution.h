@@ -127,6 +127,16 @@ namespace samara
       return 0;
     }
 
+    /** σᵀ ė, integrated [W]. */
+    virtual double
+    power(const double *stress, const double *rates) const
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < n_strains(); ++i)
+        sum += stress[i] * rates[i];
+      return sum;
+    }
+
     /** ½ eᵀ C e, integrated [J]. */
     virtual double
     strain_energy(const double * /*e*/) const

@@ -13,9 +13,10 @@ namespace samara
     bool         converged  = false;
     unsigned int iterations = 0;
     double       dissipated = 0; ///< numerically, D ≥ 0
+    double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate
     double       work_of_loads = 0, viscous_loss = 0;
-    double       work_of_drives = 0; ///< of constraints that depend on time; zero to round-off for all others
-    double       last_correction = 0; ///< size of the last Newton correction of displacements, relative
+    double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
+    double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
     unsigned int worst = 0; ///< unknown with the largest force left, if not converged
   };
 
@@ -27,7 +28,7 @@ namespace samara
    *     Q_k = q_i + h Σ a_kl N(Q_l) y_l
    *     M Σ w_kl (y_l − y_i)/h = ad*_{y_k} M y_k − N(Q_k)ᵀ [ B(Q_k)ᵀ σ_k + G(Q_k)ᵀ λ_k − f ]
    *     σ_k = C ( e(q_i) + h Σ a_α,kl B(Q_l) y_l ) + C_d B(Q_k) y_k
-   *     ġ(Q_k, y_k, t_k) − Σ b_l ġ_l + g(q_f, t_f)/h = 0
+   *     ġ(Q_k, y_k, t_k) − Σ b_l ġ_l + g(q_f, t_f)/h = 0        b(Q_k) y_k = 0 if nonholonomic
    *
    * The last line is one rule for all constraints: for quadratic ones Σ b_l ġ_l = (g_f − g_i)/h, so that it reads
    * ġ_k + g_i/h = 0; for others it says that g vanishes at the end of the step and that all stages have the same rate.
@@ -36,21 +37,28 @@ namespace samara
    *
    * Energy: E_f − E_i = work of loads and drives − viscous loss − D, D = h² α/(2(2s−1)) |Σ b_k p_k (ẏ_k, ė_k)|².
    *
-   * Newton's method is simplified: with increments ζ = displacement in the nodes' frames instead of δy, the linearised
-   * stages are M + hμ C + (hμ)² K, the matrices of the modal analysis, one for each eigenvalue μ of a_α: one real
-   * factorisation for s = 1, one complex for s = 2, one of each for s = 3. They are kept while Newton converges quickly,
-   * as the frames turn with the bodies.
+   * Newton's method is simplified and mixed (doc/theory/integrators.md): y, σ and λ are iterated, with the tangent of
+   * one frozen configuration. In the eigenvectors of a_α its matrices are M + hμ C + (hμ)² K, those of the modal
+   * analysis: one real factorisation for s = 1, one complex for s = 2, one of each for s = 3. As the frames turn with
+   * the bodies, they serve for many steps; they are renewed in the middle of a step when Newton's method slows down.
    */
   class Integrator
   {
   public:
-    Integrator(const System &system, const Tableau &tableau, double tolerance = 1e-11, unsigned int max_iterations = 50);
+    /**
+     * @p tolerance: of Newton's method, change of velocities relative to the largest; velocities below
+     * 1e-3 (model length, or rad) per step do not count as large.
+     */
+    Integrator(const System &system, const Tableau &tableau, double tolerance = 1e-10, unsigned int max_iterations = 50);
 
     /** Advance @p state by @p h; it is unchanged if the result says not converged. */
     StepResult step(State &state, double h);
 
     /** To be called when the state has been changed from outside. */
     void forget_history();
+
+    /** To be called when the last step is not accepted: the next one begins where it began. */
+    void step_back();
 
     unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0; ///< for reports
 
@@ -65,13 +73,18 @@ namespace samara
     /** What is computed at a stage. */
     struct Stage
     {
-      std::vector<double> q, coordinates, y, rates, multipliers, strain_rates, stress, residual, constraint_rates;
+      std::vector<double> q, coordinates, y, rates, multipliers;
+      std::vector<double> stress; ///< σ_k as iterated
+      std::vector<double> excess; ///< what the configuration's stress has more than it
+      std::vector<double> strain_rates, residual, constraint_rates;
       double              time;
+      const char         *switches;
 
       Point<double>
       point() const
       {
-        return {q.data(), coordinates.data(), y.data(), rates.data(), multipliers.data(), stress.data(), time, 1., false};
+        return {q.data(),      coordinates.data(), y.data(), rates.data(), multipliers.data(),
+                stress.data(), time,               1.,       false,        switches};
       }
     };
     std::vector<Stage> stages;
@@ -83,24 +96,47 @@ namespace samara
       std::unique_ptr<ComplexSolver> complex;
     };
     std::vector<Factor> factors;
-    double              factored_step = 0;  ///< step size of the factors; 0: none
-    std::vector<double> factored_y;         ///< twists at which they were made
+    double              energy_scale  = 0;
+    double              factored_step = 0; ///< step size of the factors; 0: none
+    State               frozen;            ///< at which they were made
     SparseMatrix        M, C, K;
-    std::vector<bool>   is_constraint_entry;
+    std::vector<bool>   is_constraint_entry, is_nonholonomic;
     std::vector<bool>   is_active; ///< multipliers: neither released nor dropped
+    bool                has_damping = false;
 
-    std::vector<double>              e_start, final_q, final_coordinates, constraints_at_end;
-    std::vector<std::vector<double>> previous_y; ///< of the stages of the last step, and its start
+    std::vector<double> e_start, final_q, final_coordinates, constraints_at_end;
+
+    /** Velocities at the start and the stages of the last step, and whether extrapolating them was a good start. */
+    std::vector<std::vector<double>> previous;
     double                           previous_step = 0;
+    double                           offset        = 1; ///< 0 after step_back(): where the next step begins
+    bool                             extrapolates  = false;
 
-    bool   iterate(const State &state, double h, StepResult &result, bool fresh);
+    // work space
+    std::vector<std::complex<double>> x, matrix;
+    SparseMatrix                      real_matrix;
+    Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
+    std::vector<double>               x_real, x_rates, e, mean_rates, no_multipliers, time_rates, force;
+    std::vector<std::vector<double>>  dy, dz, dz_rate; ///< increments of the stages
+    std::vector<double>               twists, strain_increment, rate_increment, stress_increment;
+
+    /** Newton's method with the factors there are; gives up if corrections shrink by less than the factor @p slow. */
+    bool   iterate(const State &state, double h, double slow, StepResult &result);
     void   predict(const State &state, double h);
-    void   factorize(const State &state, double h);
+    void   extrapolate(double x, std::vector<double> &y, std::vector<double> &rates) const;
+    void   remember(const State &state, double h);
+    void   freeze(const State &state, double h);
+    void   factorize(double h);
     void   move_stages(const State &state, double h);
     void   evaluate(const State &state, double h);
-    double correct(const State &state, double h);
-    void   finish(State &state, double h, StepResult &result);
+    void   evaluate_stresses(double h);
+    void   evaluate_constraints(const State &state, double h);
+    /** Work that the residuals of the last evaluation would add to the energy. */
+    double energy_error(double h) const;
+    double solve(double h);
+    void   correct_stresses();
     void   account(const State &state, double h, StepResult &result);
+    void   finish(State &state, double h);
   };
 } // namespace samara
 

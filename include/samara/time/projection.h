@@ -28,12 +28,20 @@ namespace samara
      */
     std::vector<double> accelerations(State &state);
 
+    /**
+     * A state as it is reported: velocities projected, multipliers and accelerations as above, section forces of the
+     * configuration with them. @throws SingularMatrix if something without mass can move freely.
+     */
+    void report(State &state);
+
   private:
     const System                 &system;
     std::unique_ptr<LinearSolver> solver;
     SparseMatrix                  M, saddle;
 
     void                factorize(const State &state);
+    double              project(State &state) const;
+    std::vector<double> solve_for_accelerations(State &state) const;
     std::vector<double> constraint_rates(const State &state) const;
 
     /** Constraint rates a little later or earlier, on the path that keeps the twists; for Ġ y by differences. */

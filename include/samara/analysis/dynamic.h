@@ -1,0 +1,82 @@
+#ifndef samara_analysis_dynamic_h
+#define samara_analysis_dynamic_h
+
+#include <samara/analysis/analysis.h>
+#include <samara/output/history.h>
+#include <samara/output/pictures.h>
+#include <samara/time/projection.h>
+#include <samara/time/stepper.h>
+
+#include <chrono>
+#include <memory>
+
+namespace samara
+{
+  /**
+   * Motion in time from the context's state: an equilibrium that a static analysis has found, at rest or in steady
+   * rotation, or the reference configuration; velocities given by the bodies are added and made to obey the constraints
+   * (the paper, sections 3 and 4.2; doc/theory/integrators.md).
+   *
+   * Writes dynamic.csv (.h5) with the probes, dynamic_energy.csv with the energy budget, dynamic_steps.csv with the
+   * steps, dynamic.pvd with the moving model, and dynamic.checkpoint from which a run is continued (--restart).
+   */
+  class DynamicAnalysis : public Analysis
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void run(Context &context) override;
+
+    bool
+    can_restart() const override
+    {
+      return true;
+    }
+
+    /** What the run took. */
+    struct Report
+    {
+      unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0, n_rejected = 0, n_failed = 0, n_events = 0;
+      double       seconds = 0, largest_balance = 0; ///< [s], of the energy that does not close, relative
+    };
+    Report report;
+
+    /** Energies since the start [J]. */
+    struct Budget
+    {
+      double kinetic = 0, strain = 0, potential = 0;
+      double loads = 0, drives = 0, viscous = 0, dissipated = 0;
+      double start = 0; ///< kinetic + strain + potential energy at the start
+
+      /** What does not close; round-off. */
+      double
+      balance() const
+      {
+        return kinetic + strain + potential - start - loads - drives + viscous + dissipated;
+      }
+    };
+    Budget budget;
+
+    /** To be called with the reported state at each output; for tests and studies. */
+    std::function<void(const State &)> observer;
+
+    // entries
+    double       start_time = 0, end_time = 1, step = 1e-3, tolerance = 1e-4, smallest_step = 1e-10, largest_step = 0,
+           spectral_radius = 0.5, newton_tolerance = 1e-10, seconds_between_checkpoints = 60;
+    unsigned int n_stages = 3, output_every = 1, n_pictures = 100, max_iterations = 50;
+    std::string  control = "fixed", inconsistent = "project";
+    bool         second_estimate = false;
+
+  private:
+    struct Output;
+
+    void   prepare(Context &context, State &state) const;
+    void   restore(const Context &context, State &state, Stepper &stepper) const;
+    void   write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const;
+    void   record(const Context &context, const State &state, Projection &projection, Output &output);
+    void   account(const Context &context, const State &state, const StepResult &step);
+    double half_steps(const Context &context, const State &start, const State &end, double h, Integrator &integrator) const;
+    void   summarize(const Context &context, const Integrator &integrator) const;
+  };
+} // namespace samara
+
+#endif

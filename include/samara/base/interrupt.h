@@ -1,0 +1,32 @@
+#ifndef samara_base_interrupt_h
+#define samara_base_interrupt_h
+
+#include <stdexcept>
+
+namespace samara
+{
+  /** The user has stopped the run (Ctrl-C, SIGTERM); what was computed is written. */
+  class Interrupted : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+
+
+  /**
+   * While one lives, SIGINT and SIGTERM do not end the program but are only noted; a second one ends it at once.
+   */
+  class InterruptGuard
+  {
+  public:
+    InterruptGuard();
+    ~InterruptGuard();
+    InterruptGuard(const InterruptGuard &)            = delete;
+    InterruptGuard &operator=(const InterruptGuard &) = delete;
+
+    bool was_interrupted() const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,67 @@
+#ifndef samara_time_stepper_h
+#define samara_time_stepper_h
+
+#include <samara/time/integrator.h>
+#include <samara/time/step_control.h>
+
+#include <optional>
+
+namespace samara
+{
+  /** What was done to get one step further. */
+  struct Advance
+  {
+    StepResult   step;
+    double       h = 0;
+    unsigned int n_rejected = 0, n_failed = 0; ///< attempts before it, too inaccurate or without a solution
+    unsigned int n_events = 0; ///< switches that changed at its end
+  };
+
+
+
+  /**
+   * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner or a switch
+   * changes, halved where Newton's method finds no solution. Nothing is lost by a step that is rejected.
+   */
+  class Stepper
+  {
+  public:
+    /** @p step: the fixed one, or the first one if there is a controller. */
+    Stepper(const System &system, Integrator &integrator, double step, double smallest_step);
+    Stepper(const System &system, Integrator &integrator, double step, const StepController::Settings &settings);
+
+    /**
+     * One step, not beyond @p end.
+     * @throws NotConverged if the smallest step has no solution either; the state is then that of the last good step.
+     */
+    Advance advance(State &state, double end);
+
+    /** The step to be tried next [s]; for restarts. */
+    double next_step;
+
+    /** Of the last accepted step: the size of the energy indicator, relative to the reference energy. */
+    double estimate = 0;
+
+    std::optional<StepController> controller;
+
+  private:
+    const System       &system;
+    Integrator         &integrator;
+    const double        fixed_step, smallest_step;
+    State               trial;
+    std::vector<double> start_values, end_values;
+    std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
+    unsigned int        n_changes_here = 0; ///< of switches without a step between them
+
+    double corner(double from, double to) const;
+    void   switch_values(const State &state, std::vector<double> &values) const;
+    bool   agrees(unsigned int i, const std::vector<double> &values, const State &state) const;
+    /** At the start of a step already: it was set by round-off, or the function is just about to change its sign. */
+    bool   starts_wrong(unsigned int i, const State &state) const;
+    bool   attempt(const State &state, double &h, Advance &result);
+    void   find_event(const State &state, double &h, Advance &result);
+    double energy_of_change(const State &state) const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,514 @@
+#include <samara/analysis/dynamic.h>
+#include <samara/base/errors.h>
+#include <samara/base/interrupt.h>
+#include <samara/output/checkpoint.h>
+#include <samara/solvers/newton.h>
+#include <samara/solvers/steady_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace samara
+{
+  void
+  DynamicAnalysis::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Start time", start_time, "Time at the start [s].");
+    prm.add("End time", end_time, "Time at the end [s].");
+    prm.add("Step", step, "Time step; of adaptive steps the first one [s].", Double(0));
+    prm.add("Step control",
+            control,
+            "fixed, or adaptive: steps are as long as the tolerance allows, judged by the energy that the scheme dissipates. "
+            "Either way steps end at corners of loads and at stops, and are halved where no solution is found.",
+            Selection("fixed|adaptive"));
+    prm.add("Tolerance",
+            tolerance,
+            "Of adaptive steps: relative error of an oscillation over one period [1].",
+            Double(0, 1));
+    prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
+    prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
+    prm.add("Stages",
+            n_stages,
+            "Stages of the integrator, 1 to 3: order 2 s for spectral radius 1, otherwise 2 s - 1. One stage: the midpoint rule.",
+            Integer(1, 3));
+    prm.add("Spectral radius",
+            spectral_radius,
+            "At infinite frequency: 1 preserves energy, less damps what the step cannot resolve; 0 most [1].",
+            Double(0, 1));
+    prm.add("Newton tolerance",
+            newton_tolerance,
+            "Newton's method stops when velocities change by less, relative to the largest, and the energy statement is "
+            "satisfied to this part of the energy [1].",
+            Double(0));
+    prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
+    prm.add("Inconsistent velocities",
+            inconsistent,
+            "Velocities at the start that the constraints do not allow: project them on those that are allowed, nearest in "
+            "kinetic energy, and say so; or refuse them.",
+            Selection("project|refuse"));
+    prm.add("Output every", output_every, "Steps from one row of the histories to the next.", Integer(1));
+    prm.add("Pictures", n_pictures, "Number of pictures of the moving model, at equal times.", Integer(0));
+    prm.add("Second estimate",
+            second_estimate,
+            "Repeat each step by two half ones and write how far they are apart: an independent estimate of the error, at "
+            "three times the cost.");
+    prm.add("Checkpoint interval",
+            seconds_between_checkpoints,
+            "Seconds of computing between two checkpoints for --restart [s].",
+            Double(0));
+  }
+
+
+
+  /** Files of a run, and what time it is there. */
+  struct DynamicAnalysis::Output
+  {
+    std::unique_ptr<History>  history, energies, steps;
+    std::unique_ptr<Pictures> pictures;
+    double                    next_picture = 0;
+    bool                      is_massless = false; ///< accelerations cannot be found; has been said
+
+    Output(const Context &context, const DynamicAnalysis &analysis, const double start)
+    {
+      next_picture = start;
+      if (context.folder.empty())
+        return;
+      const std::optional<double> after = context.restart ? std::optional<double>(start) : std::nullopt;
+
+      std::vector<std::pair<std::string, std::string>> columns = {{"t", "s"}};
+      for (const auto &probe : context.probes)
+        columns.emplace_back(probe.name, probe.unit);
+      history  = std::make_unique<History>(context.folder, "dynamic", columns, after);
+      energies = std::make_unique<History>(context.folder,
+                                           "dynamic_energy",
+                                           std::vector<std::pair<std::string, std::string>>{{"t", "s"},
+                                                                                            {"kinetic", "J"},
+                                                                                            {"strain", "J"},
+                                                                                            {"potential", "J"},
+                                                                                            {"work of loads", "J"},
+                                                                                            {"work of drives", "J"},
+                                                                                            {"damper loss", "J"},
+                                                                                            {"numerical dissipation", "J"},
+                                                                                            {"balance", "J"}},
+                                           after);
+      steps    = std::make_unique<History>(context.folder,
+                                        "dynamic_steps",
+                                        std::vector<std::pair<std::string, std::string>>{{"t", "s"},
+                                                                                         {"step", "s"},
+                                                                                         {"iterations", ""},
+                                                                                         {"factorizations", ""},
+                                                                                         {"rejections", ""},
+                                                                                         {"estimate", ""},
+                                                                                         {"second estimate", ""}},
+                                        after);
+      if (context.pictures && analysis.n_pictures > 0)
+        pictures = std::make_unique<Pictures>(context.folder, "dynamic", after);
+      if (context.restart && pictures != nullptr)
+        {
+          const double interval = (analysis.end_time - analysis.start_time) / analysis.n_pictures;
+          next_picture = analysis.start_time + interval * (std::floor((start - analysis.start_time) / interval + 1e-9) + 1);
+        }
+    }
+
+    void
+    flush()
+    {
+      for (auto *const file : {history.get(), energies.get(), steps.get()})
+        if (file != nullptr)
+          file->flush();
+    }
+  };
+
+
+
+  namespace
+  {
+    double
+    potential_energy(const System &system, const State &state)
+    {
+      double sum = 0;
+      for (const auto &c : system.model.contributions)
+        sum += c->potential_energy(state.point());
+      return sum;
+    }
+
+    /** What a checkpoint must fit: the unknowns with their names. */
+    std::string
+    fingerprint_of(const System &system)
+    {
+      std::string text;
+      for (const auto &node : system.model.nodes)
+        text += node.name + ';';
+      for (const auto &name : system.model.coordinates)
+        text += name + ';';
+      for (const auto &name : system.layout.multiplier_names)
+        text += name + ';';
+      return text + std::to_string(system.layout.n_strains) + ';' + std::to_string(system.layout.n_switches);
+    }
+
+    std::string
+    checkpoint_file(const Context &context)
+    {
+      return context.folder + "/dynamic.checkpoint";
+    }
+
+    std::string
+    format(const char *const pattern, const double number)
+    {
+      char text[64];
+      std::snprintf(text, sizeof text, pattern, number);
+      return text;
+    }
+  } // namespace
+
+
+
+  void
+  DynamicAnalysis::prepare(Context &context, State &state) const
+  {
+    const System &system = context.system;
+    for (unsigned int i = 0; i < system.model.rotations.size(); ++i)
+      if (system.model.rotations[i].coordinate < 0 && context.speeds[i] != 0.)
+        throw InputError(parameters.where("") + "steady rotation <" + system.model.rotations[i].name +
+                         "> turns the whole model, ground included; the dynamic analysis sees it from the ground, which stands "
+                         "still. Let a joint turn: give the steady rotation a <Joint>.");
+    state.held   = false;
+    state.factor = 1;
+    state.time   = start_time;
+    if (!context.is_equilibrium)
+      set_steady_motion(system, state, context.speeds);
+    for (const auto &c : system.model.contributions)
+      c->add_initial_velocities(state);
+
+    // the constraints at the start: positions must obey them, velocities are made to
+    std::vector<double> r(system.size() + 6, 0.);
+    for (const auto *c : system.layout.constraining)
+      c->residual(state.point(), r.data());
+    const double length = model_length(system.model);
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      if (const double gap = std::abs(r[system.layout.of_multiplier(i)]);
+          gap > 1e-6 * std::max(1., length) && std::find(system.model.holds.begin(), system.model.holds.end(), i) == system.model.holds.end())
+        throw InputError(system.layout.multiplier_names[i] + ": the constraint is violated by " + format("%.3g", gap) +
+                         " at the start; let a static analysis find a position that obeys it: <Analyses = static, dynamic>");
+    Projection   projection(system);
+    const State  given  = state;
+    double       change = 0;
+    try
+      {
+        change = projection.velocities(state);
+      }
+    catch (const SingularMatrix &problem)
+      {
+        throw InputError("something without mass can move freely" +
+                         (problem.unknown >= 0 ? ": " + system.layout.name_of(problem.unknown) : std::string()) +
+                         "; the dynamic analysis needs a mass or an inertia there");
+      }
+    if (change > 1e-6)
+      {
+        unsigned int worst = 6;
+        for (unsigned int i = 6; i < state.y.size(); ++i)
+          if (std::abs(state.y[i] - given.y[i]) > std::abs(state.y[worst] - given.y[worst]))
+            worst = i;
+        const std::string text = "the velocities at the start do not obey the constraints: those that do are different by " +
+                                 format("%.3g", 100 * change) + " % of the largest, most at " + system.layout.name_of(worst - 6);
+        if (inconsistent == "refuse")
+          throw InputError(text);
+        context.log.warning("", text + "; they are used");
+      }
+    system.stresses(state, state.stress);
+  }
+
+
+
+  void
+  DynamicAnalysis::restore(const Context &context, State &state, Stepper &stepper) const
+  {
+    const Checkpoint checkpoint = read_checkpoint(checkpoint_file(context));
+    if (checkpoint.fingerprint != fingerprint_of(context.system))
+      throw InputError(checkpoint_file(context) + ": this checkpoint belongs to another model; run without --restart");
+    const_cast<DynamicAnalysis *>(this)->budget = {};
+    auto       &b                               = const_cast<DynamicAnalysis *>(this)->budget;
+    const auto &n                               = checkpoint.numbers;
+    b.loads                                     = n.at("work of loads");
+    b.drives                                    = n.at("work of drives");
+    b.viscous                                   = n.at("damper loss");
+    b.dissipated                                = n.at("numerical dissipation");
+    b.start                                     = n.at("energy at start");
+    state                                       = checkpoint.state;
+    stepper.next_step                           = control == "adaptive" ? checkpoint.step : stepper.next_step;
+    if (stepper.controller)
+      stepper.controller->E_ref = n.at("reference energy");
+  }
+
+
+
+  void
+  DynamicAnalysis::write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const
+  {
+    if (context.folder.empty())
+      return;
+    Checkpoint checkpoint;
+    checkpoint.state       = state;
+    checkpoint.step        = stepper.next_step;
+    checkpoint.fingerprint = fingerprint_of(context.system);
+    checkpoint.numbers     = {{"work of loads", budget.loads},
+                              {"work of drives", budget.drives},
+                              {"damper loss", budget.viscous},
+                              {"numerical dissipation", budget.dissipated},
+                              {"energy at start", budget.start},
+                              {"reference energy", stepper.controller ? stepper.controller->E_ref : 0.}};
+    samara::write_checkpoint(checkpoint_file(context), checkpoint);
+  }
+
+
+
+  void
+  DynamicAnalysis::record(const Context &context, const State &state, Projection &projection, Output &output)
+  {
+    const bool is_picture = output.pictures != nullptr && state.time >= output.next_picture - 1e-9 * (end_time - start_time);
+    if (output.energies != nullptr)
+      output.energies->add({state.time,
+                            budget.kinetic,
+                            budget.strain,
+                            budget.potential,
+                            budget.loads,
+                            budget.drives,
+                            budget.viscous,
+                            budget.dissipated,
+                            budget.balance()});
+    if (context.probes.empty() && !is_picture && !observer)
+      return;
+    State reported = state;
+    try
+      {
+        projection.report(reported);
+      }
+    catch (const SingularMatrix &)
+      {
+        if (!output.is_massless)
+          context.log.warning("", "something without mass can move freely: velocities, accelerations and joint forces are those "
+                                  "of the integrator, of lower order");
+        output.is_massless = true;
+      }
+    if (observer)
+      observer(reported);
+    if (output.history != nullptr && !context.probes.empty())
+      {
+        std::vector<double> row(1, state.time);
+        for (const auto &probe : context.probes)
+          row.push_back(probe.value(reported));
+        output.history->add(row);
+      }
+    if (is_picture)
+      {
+        Drawing drawing;
+        for (const auto &c : context.system.model.contributions)
+          c->draw(reported, drawing);
+        output.pictures->add(drawing, state.time);
+        output.next_picture += (end_time - start_time) / n_pictures;
+      }
+  }
+
+
+
+  void
+  DynamicAnalysis::account(const Context &context, const State &state, const StepResult &step)
+  {
+    // loads with a potential do the work that it loses
+    const auto   energy    = context.system.energy(state);
+    const double potential = potential_energy(context.system, state);
+    budget.loads += step.work_of_loads + potential - budget.potential;
+    budget.drives += step.work_of_drives;
+    budget.viscous += step.viscous_loss;
+    budget.dissipated += step.dissipated;
+    budget.kinetic   = energy.kinetic;
+    budget.strain    = energy.strain;
+    budget.potential = potential;
+  }
+
+
+
+  double
+  DynamicAnalysis::half_steps(const Context &context,
+                              const State   &start,
+                              const State   &end,
+                              const double   h,
+                              Integrator    &integrator) const
+  {
+    State twice = start;
+    for (unsigned int i = 0; i < 2; ++i)
+      if (!integrator.step(twice, h / 2).converged)
+        return std::nan("");
+    const double length = model_length(context.system.model);
+    double       error  = 0;
+    for (unsigned int node = 1; node < context.system.layout.n_nodes; ++node)
+      error = std::max({error,
+                        (twice.position(node) - end.position(node)).norm() / length,
+                        (twice.triad(node) - end.triad(node)).norm() / std::sqrt(2.)});
+    return error;
+  }
+
+
+
+  void
+  DynamicAnalysis::run(Context &context)
+  {
+    using Clock = std::chrono::steady_clock;
+    const System &system = context.system;
+    if (!(end_time > start_time))
+      throw InputError(parameters.where("End time") + ": the <End time> must be later than the <Start time>");
+    if (!(step > 0))
+      throw InputError(parameters.where("Step") + ": the <Step> must be positive");
+    if (!context.sweep.empty())
+      throw InputError(parameters.where("") + "a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
+
+    const Tableau tableau(n_stages, spectral_radius);
+    Integrator    integrator(system, tableau, newton_tolerance, max_iterations), halves(system, tableau, newton_tolerance);
+    const bool    is_adaptive = control == "adaptive";
+    StepController::Settings settings;
+    settings.tolerance     = tolerance;
+    settings.smallest_step = smallest_step;
+    settings.largest_step  = largest_step > 0 ? largest_step : 0.1 * (end_time - start_time);
+    Stepper stepper        = is_adaptive ? Stepper(system, integrator, std::min(step, settings.largest_step), settings) :
+                                           Stepper(system, integrator, step, smallest_step);
+    report                 = {};
+    budget                 = {};
+    State state            = context.state;
+    if (context.restart)
+      restore(context, state, stepper);
+    else
+      prepare(context, state);
+    const double begin  = state.time;
+    const auto   energy = system.energy(state);
+    budget.kinetic      = energy.kinetic;
+    budget.strain       = energy.strain;
+    budget.potential    = potential_energy(system, state);
+    if (!context.restart)
+      budget.start = budget.kinetic + budget.strain + budget.potential;
+
+    InterruptGuard    interrupt;
+    Projection        projection(system);
+    Output            output(context, *this, begin);
+    const auto        clock_start = Clock::now();
+    auto              last_progress = clock_start, last_checkpoint = clock_start;
+    double            largest_energy = 1e-300;
+    const auto        seconds_since = [](const Clock::time_point &t) {
+      return std::chrono::duration<double>(Clock::now() - t).count();
+    };
+    const auto show = [&]() {
+      const double seconds = seconds_since(clock_start), done = state.time - begin;
+      context.log.progress("t " + format("%.6g", state.time) + " s of " + format("%g", end_time) + ", step " +
+                           format("%.3g", is_adaptive ? stepper.next_step : step) + " s, " +
+                           format("%.1f", double(integrator.n_iterations) / std::max(1u, integrator.n_steps)) +
+                           " iterations a step, energy " + format("%.6g", budget.kinetic + budget.strain + budget.potential) + " J, " +
+                           format("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
+                           format("%.0f", done > 0 ? seconds / done * (end_time - state.time) : 0.) + " s");
+    };
+    const auto close = [&]() {
+      if (context.log.is_terminal())
+        context.log.line("");
+      output.flush();
+      write_checkpoint(context, state, stepper);
+      for (auto *const file : {output.history.get(), output.energies.get(), output.steps.get()})
+        if (file != nullptr)
+          file->finish();
+      report.seconds          = seconds_since(clock_start);
+      report.n_steps          = integrator.n_steps;
+      report.n_iterations     = integrator.n_iterations;
+      report.n_factorizations = integrator.n_factorizations;
+      context.state           = state;
+      context.is_equilibrium  = false;
+    };
+
+    if (!context.restart)
+      record(context, state, projection, output);
+    unsigned long n_grid = std::lround((state.time - start_time) / step), n_factorizations = 0, n_rows = 0;
+    State         before;
+    try
+      {
+        while (state.time < end_time - 1e-12 * (end_time - start_time))
+          {
+            if (interrupt.was_interrupted())
+              {
+                close();
+                throw Interrupted("interrupted at t = " + format("%.6g", state.time) +
+                                  " s; everything up to there is written, and samara --restart goes on");
+              }
+            // fixed steps keep to their grid, whatever happens in between
+            const double goal = is_adaptive ? end_time : std::min(end_time, start_time + (n_grid + 1) * step);
+            if (second_estimate)
+              before = state;
+            const double  from    = state.time;
+            const Advance advance = stepper.advance(state, goal);
+            account(context, state, advance.step);
+            report.n_rejected += advance.n_rejected;
+            report.n_failed += advance.n_failed;
+            report.n_events += advance.n_events;
+            largest_energy = std::max({largest_energy, budget.kinetic + budget.strain, std::abs(budget.loads), std::abs(budget.drives)});
+            report.largest_balance = std::max(report.largest_balance, std::abs(budget.balance()) / largest_energy);
+            double second          = std::nan("");
+            if (second_estimate)
+              {
+                halves.forget_history();
+                second = half_steps(context, before, state, state.time - from, halves);
+              }
+            const bool is_on_grid = is_adaptive || state.time >= goal - 1e-9 * step;
+            if (output.steps != nullptr)
+              output.steps->add({state.time,
+                                 state.time - from,
+                                 double(advance.step.iterations),
+                                 double(integrator.n_factorizations - n_factorizations),
+                                 double(advance.n_rejected + advance.n_failed),
+                                 stepper.estimate,
+                                 second});
+            n_factorizations = integrator.n_factorizations;
+            if (is_on_grid)
+              {
+                ++n_grid;
+                ++n_rows;
+                if (n_rows % output_every == 0 || state.time >= end_time - 1e-12 * (end_time - start_time))
+                  record(context, state, projection, output);
+              }
+            if (seconds_since(last_progress) > (context.log.is_terminal() ? 0.3 : 10.))
+              {
+                show();
+                last_progress = Clock::now();
+              }
+            if (seconds_since(last_checkpoint) > seconds_between_checkpoints)
+              {
+                output.flush();
+                write_checkpoint(context, state, stepper);
+                last_checkpoint = Clock::now();
+              }
+          }
+      }
+    catch (const NotConverged &problem)
+      {
+        close();
+        throw NotConverged(std::string("dynamic analysis: ") + problem.what() +
+                           "\n  everything up to there is written; try a smaller <Step>, <Step control = adaptive>, more damping "
+                           "(<Spectral radius = 0>), or look whether the mechanism locks there");
+      }
+    close();
+    summarize(context, integrator);
+  }
+
+
+
+  void
+  DynamicAnalysis::summarize(const Context &context, const Integrator &integrator) const
+  {
+    const double steps = std::max(1u, integrator.n_steps);
+    std::string  text  = "dynamic: " + std::to_string(integrator.n_steps) + " steps, " +
+                       format("%.2f", integrator.n_iterations / steps) + " Newton iterations and " +
+                       format("%.2f", integrator.n_factorizations / steps) + " factorizations a step";
+    if (report.n_rejected + report.n_failed > 0)
+      text += ", " + std::to_string(report.n_rejected) + " rejected, " + std::to_string(report.n_failed) + " without solution";
+    if (report.n_events > 0)
+      text += ", " + std::to_string(report.n_events) + " events";
+    text += "; " + format("%.3g", report.seconds) + " s; the energy budget closes to " + format("%.1e", report.largest_balance);
+    context.log.line(text);
+  }
+} // namespace samara

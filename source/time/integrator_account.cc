@@ -1,0 +1,92 @@
+// The energy account of a step.
+
+#include <samara/time/integrator.h>
+
+namespace samara
+{
+  void
+  Integrator::account(const State &state, const double h, StepResult &result)
+  {
+    const unsigned int s = tableau.s, n_strains = system.layout.n_strains;
+    const auto power = [&](const Stage &stage) {
+      double sum = 0;
+      for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
+        sum += force[i] * stage.y[6 + i];
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        sum += force[system.layout.of_coordinate(i)] * stage.rates[i];
+      return sum;
+    };
+
+    // loads: the residual without stresses and multipliers
+    std::fill(stress_increment.begin(), stress_increment.end(), 0.);
+    for (unsigned int k = 0; k < s; ++k)
+      {
+        Point<double> point = stages[k].point();
+        point.multipliers   = no_multipliers.data();
+        point.stress        = stress_increment.data();
+        force.assign(system.size() + 6, 0.);
+        bool any = false;
+        for (const auto &c : system.model.contributions)
+          if (c->has_loads())
+            {
+              c->residual(point, force.data());
+              any = true;
+            }
+        if (any)
+          result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
+      }
+
+    // dampers: the power of the viscous stresses is the product with their own strain rates
+    if (has_damping)
+      {
+        std::fill(strain_increment.begin(), strain_increment.end(), 0.);
+        for (unsigned int k = 0; k < s; ++k)
+          for (const auto &c : system.model.contributions)
+            if (c->has_damping())
+              {
+                const double *const rates = stages[k].strain_rates.data() + c->first_strain;
+                c->stresses(strain_increment.data() + c->first_strain, rates, stress_increment.data() + c->first_strain);
+                result.viscous_loss += h * tableau.b(k) *
+                                       c->power(stress_increment.data() + c->first_strain, rates);
+              }
+      }
+
+    // constraints do the work −λ·(ġ − ∂g/∂t); for those that do not depend on time it vanishes over the step
+    for (unsigned int k = 0; k < s && system.layout.n_multipliers > 0; ++k)
+      {
+        const Stage &stage = stages[k];
+        time_rates.assign(system.layout.n_multipliers, 0.);
+        for (const auto *c : system.layout.constraining)
+          c->constraint_time_rates(stage.point(), time_rates.data());
+        for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+          if (is_active[i])
+            result.work_of_drives -=
+              h * tableau.b(k) * stage.multipliers[i] * (stage.constraint_rates[i] - time_rates[i]);
+      }
+    for (const auto &correction : system.layout.corrections)
+      for (unsigned int k = 0; k < s; ++k)
+        for (unsigned int l = 0; l < s; ++l)
+          result.work_of_drives += h * tableau.b(k) * tableau.b(l) * stages[k].multipliers[correction.multiplier] *
+                                   stages[l].constraint_rates[correction.multiplier];
+
+    // D = h² α/(2(2s−1)) |Σ b p (ẏ, ė)|² in the norm of the energy
+    double                square  = 0;
+    const Eigen::VectorXd weights = tableau.w.transpose() * tableau.b.cwiseProduct(tableau.p) / h;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        const Eigen::Map<const Vector6> y_start(&state.y[6 * node]);
+        Vector6                         v = Vector6::Zero();
+        for (unsigned int k = 0; k < s; ++k)
+          v += weights(k) * (Eigen::Map<const Vector6>(&stages[k].y[6 * node]) - y_start);
+        square += v.dot(system.model.nodes[node].inertia * v);
+      }
+    std::fill(strain_increment.begin(), strain_increment.end(), 0.);
+    for (unsigned int k = 0; k < s; ++k)
+      for (unsigned int i = 0; i < n_strains; ++i)
+        strain_increment[i] += tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
+    for (const auto &c : system.model.contributions)
+      square += 2 * c->strain_energy(strain_increment.data() + c->first_strain);
+    result.indicator  = h * h / (2 * (2. * s - 1)) * square;
+    result.dissipated = tableau.alpha * result.indicator;
+  }
+} // namespace samara

@@ -1,0 +1,206 @@
+// The stages of a step: where they are, and how far their equations are from being satisfied.
+
+#include <samara/time/integrator.h>
+
+namespace samara
+{
+  namespace
+  {
+    /** Stage triads: [D_1 … D_s] (I − h W) = [D_i … D_i], W with the blocks a_kl Ω~_l. */
+    template <int s>
+    void
+    stage_triads(const Tableau &t, const double h, const Vector3 *spin, const Matrix3 &D_start, Matrix3 *D)
+    {
+      if constexpr (s == 1)
+        {
+          // D (I − r~) = D_i with r = h a Ω, in closed form
+          const Vector3 r = h * t.a(0, 0) * spin[0];
+          const Matrix3 inverse = (Matrix3::Identity() + skew(r) + r * r.transpose()) / (1 + r.squaredNorm());
+          D[0].noalias()        = D_start * inverse;
+        }
+      else
+        {
+          constexpr int               n = 3 * s;
+          Eigen::Matrix<double, n, n> A = Eigen::Matrix<double, n, n>::Identity();
+          Eigen::Matrix<double, n, 3> right;
+          for (int k = 0; k < s; ++k)
+            {
+              right.template middleRows<3>(3 * k) = D_start.transpose();
+              for (int l = 0; l < s; ++l)
+                A.template block<3, 3>(3 * k, 3 * l) += h * t.a(k, l) * skew(spin[l]); // (−Ω~)ᵀ = Ω~
+            }
+          const Eigen::Matrix<double, n, 3> solution = A.partialPivLu().solve(right);
+          for (int k = 0; k < s; ++k)
+            D[k] = solution.template middleRows<3>(3 * k).transpose();
+        }
+    }
+  } // namespace
+
+
+
+  void
+  Integrator::move_stages(const State &state, const double h)
+  {
+    const unsigned int s = tableau.s;
+    for (auto &stage : stages)
+      {
+        stage.q           = state.q;
+        stage.coordinates = state.coordinates;
+      }
+    final_q           = state.q;
+    final_coordinates = state.coordinates;
+    Vector3 spin[3], velocity[3];
+    Matrix3 D[3];
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        const Matrix3 D_start = state.triad(node);
+        for (unsigned int k = 0; k < s; ++k)
+          spin[k] = Eigen::Map<const Vector3>(&stages[k].y[6 * node + 3]);
+        switch (s)
+          {
+            case 1:
+              stage_triads<1>(tableau, h, spin, D_start, D);
+              break;
+            case 2:
+              stage_triads<2>(tableau, h, spin, D_start, D);
+              break;
+            default:
+              stage_triads<3>(tableau, h, spin, D_start, D);
+          }
+        for (unsigned int k = 0; k < s; ++k)
+          velocity[k] = D[k] * Eigen::Map<const Vector3>(&stages[k].y[6 * node]);
+        Eigen::Map<Vector3> x_final(&final_q[12 * node]);
+        Eigen::Map<Matrix3> D_final(&final_q[12 * node + 3]);
+        for (unsigned int k = 0; k < s; ++k)
+          {
+            Eigen::Map<Vector3> x(&stages[k].q[12 * node]);
+            for (unsigned int l = 0; l < s; ++l)
+              x += h * tableau.a(k, l) * velocity[l];
+            Eigen::Map<Matrix3>(&stages[k].q[12 * node + 3]) = D[k];
+            x_final += h * tableau.b(k) * velocity[k];
+            D_final += h * tableau.b(k) * D[k] * skew(spin[k]);
+          }
+      }
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      for (unsigned int k = 0; k < s; ++k)
+        {
+          for (unsigned int l = 0; l < s; ++l)
+            stages[k].coordinates[i] += h * tableau.a(k, l) * stages[l].rates[i];
+          final_coordinates[i] += h * tableau.b(k) * stages[k].rates[i];
+        }
+  }
+
+
+
+  void
+  Integrator::evaluate_stresses(const double h)
+  {
+    const unsigned int n_strains = system.layout.n_strains;
+    for (auto &stage : stages)
+      {
+        stage.strain_rates.resize(n_strains);
+        for (const auto &c : system.model.contributions)
+          c->strain_rates(stage.point(), stage.strain_rates.data() + c->first_strain);
+      }
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        Stage &stage = stages[k];
+        e            = e_start;
+        for (unsigned int l = 0; l < tableau.s; ++l)
+          for (unsigned int i = 0; i < n_strains; ++i)
+            e[i] += h * tableau.a_alpha(k, l) * stages[l].strain_rates[i];
+        stage.excess.resize(n_strains);
+        for (const auto &c : system.model.contributions)
+          c->stresses(e.data() + c->first_strain,
+                      stage.strain_rates.data() + c->first_strain,
+                      stage.excess.data() + c->first_strain);
+        for (unsigned int i = 0; i < n_strains; ++i)
+          stage.excess[i] -= stage.stress[i];
+      }
+  }
+
+
+
+  void
+  Integrator::evaluate_constraints(const State &state, const double h)
+  {
+    const unsigned int s = tableau.s, n_multipliers = system.layout.n_multipliers;
+    if (n_multipliers == 0)
+      return;
+    std::fill(mean_rates.begin(), mean_rates.end(), 0.);
+    for (unsigned int k = 0; k < s; ++k)
+      {
+        Stage &stage = stages[k];
+        stage.constraint_rates.assign(n_multipliers, 0.);
+        for (const auto *c : system.layout.constraining)
+          c->constraint_rates(stage.point(), stage.constraint_rates.data());
+        for (unsigned int i = 0; i < n_multipliers; ++i)
+          mean_rates[i] += tableau.b(k) * stage.constraint_rates[i];
+      }
+
+    Point<double> end = stages[0].point();
+    end.q             = final_q.data();
+    end.coordinates   = final_coordinates.data();
+    end.time          = state.time + h;
+    constraints_at_end.assign(system.size() + 6, 0.);
+    for (const auto *c : system.layout.constraining)
+      c->residual(end, constraints_at_end.data());
+    for (auto &stage : stages)
+      for (unsigned int i = 0; i < n_multipliers; ++i)
+        {
+          const int row       = system.layout.of_multiplier(i);
+          stage.residual[row] = !is_active[i]      ? 0. :
+                                is_nonholonomic[i] ? stage.constraint_rates[i] :
+                                                     stage.constraint_rates[i] - mean_rates[i] + constraints_at_end[row] / h;
+        }
+    for (const auto &correction : system.layout.corrections)
+      {
+        double lambda = 0, squares = 0;
+        for (unsigned int k = 0; k < s; ++k)
+          {
+            lambda += tableau.b(k) * stages[k].multipliers[correction.multiplier];
+            squares += tableau.b(k) * std::pow(stages[k].rates[correction.coordinate], 2);
+          }
+        if (squares > 0)
+          for (auto &stage : stages)
+            stage.residual[system.layout.of_coordinate(correction.coordinate)] -=
+              lambda * mean_rates[correction.multiplier] / squares * stage.rates[correction.coordinate];
+      }
+  }
+
+
+
+  void
+  Integrator::evaluate(const State &state, const double h)
+  {
+    evaluate_stresses(h);
+    Point<double> at = frozen.point();
+    at.multipliers   = no_multipliers.data();
+    at.factor        = 0;
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
+        Stage &stage = stages[k];
+        stage.residual.assign(system.size() + 6, 0.);
+        at.stress = stage.excess.data();
+        for (const auto &c : system.model.contributions)
+          {
+            c->residual(stage.point(), stage.residual.data());
+            if (c->n_strains() > 0)
+              c->residual(at, stage.residual.data());
+          }
+        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+          {
+            const Matrix6                  &inertia = system.model.nodes[node].inertia;
+            const Eigen::Map<const Vector6> y(&stage.y[6 * node]), y_start(&state.y[6 * node]);
+            Vector6                         acceleration = Vector6::Zero();
+            for (unsigned int l = 0; l < tableau.s; ++l)
+              acceleration += tableau.w(k, l) / h * (Eigen::Map<const Vector6>(&stages[l].y[6 * node]) - y_start);
+            const Vector6 momentum = inertia * y;
+            Eigen::Map<Vector6>(&stage.residual[system.layout.of_node(node)]) +=
+              inertia * acceleration - ad_star<double>(y, momentum);
+          }
+      }
+    evaluate_constraints(state, h);
+  }
+} // namespace samara
