@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 namespace samara
@@ -28,18 +29,40 @@ namespace samara
     }
 
   private:
-    /** condition ? this : that */
+    /** condition ? this : that, as: condition, skip_if_zero, this, skip, that */
     void
     choice()
     {
+      const auto first = program.size();
       operations(1);
-      if (accept("?"))
-        {
-          choice();
-          expect(":");
-          choice();
-          append(jet_choice, 3);
-        }
+      if (!accept("?"))
+        return;
+      const auto branch = append_skip(Instruction::skip_if_zero);
+      choice();
+      expect(":");
+      const auto jump = append_skip(Instruction::skip);
+      choice();
+      program[branch].n_skipped = jump - branch;
+      program[jump].n_skipped   = program.size() - jump - 1;
+      if (branch == first + 1 && program[first].kind == Instruction::number)
+        keep_branch(first, branch, jump);
+      else
+        n_settled = program.size();
+    }
+
+    /** The condition is a number: only one of the branches is left. */
+    void
+    keep_branch(const std::size_t first, const std::size_t branch, const std::size_t jump)
+    {
+      const bool holds = program[first].value != 0;
+      const auto begin = program.begin();
+      if (holds)
+        program.erase(begin + jump, program.end());
+      program.erase(begin + first, begin + (holds ? branch : jump) + 1);
+      if (program.size() > first + 1)
+        n_settled = program.size();
+      else
+        n_settled = std::min(n_settled, first);
     }
 
     /** Operands with binary operators between them that bind at least as close as @p precedence. */
@@ -51,7 +74,7 @@ namespace samara
         {
           ++position;
           operations(op->precedence + 1);
-          append(op->apply, 2);
+          append(op->apply, op->piece, 2);
         }
     }
 
@@ -62,7 +85,7 @@ namespace samara
       if (accept("-"))
         {
           signed_operand();
-          append(jet_negative, 1);
+          append(jet_negative, nullptr, 1);
         }
       else if (accept("+"))
         signed_operand();
@@ -80,7 +103,7 @@ namespace samara
         {
           ++position;
           signed_operand();
-          append(op->apply, 2);
+          append(op->apply, op->piece, 2);
         }
     }
 
@@ -123,7 +146,7 @@ namespace samara
       expect(")");
       if (n < f->min_arguments || n > f->max_arguments)
         fail("<" + name + "> does not take " + std::to_string(n) + (n == 1 ? " argument" : " arguments"));
-      append(f->apply, n);
+      append(f->apply, f->piece, n);
     }
 
     const JetOperation *
@@ -159,34 +182,43 @@ namespace samara
       if (!text_to_number(digits, value))
         fail("<" + digits + "> is too large or too small a number");
       grow();
-      program.push_back({Instruction::number, value, nullptr, 0});
+      program.push_back({Instruction::number, value});
     }
 
     void
     append_variable()
     {
       grow();
-      program.push_back({Instruction::variable, 0, nullptr, 0});
+      program.push_back({Instruction::variable});
+    }
+
+    /** What is skipped is not known yet. The number on top goes: a condition, or the other branch has its own. */
+    std::size_t
+    append_skip(const Instruction::Kind kind)
+    {
+      --depth;
+      program.push_back({kind});
+      return program.size() - 1;
     }
 
     /**
      * What is constant is computed now. That saves time, and keeps the derivatives of a part like sqrt(0), which do not
-     * exist, out of the derivatives of the whole.
+     * exist, out of the derivatives of the whole. A number at the end of a branch is no constant.
      */
     void
-    append(const JetOperation::Function apply, const unsigned int n_arguments)
+    append(const JetOperation::Function apply, const JetOperation::Piece piece, const unsigned int n_arguments)
     {
       depth -= n_arguments - 1;
       const auto is_number = [](const Instruction &i) { return i.kind == Instruction::number; };
       const auto first     = program.end() - n_arguments;
-      if (!std::all_of(first, program.end(), is_number))
-        return program.push_back({Instruction::operation, 0, apply, n_arguments});
+      if (program.size() < n_settled + n_arguments || !std::all_of(first, program.end(), is_number))
+        return program.push_back({Instruction::operation, 0, apply, piece, n_arguments});
 
       std::vector<Jet> arguments;
       for (auto i = first; i != program.end(); ++i)
         arguments.push_back({i->value, 0, 0});
       program.erase(first, program.end());
-      program.push_back({Instruction::number, apply(arguments.data(), n_arguments).value, nullptr, 0});
+      program.push_back({Instruction::number, apply(arguments.data(), n_arguments).value});
     }
 
     void
@@ -210,6 +242,7 @@ namespace samara
     std::size_t              position = 0;
     unsigned int             depth    = 0;
     std::vector<Instruction> program;
+    std::size_t              n_settled = 0; ///< instructions up to the end of the last ?:, not to be looked into
   };
 
 
@@ -226,27 +259,44 @@ namespace samara
 
 
 
+  template <typename Visit>
   Jet
-  Formula::operator()(const double x) const
+  Formula::run(const double x, const Visit &visit) const
   {
     std::array<Jet, stack_size + 1> stack;
     Jet                            *top = stack.data();
-    for (const auto &instruction : program)
-      switch (instruction.kind)
+    for (auto instruction = program.begin(); instruction != program.end(); ++instruction)
+      switch (instruction->kind)
         {
           case Instruction::number:
-            *top++ = {instruction.value, 0, 0};
+            *top++ = {instruction->value, 0, 0};
             break;
           case Instruction::variable:
             *top++ = {x, 1, 0};
             break;
           case Instruction::operation:
-            top -= instruction.n_arguments;
-            *top = instruction.apply(top, instruction.n_arguments);
+            top -= instruction->n_arguments;
+            visit(*instruction, top);
+            *top = instruction->apply(top, instruction->n_arguments);
             ++top;
+            break;
+          case Instruction::skip:
+            instruction += instruction->n_skipped;
+            break;
+          case Instruction::skip_if_zero:
+            --top;
+            instruction += top->value == 0 ? instruction->n_skipped : 0;
             break;
         }
     return stack[0];
+  }
+
+
+
+  Jet
+  Formula::operator()(const double x) const
+  {
+    return run(x, [](const Instruction &, const Jet *) {});
   }
 
 
@@ -257,5 +307,49 @@ namespace samara
     return std::none_of(program.begin(), program.end(), [](const Instruction &i) {
       return i.kind == Instruction::variable;
     });
+  }
+
+
+
+  std::vector<double>
+  Formula::pieces(const double x) const
+  {
+    std::vector<double> result;
+    run(x, [&](const Instruction &instruction, const Jet *const arguments) {
+      if (instruction.piece != nullptr)
+        result.push_back(instruction.piece(arguments, instruction.n_arguments));
+    });
+    return result;
+  }
+
+
+
+  double
+  Formula::next_corner(const double from, const double to) const
+  {
+    const double none = std::numeric_limits<double>::infinity();
+    if (std::none_of(program.begin(), program.end(), [](const Instruction &i) { return i.piece != nullptr; }))
+      return none;
+    const auto here    = pieces(from);
+    const auto is_here = [&](const double x) { return pieces(x) == here; };
+
+    const unsigned int n_places = 64;
+    unsigned int       k        = 1;
+    const auto place = [&](const unsigned int k) { return k == n_places ? to : from + k * (to - from) / n_places; };
+    while (k <= n_places && is_here(place(k)))
+      ++k;
+    if (k > n_places)
+      return none;
+
+    // down to neighbouring numbers; the limit is for a corner at 0, which has too many neighbours
+    double left = k == 1 ? from : place(k - 1), right = place(k);
+    for (unsigned int i = 0; i < 200; ++i)
+      {
+        const double middle = left + 0.5 * (right - left);
+        if (middle <= left || middle >= right)
+          break;
+        (is_here(middle) ? left : right) = middle;
+      }
+    return right;
   }
 } // namespace samara

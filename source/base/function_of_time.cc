@@ -2,6 +2,8 @@
 #include <samara/base/text.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace samara
@@ -78,6 +80,24 @@ namespace samara
   ScalarFunction::second_derivative(const double x) const
   {
     return evaluate(x).second;
+  }
+
+
+
+  double
+  ScalarFunction::next_corner(const double from, const double to) const
+  {
+    const auto   round_off = [](const double x) { return 1e-12 * std::max(1., std::abs(x)); };
+    const double none = std::numeric_limits<double>::infinity(), begin = from + round_off(from);
+    const double end = std::isfinite(to) ? to - round_off(to) : to;
+    if (begin > end || is_constant())
+      return none;
+    if (table.empty())
+      return formula.next_corner(begin, end);
+    const auto corner = std::lower_bound(table.begin(), table.end(), begin, [](const auto &row, const double x) {
+      return row.first < x;
+    });
+    return corner != table.end() && corner->first <= end ? corner->first : none;
   }
 
 

@@ -83,30 +83,75 @@ namespace samara
       return {b ? 1. : 0., 0, 0};
     }
 
-    Jet
-    step(const double f)
+    using N = unsigned int;
+
+    /** On which side of each other two numbers are. */
+    double
+    side(const Arguments a, N)
     {
-      return {f, 0, 0};
+      return sign(a[0].value - a[1].value);
     }
 
-    /** One of many, the one that is before all others in an order. */
+    double
+    side_of_zero(const Arguments a, N)
+    {
+      return sign(a->value);
+    }
+
+    /** atan2 jumps between the second quadrant and the third: two pieces; the right half is another. */
+    double
+    left_quadrant(const Arguments a, N)
+    {
+      return a[1].value >= 0 ? 0 : a[0].value < 0 ? -1 : 1;
+    }
+
+    JetOperation
+    of_one(const std::string &name, const JetOperation::Function apply, const JetOperation::Piece piece = nullptr)
+    {
+      return {name, 1, 1, apply, 0, piece};
+    }
+
+    double
+    round_half_up(const double x)
+    {
+      return std::floor(x + 0.5);
+    }
+
+    /** A function that is constant on each of its pieces, which its values tell from each other. */
+    template <double (*f)(double)>
+    JetOperation
+    step_function(const std::string &name)
+    {
+      return of_one(
+        name,
+        [](Arguments a, N) -> Jet {
+          return {f(a->value), 0, 0};
+        },
+        [](Arguments a, N) { return std::isnan(a->value) ? 0 : f(a->value); });
+    }
+
+    /** Which of many is before all others in an order. */
     template <typename Before>
-    Jet
-    foremost(const Arguments x, const unsigned int n, const Before &before)
+    unsigned int
+    foremost(const Arguments x, const unsigned int n)
     {
       unsigned int best = 0;
       for (unsigned int i = 1; i < n; ++i)
-        if (before(x[i].value, x[best].value))
+        if (Before()(x[i].value, x[best].value))
           best = i;
-      return x[best];
+      return best;
     }
 
-    using N = unsigned int;
-
+    template <typename Before>
     JetOperation
-    of_one(const std::string &name, const JetOperation::Function apply)
+    selection(const std::string &name)
     {
-      return {name, 1, 1, apply};
+      return {name,
+              1,
+              1000,
+              [](Arguments a, N n) { return a[foremost<Before>(a, n)]; },
+              0,
+              [](Arguments a, N n) -> double { return foremost<Before>(a, n); }};
     }
 
     std::vector<JetOperation>
@@ -143,7 +188,7 @@ namespace samara
                        const double x = a->value, r = 1 / (1 + x * x);
                        return chain(*a, std::atan(x), r, -2 * x * r * r);
                      }),
-              {"atan2", 2, 2, [](Arguments a, N) { return arc_tangent_2(a[0], a[1]); }}};
+              {"atan2", 2, 2, [](Arguments a, N) { return arc_tangent_2(a[0], a[1]); }, 0, left_quadrant}};
     }
 
     std::vector<JetOperation>
@@ -198,14 +243,14 @@ namespace samara
     std::vector<JetOperation>
     piecewise_functions()
     {
-      const unsigned int many = 1000;
-      return {of_one("abs", [](Arguments a, N) { return chain(*a, std::abs(a->value), sign(a->value), 0); }),
-              of_one("sign", [](Arguments a, N) { return step(sign(a->value)); }),
-              of_one("rint", [](Arguments a, N) { return step(std::floor(a->value + 0.5)); }),
-              of_one("floor", [](Arguments a, N) { return step(std::floor(a->value)); }),
-              of_one("ceil", [](Arguments a, N) { return step(std::ceil(a->value)); }),
-              {"min", 1, many, [](Arguments a, N n) { return foremost(a, n, std::less<>()); }},
-              {"max", 1, many, [](Arguments a, N n) { return foremost(a, n, std::greater<>()); }}};
+      return {of_one(
+                "abs", [](Arguments a, N) { return chain(*a, std::abs(a->value), sign(a->value), 0); }, side_of_zero),
+              step_function<sign>("sign"),
+              step_function<round_half_up>("rint"),
+              step_function<std::floor>("floor"),
+              step_function<std::ceil>("ceil"),
+              selection<std::less<>>("min"),
+              selection<std::greater<>>("max")};
     }
   } // namespace
 
@@ -215,14 +260,6 @@ namespace samara
   jet_negative(const Arguments a, unsigned int)
   {
     return {-a->value, -a->first, -a->second};
-  }
-
-
-
-  Jet
-  jet_choice(const Arguments a, unsigned int)
-  {
-    return a[0].value != 0 ? a[1] : a[2];
   }
 
 
@@ -247,12 +284,12 @@ namespace samara
     static const std::vector<JetOperation> all = {
       {"||", 2, 2, [](Arguments a, N) { return logical(a[0].value != 0 || a[1].value != 0); }, 1},
       {"&&", 2, 2, [](Arguments a, N) { return logical(a[0].value != 0 && a[1].value != 0); }, 2},
-      {"<", 2, 2, [](Arguments a, N) { return logical(a[0].value < a[1].value); }, 3},
-      {"<=", 2, 2, [](Arguments a, N) { return logical(a[0].value <= a[1].value); }, 3},
-      {">", 2, 2, [](Arguments a, N) { return logical(a[0].value > a[1].value); }, 3},
-      {">=", 2, 2, [](Arguments a, N) { return logical(a[0].value >= a[1].value); }, 3},
-      {"==", 2, 2, [](Arguments a, N) { return logical(a[0].value == a[1].value); }, 3},
-      {"!=", 2, 2, [](Arguments a, N) { return logical(a[0].value != a[1].value); }, 3},
+      {"<", 2, 2, [](Arguments a, N) { return logical(a[0].value < a[1].value); }, 3, side},
+      {"<=", 2, 2, [](Arguments a, N) { return logical(a[0].value <= a[1].value); }, 3, side},
+      {">", 2, 2, [](Arguments a, N) { return logical(a[0].value > a[1].value); }, 3, side},
+      {">=", 2, 2, [](Arguments a, N) { return logical(a[0].value >= a[1].value); }, 3, side},
+      {"==", 2, 2, [](Arguments a, N) { return logical(a[0].value == a[1].value); }, 3, side},
+      {"!=", 2, 2, [](Arguments a, N) { return logical(a[0].value != a[1].value); }, 3, side},
       {"+", 2, 2, [](Arguments a, N) { return add(a[0], a[1]); }, 4},
       {"-", 2, 2, [](Arguments a, N) { return add(a[0], jet_negative(a + 1, 1)); }, 4},
       {"*", 2, 2, [](Arguments a, N) { return multiply(a[0], a[1]); }, 5},

@@ -37,6 +37,7 @@ namespace samara
             "The same given as the damping ratio of a mode at the frequency below; one number or six [1].",
             List(Double(0), 1, 6));
     prm.add("Damping frequency", damping_frequency, "Frequency at which the damping ratio holds [rad/s].", Double(0));
+    initial_velocity.add_parameters(prm, "start of the beam");
   }
 
 
@@ -257,6 +258,16 @@ namespace samara
     Cosserat<1>::connect(layout);
     for (auto &frame : node_frames)
       frame = model->resolved(frame);
+    if (!node_frames.empty())
+      initial_velocity.check(node_frames, *this, model->complaints);
+  }
+
+
+
+  void
+  Beam::add_initial_velocities(State &state) const
+  {
+    initial_velocity.assign(node_frames, *this, state);
   }
 
 
@@ -359,6 +370,7 @@ namespace samara
         sample.D += N * nodes[a].D;
         sample.velocity += N * nodes[a].D * y.head<3>();
         result.spin += N * nodes[a].D * y.tail<3>();
+        result.acceleration += N * frame_acceleration(elements[i].frames[a], state);
       }
     for (unsigned int k = 0; k < 4; ++k)
       sample.D = renormalised(sample.D);
@@ -414,7 +426,14 @@ namespace samara
 
     return frame_probe(quantity, [=](const State &state) -> FrameMotion {
       const Local l = local(state, abscissa);
-      return {l.sample.x, l.sample.x - l.sample.displacement, l.sample.D, l.D_reference, l.sample.velocity, l.spin};
+      return {l.sample.x,
+              l.sample.x - l.sample.displacement,
+              l.sample.D,
+              l.D_reference,
+              l.sample.velocity,
+              l.spin,
+              l.acceleration.head<3>(),
+              l.acceleration.tail<3>()};
     });
   }
 

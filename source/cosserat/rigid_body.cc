@@ -23,6 +23,7 @@ namespace samara
             "where J12 = -integral of y1 y2 dm [kg*m^2].",
             List(Double(), 3, 6));
     prm.add("Frames", frame_entries, "Points others can attach to, in inertial coordinates: name at x y z, name at x y z [m].");
+    initial_velocity.add_parameters(prm, "node");
     prm.add("Shape",
             shape,
             "How the body is drawn; automatic: a sphere as heavy as steel, with bars to its frames.",
@@ -35,6 +36,7 @@ namespace samara
   void
   RigidBody::initialize(Model &model)
   {
+    complaints = &model.complaints;
     Matrix3 D;
     try
       {
@@ -104,6 +106,16 @@ namespace samara
   {
     for (auto &point : named)
       point.second.frame = layout.model.resolved(point.second.frame);
+    if (!named.empty())
+      initial_velocity.check({named.at("centre").frame}, *this, *complaints);
+  }
+
+
+
+  void
+  RigidBody::add_initial_velocities(State &state) const
+  {
+    initial_velocity.assign({named.at("centre").frame}, *this, state);
   }
 
 
@@ -141,11 +153,8 @@ namespace samara
     if (found == named.end())
       return {};
     const Point point = found->second;
-    return frame_probe(trim(path.substr(dot == std::string::npos ? 0 : dot + 1)), [=](const State &state) -> FrameMotion {
-      const Matrix3 D = point.frame.triad(state.q.data());
-      const Vector6 y = point.frame.twist(state.y.data());
-      return {point.frame.position(state.q.data()), point.x, D, point.D, D * y.head<3>(), D * y.tail<3>()};
-    });
+    return frame_probe(trim(path.substr(dot == std::string::npos ? 0 : dot + 1)),
+                       [=](const State &state) { return FrameMotion::of(point.frame, point.x, point.D, state); });
   }
 
 

@@ -1,5 +1,8 @@
 #include <samara/loads/loads.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace samara
 {
   void
@@ -132,6 +135,17 @@ namespace samara
           -skew((D.transpose() * vector(moment, load, point.time, point.factor)).eval());
         load.block.add(local, K);
       }
+  }
+
+
+
+  double
+  WrenchLoad::next_corner(const double from, const double to) const
+  {
+    double first = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < 3; ++i)
+      first = std::min({first, force[i].next_corner(from, to), moment[i].next_corner(from, to)});
+    return first;
   }
 
 

@@ -23,6 +23,8 @@ namespace samara
         {"displacement", {"m", "xyz", [](const FrameMotion &m) -> Vector3 { return m.x - m.x_reference; }}},
         {"velocity", {"m/s", "xyz", [](const FrameMotion &m) { return m.velocity; }}},
         {"angular velocity", {"rad/s", "xyz", [](const FrameMotion &m) { return m.angular_velocity; }}},
+        {"acceleration", {"m/s^2", "xyz", [](const FrameMotion &m) { return m.acceleration; }}},
+        {"angular acceleration", {"rad/s^2", "xyz", [](const FrameMotion &m) { return m.angular_acceleration; }}},
         {"rotation",
          {"deg",
           "xyz",
@@ -35,6 +37,37 @@ namespace samara
       return all;
     }
   } // namespace
+
+
+
+  FrameMotion
+  FrameMotion::of(const Frame &frame, const Vector3 &x_reference, const Matrix3 &D_reference, const State &state)
+  {
+    const Matrix3 D = frame.triad(state.q.data());
+    const Vector6 y = frame.twist(state.y.data()), a = frame_acceleration(frame, state);
+    return {frame.position(state.q.data()),
+            x_reference,
+            D,
+            D_reference,
+            D * y.head<3>(),
+            D * y.tail<3>(),
+            a.head<3>(),
+            a.tail<3>()};
+  }
+
+
+
+  Vector6
+  frame_acceleration(const Frame &frame, const State &state)
+  {
+    if (state.accelerations.empty())
+      return Vector6::Zero();
+    const Matrix3 D = frame.triad(state.q.data());
+    const Vector6 y = frame.twist(state.y.data()), rate = frame.twist(state.accelerations.data());
+    Vector6       a;
+    a << D * (rate.head<3>() + cross(y.tail<3>(), y.head<3>())), D * rate.tail<3>();
+    return a;
+  }
 
 
 

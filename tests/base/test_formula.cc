@@ -113,6 +113,25 @@ namespace
 
 
 
+  /** Branches of ?: are skipped, and numbers at their ends are no constants that could be computed beforehand. */
+  TEST(Formula, ComputesNothingAcrossBranches)
+  {
+    for (const double x : {0.5, 1.5})
+      {
+        EXPECT_EQ(Formula("(t < 1 ? 2 : 3) + 4*5", "t")(x).value, x < 1 ? 22 : 23);
+        EXPECT_EQ(Formula("max(7, t < 1 ? 8 : 3, 4)", "t")(x).value, x < 1 ? 8 : 7);
+        EXPECT_EQ(Formula("-(t < 1 ? 2 : 3)^(1 ? 2 : t)", "t")(x).value, x < 1 ? -4 : -9);
+        EXPECT_EQ(Formula("(t < 1 ? 1 : (0 ? t : 2)) * (0 ? t : 2)", "t")(x).value, x < 1 ? 2 : 4);
+        EXPECT_EQ(Formula("(1 ? (t < 1 ? 5 : 6) : t) - (3 - 2)", "t")(x).value, x < 1 ? 4 : 5);
+        EXPECT_EQ(Formula("t < 1 ? t ? 1 : 2 : t > 1 ? 3 : 4", "t")(x).value, x < 1 ? 1 : 3);
+        EXPECT_EQ(Formula("t + sqrt(1 ? 0 : t)", "t")(x).first, 1);
+      }
+    EXPECT_TRUE(Formula("2 > 1 ? 3 : t", "t").is_constant());
+    EXPECT_EQ(Formula("2 > 1 ? 3 : 4", "t")(0).value, 3);
+  }
+
+
+
   TEST(Formula, RefusesWhatItCannotRead)
   {
     for (const char *text : {"",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 using namespace samara;
@@ -87,6 +88,115 @@ namespace
   {
     for (const char *text : {"table:", "table: 1", "table: 0 0; 0 1", "table: 1 0; 0 1", "table: 0 x", "table: 1 2 3"})
       EXPECT_THROW(FunctionOfTime{std::string(text)}, std::invalid_argument) << text;
+  }
+
+
+
+  const double none = std::numeric_limits<double>::infinity();
+
+  /** All corners in an interval, each sought from the one before. */
+  std::vector<double>
+  corners(const std::string &text, double from, const double to)
+  {
+    const FunctionOfTime f(text);
+    std::vector<double>  result;
+    while (result.size() < 100 && (from = f.next_corner(from, to)) != none)
+      result.push_back(from);
+    return result;
+  }
+
+  void
+  expect_corners(const std::string &text, const double from, const double to, const std::vector<double> &expected)
+  {
+    const auto found = corners(text, from, to);
+    ASSERT_EQ(found.size(), expected.size()) << text;
+    for (unsigned int i = 0; i < found.size(); ++i)
+      EXPECT_DOUBLE_EQ(found[i], expected[i]) << text;
+  }
+
+
+
+  TEST(NextCorner, OfBranches)
+  {
+    const FunctionOfTime f("t < 1 ? 0 : t < 2 ? 12*(1 - cos(2*3.141592653589793*t)) : 0");
+    EXPECT_EQ(f.next_corner(0, 10), 1);
+    EXPECT_EQ(f.next_corner(1, 10), 2);
+    EXPECT_EQ(f.next_corner(2, 10), none);
+    EXPECT_EQ(f.next_corner(1.2, 1.9), none);
+    EXPECT_EQ(f.next_corner(1 - 1e-14, 10), 2) << "at the beginning, but for round-off";
+    EXPECT_EQ(f.next_corner(0, 1), none) << "at the end";
+    EXPECT_EQ(f.next_corner(0, 1 + 1e-14), none);
+    EXPECT_EQ(f.next_corner(1 - 1e-11, 1 + 1e-11), 1);
+    EXPECT_EQ(f.next_corner(2, 0), none);
+  }
+
+
+
+  TEST(NextCorner, OfComparisonsIsExact)
+  {
+    for (const std::string comparison : {"<", "<=", ">", ">=", "==", "!="})
+      expect_corners("(t " + comparison + " 0.1)*t", -3, 7, {0.1});
+    expect_corners("(3*t - 0.5 < 0.2*t + 1)*t", 0, 1e5, {1.5 / 2.8});
+    expect_corners("t > 0 ? 1 : 0", -1, 1, {0});
+    expect_corners("t >= 1 && t < 1.001 || t > 9", 0, 10, {1, 1.001, 9});
+    expect_corners("t > 1e6 ? 1 : 0", 0, 1e7, {1e6});
+  }
+
+
+
+  TEST(NextCorner, OfFunctions)
+  {
+    const double pi = M_PI;
+    expect_corners("abs(sin(t))", 0, 10, {pi, 2 * pi, 3 * pi});
+    expect_corners("sign(t - 1)", 0, 2, {1});
+    expect_corners("min(t, 1, 3 - t)", 0, 4, {1, 2});
+    expect_corners("max(0, t - 1)", 0, 4, {1});
+    expect_corners("floor(t)", 0.5, 3.5, {1, 2, 3});
+    expect_corners("ceil(t)", 0.5, 3.5, {1, 2, 3});
+    expect_corners("rint(t)", 0, 3, {0.5, 1.5, 2.5});
+    // from pi to -pi at t = pi; and at the ends of the half plane, which does no harm
+    expect_corners("atan2(sin(t), cos(t))", 0, 6, {pi / 2, pi, 3 * pi / 2});
+    expect_corners("floor(sqrt(t - 1))", 0, 6, {2, 5});
+  }
+
+
+
+  TEST(NextCorner, OnlyWhereItCounts)
+  {
+    expect_corners("t < 1 ? abs(sin(40*t)) : 2*t", 0.99, 100, {1});
+    expect_corners("t < 1 ? t : floor(t) > 3 ? 1 : 0", 0.2, 4.5, {1, 2, 3, 4});
+    expect_corners("1 ? t : abs(t - 1)", 0, 4, {});
+  }
+
+
+
+  TEST(NextCorner, OfWhatIsSmooth)
+  {
+    for (const std::string text : {"3", "2 < 1 ? 3 : 4", "sin(t)", "t^2/(1 + t)", "table: 0 2; 1 2", "abs(1 + t^2)"})
+      expect_corners(text, 0, 100, {});
+    EXPECT_EQ(FunctionOfTime(3).next_corner(0, 1), none);
+  }
+
+
+
+  /** Whatever the interval is, one switch in it is found. */
+  TEST(NextCorner, OneIsNeverMissed)
+  {
+    const FunctionOfTime f("t < 0.7310585786 ? 0 : t");
+    for (unsigned int i = 1; i < 200; ++i)
+      {
+        const double before = std::pow(10., 4 - 0.07 * i), after = std::pow(10., 0.07 * i - 10);
+        EXPECT_EQ(f.next_corner(0.7310585786 - before, 0.7310585786 + after), 0.7310585786) << before << " " << after;
+      }
+  }
+
+
+
+  TEST(NextCorner, OfTables)
+  {
+    expect_corners("table: 0 1; 2 5; 3, 5; 4 -1", -1, 9, {0, 2, 3, 4});
+    expect_corners("table: 0 1; 2 5; 3, 5; 4 -1", 0, 4, {2, 3});
+    expect_corners("table: 0 1; 2 5; 3, 5; 4 -1", 2, none, {3, 4});
   }
 
 

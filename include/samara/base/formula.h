@@ -15,7 +15,7 @@ namespace samara
    * make noise of the accelerations of a prescribed motion, and nonsense of them at a switch such as "t < 1 ? 0 : t -
    * 1". The language is that of muParser: + - * / ^, comparisons, && ||, ?:, and functions.
    *
-   * The program is a list of instructions for a stack. Both branches of ?: are evaluated and one is taken. Evaluation
+   * The program is a list of instructions for a stack, with jumps around the branch of ?: that is not taken. Evaluation
    * allocates nothing and may be done by several threads at once.
    */
   class Formula
@@ -31,26 +31,47 @@ namespace samara
     /** Whether the variable does not occur. */
     bool is_constant() const;
 
+    /**
+     * The first x in [from, to] where a comparison changes sides, the argument of abs() or sign() its sign, min() or
+     * max() its choice, floor(), ceil() or rint() its value, atan2() its half plane, all only where they count (not in
+     * a branch of ?: that is not taken); infinity if there is none. See ScalarFunction::next_corner().
+     */
+    double next_corner(double from, double to) const;
+
   private:
-    /** Push a number, push the variable, or replace the last arguments on the stack by the result of an operation. */
+    /**
+     * Push a number, push the variable, replace the last arguments on the stack by the result of an operation, or skip
+     * some of the instructions that follow, always or if the number on the top, which is taken away, is zero.
+     */
     struct Instruction
     {
       enum Kind
       {
         number,
         variable,
-        operation
+        operation,
+        skip,
+        skip_if_zero
       };
       Kind                   kind;
       double                 value       = 0;
       JetOperation::Function apply       = nullptr;
+      JetOperation::Piece    piece       = nullptr;
       unsigned int           n_arguments = 0;
+      unsigned int           n_skipped   = 0;
     };
 
     class Compiler;
 
     /** Deep enough for any expression somebody writes; longer ones are refused. */
     static constexpr unsigned int stack_size = 64;
+
+    /** Run the program; @p visit is told of each operation, with its arguments, before it is done. */
+    template <typename Visit>
+    Jet run(double x, const Visit &visit) const;
+
+    /** On which of its pieces each operation is that is done at @p x: equal where nothing has switched in between. */
+    std::vector<double> pieces(double x) const;
 
     std::vector<Instruction> program;
   };

@@ -30,6 +30,22 @@ namespace samara
 
     double second_derivative(double x) const;
 
+    /**
+     * The first x in (from, to) where the function or its derivative may have a jump: a point of a table; where a
+     * formula switches, by a comparison, abs(), sign(), min(), max(), floor(), ceil(), rint() or atan2(). Infinity if
+     * there is none. What lies within 1e-12 max(1, |x|) of an end of the interval counts as lying at that end and is
+     * not found: one can ask again from the corner that was found last, and steps that end at corners do not get that
+     * short.
+     *
+     * Exact to round-off. A formula is looked at in 64 places of the interval, which must be finite: found for certain
+     * is a switch that leaves the formula on other pieces at @p to than at @p from. Of what switches forth and back,
+     * what comes twice between neighbouring places is missed, as is what is true at single points only (t == 1 is seen,
+     * as a change of sides). Not seen are poles (1/t, tan(t), ln(t)), ends of the domain (sqrt(t) at 0), and jumps of
+     * second and higher derivatives unless they are where something switches. A switch that changes neither value nor
+     * slope, as in t < 1 ? 0 : (t - 1)^2, is found like any other.
+     */
+    double next_corner(double from, double to) const;
+
     /** Constant, and zero: what acts through this function can be left out. */
     bool is_zero() const;
 

@@ -21,11 +21,15 @@ namespace samara
   {
     using Function = Jet (*)(const Jet *arguments, unsigned int n_arguments);
 
+    /** Numbers the pieces of a function that has jumps or corners between them: abs() has one on each side of 0. */
+    using Piece = double (*)(const Jet *arguments, unsigned int n_arguments);
+
     std::string  name;
     unsigned int min_arguments;
     unsigned int max_arguments;
     Function     apply;
-    unsigned int precedence = 0; ///< of a binary operator; the larger binds closer
+    unsigned int precedence = 0;       ///< of a binary operator; the larger binds closer
+    Piece        piece      = nullptr; ///< null: smooth wherever it is finite
   };
 
   /** sin(), max(), ... The names and meanings are those of muParser. */
@@ -36,9 +40,6 @@ namespace samara
 
   /** -x */
   Jet jet_negative(const Jet *arguments, unsigned int);
-
-  /** Three arguments: condition, what holds if it is not zero, what holds otherwise. */
-  Jet jet_choice(const Jet *arguments, unsigned int);
 } // namespace samara
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <samara/cosserat/cosserat.h>
 #include <samara/cosserat/curve.h>
+#include <samara/cosserat/initial_velocity.h>
 #include <samara/cosserat/section.h>
 
 namespace samara
@@ -31,6 +32,9 @@ namespace samara
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
 
+    /** All nodes take part in the rigid motion about the start that the user gives, see InitialVelocity. */
+    void add_initial_velocities(State &state) const override;
+
     double
     length() const
     {
@@ -50,6 +54,7 @@ namespace samara
     std::vector<double>        viscosity = {0}, damping_ratio = {0};
     double                     damping_frequency = 0;
     bool                       rigid             = false;
+    InitialVelocity            initial_velocity;
 
     std::unique_ptr<Curve> curve;
     const Section         *section = nullptr;
@@ -82,8 +87,9 @@ namespace samara
     {
       Sample  sample;
       Matrix3 D_reference;
-      Vector3 spin = Vector3::Zero(); ///< inertial axes [rad/s]
-      Vector6 strain, stress; ///< in section axes
+      Vector3 spin         = Vector3::Zero(); ///< inertial axes [rad/s]
+      Vector6 acceleration = Vector6::Zero(); ///< inertial axes [m/s², rad/s²]
+      Vector6 strain, stress;                 ///< in section axes
     };
     Local local(const State &state, double s) const;
   };

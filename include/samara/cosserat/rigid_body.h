@@ -1,7 +1,7 @@
 #ifndef samara_cosserat_rigid_body_h
 #define samara_cosserat_rigid_body_h
 
-#include <samara/model/model.h>
+#include <samara/cosserat/initial_velocity.h>
 
 namespace samara
 {
@@ -23,6 +23,9 @@ namespace samara
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
 
+    /** The rigid motion about the node that the user gives, see InitialVelocity. */
+    void add_initial_velocities(State &state) const override;
+
   private:
     double                   mass = 0;
     Vector3                  position = Vector3::Zero(), centre_of_mass = Vector3::Zero(), rotation = Vector3::Zero();
@@ -30,6 +33,8 @@ namespace samara
     std::vector<std::string> frame_entries;
     std::string              sequence = "321", shape = "automatic";
     std::vector<double>      size;
+    InitialVelocity          initial_velocity;
+    Complaints              *complaints = nullptr; ///< of the model
 
     struct Point
     {

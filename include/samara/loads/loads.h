@@ -63,6 +63,9 @@ namespace samara
       return true;
     }
 
+    /** The first corner of any component of force and moment, see ScalarFunction::next_corner(). */
+    double next_corner(double from, double to) const override;
+
   protected:
     void add_axes_parameter(Parameters &prm);
 

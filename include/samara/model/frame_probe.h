@@ -2,6 +2,7 @@
 #define samara_model_frame_probe_h
 
 #include <samara/model/contribution.h>
+#include <samara/model/frame.h>
 
 namespace samara
 {
@@ -10,14 +11,22 @@ namespace samara
   {
     Vector3 x, x_reference; ///< [m]
     Matrix3 D, D_reference;
-    Vector3 velocity, angular_velocity; ///< inertial axes [m/s, rad/s]
+    Vector3 velocity, angular_velocity;         ///< inertial axes [m/s, rad/s]
+    Vector3 acceleration, angular_acceleration; ///< inertial axes [m/s², rad/s²]
+
+    /** Of a frame that was at @p x_reference with axes @p D_reference; not accelerated if the state does not know. */
+    static FrameMotion
+    of(const Frame &frame, const Vector3 &x_reference, const Matrix3 &D_reference, const State &state);
   };
+
+  /** Of a frame, in inertial axes: D (v̇ + Ω × v) [m/s²], then D Ω̇ [rad/s²]; zero if the state does not know them. */
+  Vector6 frame_acceleration(const Frame &frame, const State &state);
 
   /**
    * The probe of a quantity such as "displacement y" or "rotation z" of a moving point: position, displacement,
-   * velocity, angular velocity (x, y, z, inertial axes), rotation (x, y, z: rotation vector from the reference, inertial
-   * axes, in degrees), angle (1, 2, 3: the sequence 321 of the rotation from the reference seen in its own reference
-   * axes, in degrees). Nothing if the quantity is none of these.
+   * velocity, acceleration, angular velocity and acceleration (x, y, z, inertial axes), rotation (x, y, z: rotation
+   * vector from the reference, inertial axes, in degrees), angle (1, 2, 3: the sequence 321 of the rotation from the
+   * reference seen in its own reference axes, in degrees). Nothing if the quantity is none of these.
    */
   std::optional<Probe> frame_probe(const std::string                                  &quantity,
                                    const std::function<FrameMotion(const State &)> &motion);
