@@ -171,7 +171,7 @@ namespace samara
     const System &system = context.system;
     for (unsigned int i = 0; i < system.model.rotations.size(); ++i)
       if (system.model.rotations[i].coordinate < 0 && context.speeds[i] != 0.)
-        throw InputError(parameters.where("") + "steady rotation <" + system.model.rotations[i].name +
+        throw InputError(parameters.where() + ": steady rotation <" + system.model.rotations[i].name +
                          "> turns the whole model, ground included; the dynamic analysis sees it from the ground, which stands "
                          "still. Let a joint turn: give the steady rotation a <Joint>.");
     state.held   = false;
@@ -186,10 +186,11 @@ namespace samara
     std::vector<double> r(system.size() + 6, 0.);
     for (const auto *c : system.layout.constraining)
       c->residual(state.point(), r.data());
+    for (const auto i : system.released_multipliers())
+      r[system.layout.of_multiplier(i)] = 0;
     const double length = model_length(system.model);
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-      if (const double gap = std::abs(r[system.layout.of_multiplier(i)]);
-          gap > 1e-6 * std::max(1., length) && std::find(system.model.holds.begin(), system.model.holds.end(), i) == system.model.holds.end())
+      if (const double gap = std::abs(r[system.layout.of_multiplier(i)]); gap > 1e-6 * std::max(1., length))
         throw InputError(system.layout.multiplier_names[i] + ": the constraint is violated by " + format("%.3g", gap) +
                          " at the start; let a static analysis find a position that obeys it: <Analyses = static, dynamic>");
     Projection   projection(system);
@@ -223,21 +224,20 @@ namespace samara
 
 
   void
-  DynamicAnalysis::restore(const Context &context, State &state, Stepper &stepper) const
+  DynamicAnalysis::restore(const Context &context, State &state, Stepper &stepper)
   {
     const Checkpoint checkpoint = read_checkpoint(checkpoint_file(context));
     if (checkpoint.fingerprint != fingerprint_of(context.system))
       throw InputError(checkpoint_file(context) + ": this checkpoint belongs to another model; run without --restart");
-    const_cast<DynamicAnalysis *>(this)->budget = {};
-    auto       &b                               = const_cast<DynamicAnalysis *>(this)->budget;
-    const auto &n                               = checkpoint.numbers;
-    b.loads                                     = n.at("work of loads");
-    b.drives                                    = n.at("work of drives");
-    b.viscous                                   = n.at("damper loss");
-    b.dissipated                                = n.at("numerical dissipation");
-    b.start                                     = n.at("energy at start");
-    state                                       = checkpoint.state;
-    stepper.next_step                           = control == "adaptive" ? checkpoint.step : stepper.next_step;
+    const auto &n     = checkpoint.numbers;
+    budget.loads      = n.at("work of loads");
+    budget.drives     = n.at("work of drives");
+    budget.viscous    = n.at("damper loss");
+    budget.dissipated = n.at("numerical dissipation");
+    budget.start      = n.at("energy at start");
+    state             = checkpoint.state;
+    if (control == "adaptive")
+      stepper.next_step = checkpoint.step;
     if (stepper.controller)
       stepper.controller->E_ref = n.at("reference energy");
   }
@@ -362,7 +362,7 @@ namespace samara
     if (!(step > 0))
       throw InputError(parameters.where("Step") + ": the <Step> must be positive");
     if (!context.sweep.empty())
-      throw InputError(parameters.where("") + "a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
+      throw InputError(parameters.where() + ": a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
 
     const Tableau tableau(n_stages, spectral_radius);
     Integrator    integrator(system, tableau, newton_tolerance, max_iterations), halves(system, tableau, newton_tolerance);

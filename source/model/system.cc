@@ -77,6 +77,19 @@ namespace samara
 
 
 
+  std::vector<unsigned int>
+  System::released_multipliers() const
+  {
+    // an angle that is prescribed stays so
+    std::vector<unsigned int> released;
+    for (const auto hold : model.holds)
+      if (std::none_of(model.prescribed.begin(), model.prescribed.end(), [&](const auto &p) { return p.second == hold; }))
+        released.push_back(hold);
+    return released;
+  }
+
+
+
   void
   System::drop(const std::vector<unsigned int> &multipliers)
   {

@@ -9,6 +9,9 @@ namespace samara
   namespace
   {
     constexpr unsigned int max_factorizations_per_step = 4;
+
+    /** What a factorisation with its matrices costs, in iterations. */
+    constexpr double iterations_of_a_factorization = 4;
   } // namespace
 
 
@@ -48,7 +51,7 @@ namespace samara
         is_constraint_entry.push_back(j >= n_kinematic || layout.pattern->rows[k] >= n_kinematic);
     for (const auto i : layout.nonholonomic)
       is_nonholonomic[i] = true;
-    for (const auto i : system.model.holds)
+    for (const auto i : system.released_multipliers())
       is_active[i] = false;
     for (const auto i : system.dropped_multipliers())
       is_active[i] = false;
@@ -122,6 +125,7 @@ namespace samara
           }
       }
     n_iterations += result.iterations;
+    judge_factors(result.iterations);
     if (!converged)
       {
         forget_history();
@@ -133,6 +137,21 @@ namespace samara
     finish(state, h);
     ++n_steps;
     return result;
+  }
+
+
+
+  void
+  Integrator::judge_factors(const unsigned int iterations)
+  {
+    // renew them when a step costs more iterations extra than the average of those so far, the factorisation included
+    ++n_steps_with_factors;
+    if (n_steps_with_factors == 1)
+      fresh_iterations = iterations;
+    const double extra = iterations > fresh_iterations ? iterations - fresh_iterations : 0.;
+    if (n_steps_with_factors > 1 && extra > (iterations_of_a_factorization + extra_iterations) / (n_steps_with_factors - 1))
+      factored_step = 0;
+    extra_iterations += extra;
   }
 
 
@@ -343,7 +362,9 @@ namespace samara
             factors[j].complex->factorize(matrix);
           }
       }
-    factored_step = h;
+    factored_step        = h;
+    n_steps_with_factors = 0;
+    extra_iterations     = 0;
   }
 
 

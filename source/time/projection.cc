@@ -146,7 +146,7 @@ namespace samara
         for (unsigned int i = 0; i < rates.size(); ++i)
           b[system.layout.of_multiplier(i)] -= weight * rates[i] / (12 * dt);
       }
-    for (const auto i : system.model.holds)
+    for (const auto i : system.released_multipliers())
       b[system.layout.of_multiplier(i)] = 0;
     solver->solve(b.data());
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)

@@ -172,7 +172,7 @@ namespace samara
         system.update_twists(trial);
         steady_twists = trial.y;
         if (controller)
-          controller->update(energy_of_change(state));
+          controller->update(std::max(energy_of_change(state), 1e-10 * system.energy(state).kinetic));
       }
     const double limit = corner(state.time, end);
     double       h     = next_step;

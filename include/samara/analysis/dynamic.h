@@ -70,7 +70,7 @@ namespace samara
     struct Output;
 
     void   prepare(Context &context, State &state) const;
-    void   restore(const Context &context, State &state, Stepper &stepper) const;
+    void   restore(const Context &context, State &state, Stepper &stepper);
     void   write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const;
     void   record(const Context &context, const State &state, Projection &projection, Output &output);
     void   account(const Context &context, const State &state, const StepResult &step);

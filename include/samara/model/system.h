@@ -147,6 +147,9 @@ namespace samara
      */
     void drop(const std::vector<unsigned int> &multipliers);
 
+    /** Multipliers that only held the angles of steady rotations for statics: motion is free of them. */
+    std::vector<unsigned int> released_multipliers() const;
+
     const std::vector<unsigned int> &
     dropped_multipliers() const
     {

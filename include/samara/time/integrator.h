@@ -99,6 +99,8 @@ namespace samara
     double              energy_scale  = 0;
     double              factored_step = 0; ///< step size of the factors; 0: none
     State               frozen;            ///< at which they were made
+    unsigned int        n_steps_with_factors = 0, fresh_iterations = 0;
+    double              extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix        M, C, K;
     std::vector<bool>   is_constraint_entry, is_nonholonomic;
     std::vector<bool>   is_active; ///< multipliers: neither released nor dropped
@@ -122,6 +124,7 @@ namespace samara
 
     /** Newton's method with the factors there are; gives up if corrections shrink by less than the factor @p slow. */
     bool   iterate(const State &state, double h, double slow, StepResult &result);
+    void   judge_factors(unsigned int iterations);
     void   predict(const State &state, double h);
     void   extrapolate(double x, std::vector<double> &y, std::vector<double> &rates) const;
     void   remember(const State &state, double h);

@@ -55,15 +55,16 @@ namespace samara
   /**
    * Chooses the steps from the energy that the scheme dissipates, or would with α = 1, over a reference energy.
    *
-   * A step is as long as one with which a linear oscillator would have the relative error `tolerance` after one period.
-   * So errors are proportional to the tolerance and to the number of periods, for all s and ρ∞. With Y_t from ε(Y_t) =
-   * tolerance and ζ measured:
+   * A step is as long as one with which a linear oscillator has the relative error `tolerance` after a period. Errors
+   * are then proportional to the tolerance and to the number of periods, for all s and ρ∞. With ζ measured,
    *
-   *     h_new = safety · h √(Y_t/Y(ζ)) within [least_ratio, largest_ratio] h;     rejected if ζ > reject_factor ·
-   * ζ(Y_t)
+   *     ε(Y_t) = tolerance,     h_new = safety · h √(Y_t/Y(ζ)) within [least_ratio, largest_ratio] h,
    *
-   * Limits: one oscillator is taken for all. A mode that is not resolved and has less than ζ(Y_t) of the energy is not
-   * noticed; steady rotation and what the loads do in between stages neither: that is what largest_step is for.
+   * and a step is rejected if ζ > reject_factor · ζ(Y_t).
+   *
+   * Limits: one oscillator is taken for all. A mode that is not resolved is not noticed if it has less than about
+   * ζ(Y_t) of the energy; nor is steady rotation, nor what loads do in between stages: that is what largest_step is
+   * for.
    */
   class StepController
   {
@@ -86,13 +87,14 @@ namespace samara
       double next_h; ///< of the next step, or of the same step again
     };
 
-    /** @throws std::invalid_argument unless 0 < tolerance < 1, 0 < smallest ≤ largest step, and the factors make sense.
-     */
+    /** @throws std::invalid_argument unless 0 < tolerance < 1, 0 < smallest ≤ largest step, and the factors fit. */
     StepController(const Tableau &tableau, const Settings &settings);
 
     /**
      * To be called with the energy at the start, and with that at the end of each step before decide(): strain energy
-     * and kinetic energy of what is not steady rotation. The largest so far is the reference.
+     * and kinetic energy of what is not steady rotation. The largest so far is the reference. Call it also with the
+     * least energy that matters, 1e-10 of the whole kinetic energy say: otherwise a model at rest or in steady rotation
+     * has its round-off resolved.
      */
     void update(double energy);
 
@@ -105,8 +107,11 @@ namespace samara
      */
     Decision decide(double indicator, double h);
 
-    /** What to try when the equations of a step @p h could not be solved. @throws NotConverged if h is the smallest
-     * step. */
+    /**
+     * The step to try when the equations of a step @p h could not be solved: half of it.
+     *
+     * @throws NotConverged if h is the smallest step.
+     */
     double after_failure(double h);
 
     const DissipationRelation relation;
