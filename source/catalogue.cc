@@ -6,6 +6,7 @@
 #include <samara/cosserat/rigid_body.h>
 #include <samara/joints/lower_pairs.h>
 #include <samara/joints/other_joints.h>
+#include <samara/joints/rolling.h>
 #include <samara/loads/loads.h>
 
 namespace samara
@@ -35,6 +36,8 @@ namespace samara
     joints.add<Distance>("distance", "massless rod between two points");
     joints.add<Gear>("gear", "ratio between the rotations of two joints");
     joints.add<FlexibleJoint>("flexible joint", "six springs and dampers");
+    joints.add<RollingBall>("rolling ball", "ball that rolls on a plane without slipping");
+    joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
 
     Registry<Contribution> loads;
     loads.add<Gravity>("gravity", "weight of everything");

@@ -15,8 +15,8 @@ namespace samara
   class ComplexStep
   {
   public:
-    /** Triads are not @p orthonormal unless wanted: tangents must not rely on that. */
-    explicit ComplexStep(const System &system, const bool orthonormal = false)
+    /** Triads are not @p orthonormal unless wanted: tangents must not rely on that. All switches are on, or off. */
+    explicit ComplexStep(const System &system, const bool orthonormal = false, const bool switched_on = false)
       : system(system)
       , n(system.size())
       , state(system.reference())
@@ -30,12 +30,15 @@ namespace samara
         state.q[i] += 0.2 * number(random);
       for (auto &lambda : state.multipliers)
         lambda = 5 * number(random);
+      std::fill(state.switches.begin(), state.switches.end(), switched_on);
       state.time   = 0.4;
       state.factor = 0.8;
       system.stresses(state, state.stress);
     }
 
-    /** The tangent, δσ = C B ζ, against the derivative of the residual with σ = C e(q); relative to the largest entry.
+    /**
+     * The tangent, δσ = C B ζ, against the derivative of the residual with σ = C e(q); relative to the largest entry.
+     * Rows of nonholonomic constraints, whose residual is zero, against the rates b·y of unit velocities.
      */
     double
     error_of_tangent() const
@@ -78,16 +81,43 @@ namespace samara
       SparseMatrix A(system.layout.pattern);
       for (const auto &c : system.model.contributions)
         velocities ? c->damping(state.point(), A) : c->tangent(state.point(), A);
+      const Layout         &layout    = system.layout;
       const Eigen::MatrixXd dense     = A.dense();
-      const unsigned int    n_columns = velocities ? system.layout.of_multiplier(0) : n;
+      const unsigned int    n_columns = velocities ? layout.of_multiplier(0) : n;
       double                largest   = 0;
       for (unsigned int j = 0; j < n_columns; ++j)
         {
-          const auto r = Motion(*this, Eigen::VectorXd::Unit(n, j), velocities).residual;
+          auto r = Motion(*this, Eigen::VectorXd::Unit(n, j), velocities).residual;
+          if (!velocities)
+            for (const auto i : layout.nonholonomic)
+              {
+                largest = std::max(largest, std::abs(r[layout.of_multiplier(i)]) / step);
+                r[layout.of_multiplier(i)] = Complex(0, step * constraint_rates(j)[i]);
+              }
           for (unsigned int i = 0; i < n; ++i)
             largest = std::max(largest, std::abs(r[i].imag() / step - dense(i, j)));
         }
       return largest / std::max(1., dense.cwiseAbs().maxCoeff());
+    }
+
+    /** The rates of all constraints for a unit velocity of unknown @p j, without ∂g/∂t; zero for multipliers. */
+    std::vector<double>
+    constraint_rates(const unsigned int j) const
+    {
+      const Layout       &layout = system.layout;
+      std::vector<double> y(6 + n, 0.), rates(layout.n_multipliers), time_rates(layout.n_multipliers);
+      y[6 + j]            = j < static_cast<unsigned int>(layout.of_multiplier(0)) ? 1. : 0.;
+      Point<double> point = state.point();
+      point.y             = y.data();
+      point.rates         = y.data() + 6 + layout.of_coordinate(0);
+      for (const auto *c : layout.constraining)
+        {
+          c->constraint_rates(point, rates.data());
+          c->constraint_time_rates(point, time_rates.data());
+        }
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        rates[i] -= time_rates[i];
+      return rates;
     }
 
     /** What follows from moving the configuration by i·step along z, or from velocities i·step z. */
@@ -123,7 +153,8 @@ namespace samara
                                    stress.data(),
                                    state.time,
                                    state.factor,
-                                   state.held};
+                                   state.held,
+                                   state.switches.data()};
         for (const auto &c : system.model.contributions)
           {
             const unsigned int first = c->first_strain;

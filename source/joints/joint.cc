@@ -14,6 +14,10 @@ namespace samara
         prm.add("Spring", spring, "Stiffness [N*m/rad].", Double(0));
         prm.add("Rest", rest, "Angle at which the spring is free of moment [rad].");
         prm.add("Damper", damper, "Viscous damping [N*m*s/rad].", Double(0));
+        prm.add("Lower stop", lower_stop, "Angle below which a stop is touched; not given: there is none [rad].");
+        prm.add("Upper stop", upper_stop, "Angle above which a stop is touched; not given: there is none [rad].");
+        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N*m/rad].", Double(0));
+        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*m*s/rad].", Double(0));
         prm.add("Moment", force, "Moment on body B, its reaction on body A; a function of time t [N*m].");
         prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; a function of time t [rad].");
       }
@@ -22,6 +26,10 @@ namespace samara
         prm.add("Spring", spring, "Stiffness [N/m].", Double(0));
         prm.add("Rest", rest, "Displacement at which the spring is free of force [m].");
         prm.add("Damper", damper, "Viscous damping [N*s/m].", Double(0));
+        prm.add("Lower stop", lower_stop, "Displacement below which a stop is touched; not given: there is none [m].");
+        prm.add("Upper stop", upper_stop, "Displacement above which a stop is touched; not given: there is none [m].");
+        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N/m].", Double(0));
+        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*s/m].", Double(0));
         prm.add("Force", force, "Force on body B, its reaction on body A; a function of time t [N].");
         prm.add("Prescribed", prescribed, "Prescribed displacement of B seen from A; a function of time t [m].");
       }
@@ -29,10 +37,27 @@ namespace samara
 
 
 
+  void
+  FreeMotion::check_parameters(const Parameters &prm, Complaints &complaints)
+  {
+    is_prescribed  = prm.is_set("Prescribed");
+    has_lower_stop = prm.is_set("Lower stop");
+    has_upper_stop = prm.is_set("Upper stop");
+    if ((has_lower_stop || has_upper_stop) && stop_stiffness == 0.)
+      complaints.add(prm.where(prm.is_set("Stop stiffness") ? "Stop stiffness" :
+                               has_upper_stop               ? "Upper stop" :
+                                                              "Lower stop"),
+                     "the stop of the " + name + " needs a <Stop stiffness> above zero");
+    if (has_lower_stop && has_upper_stop && lower_stop >= upper_stop)
+      complaints.add(prm.where("Upper stop"), "the <Upper stop> of the " + name + " must be above its <Lower stop>");
+  }
+
+
+
   bool
   FreeMotion::is_used() const
   {
-    return spring != 0 || damper != 0 || !force.is_zero() || is_prescribed;
+    return spring != 0 || damper != 0 || !force.is_zero() || is_prescribed || has_lower_stop || has_upper_stop;
   }
 
 
@@ -192,7 +217,7 @@ namespace samara
       }
     for (auto &motion : free)
       {
-        motion.is_prescribed = parameters.subsection(motion.name).is_set("Prescribed");
+        motion.check_parameters(parameters.subsection(motion.name), m.complaints);
         if (motion.is_used() || is_screw)
           use_coordinate(m, motion.name);
       }
@@ -250,6 +275,15 @@ namespace samara
         rows.push_back("joint " + name + ", prescribed " + motion->name);
     if (is_screw)
       rows.push_back("joint " + name + ", pitch");
+    for (const auto &s : no_slip)
+      rows.push_back("joint " + name + ", " + s.name);
+    for (unsigned int i = 0; i < used.size(); ++i)
+      {
+        if (used[i]->has_lower_stop)
+          stops.push_back({i, used[i]->lower_stop, -1.});
+        if (used[i]->has_upper_stop)
+          stops.push_back({i, used[i]->upper_stop, 1.});
+      }
 
     first_multiplier = layout.add_multipliers(rows);
     std::vector<unsigned int> multipliers(rows.size());
@@ -264,6 +298,8 @@ namespace samara
       if (used[i]->is_angle() && !used[i]->is_prescribed)
         layout.corrections.push_back({first_multiplier + static_cast<unsigned int>(locked.size()) + i,
                                       static_cast<unsigned int>(used[i]->coordinate)});
+    for (unsigned int i = rows.size() - no_slip.size(); i < rows.size(); ++i)
+      layout.nonholonomic.push_back(multipliers[i]);
   }
 
 
@@ -271,7 +307,44 @@ namespace samara
   unsigned int
   Joint::n_strains() const
   {
-    return used.size();
+    return used.size() + stops.size();
+  }
+
+
+
+  unsigned int
+  Joint::n_switches() const
+  {
+    return stops.size();
+  }
+
+
+
+  void
+  Joint::switch_values(const Point<double> &point, double *values) const
+  {
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      values[i] = stops[i].side * (point.coordinates[used[stops[i].motion]->coordinate] - stops[i].place);
+  }
+
+
+
+  double
+  Joint::next_corner(const double from, const double to) const
+  {
+    double corner = std::numeric_limits<double>::infinity();
+    for (const auto *m : used)
+      corner = std::min({corner, m->force.next_corner(from, to), m->prescribed.next_corner(from, to)});
+    return corner;
+  }
+
+
+
+  template <typename Number>
+  double
+  Joint::touches(const Point<Number> &point, const unsigned int i) const
+  {
+    return point.switches != nullptr && point.switches[first_switch + i] != 0 ? 1. : 0.;
   }
 
 
@@ -282,6 +355,8 @@ namespace samara
   {
     for (unsigned int i = 0; i < used.size(); ++i)
       e[i] = point.coordinates[used[i]->coordinate] - used[i]->rest;
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      e[used.size() + i] = touches(point, i) * (point.coordinates[used[stops[i].motion]->coordinate] - stops[i].place);
   }
 
 
@@ -291,6 +366,8 @@ namespace samara
   {
     for (unsigned int i = 0; i < used.size(); ++i)
       rates[i] = point.rates[used[i]->coordinate];
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      rates[used.size() + i] = touches(point, i) * point.rates[used[stops[i].motion]->coordinate];
   }
 
 
@@ -301,6 +378,12 @@ namespace samara
   {
     for (unsigned int i = 0; i < used.size(); ++i)
       stress[i] = used[i]->spring * e[i] + used[i]->damper * rates[i];
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      {
+        const FreeMotion  &m = *used[stops[i].motion];
+        const unsigned int k = used.size() + i;
+        stress[k]            = m.stop_stiffness * e[k] + m.stop_damping * rates[k];
+      }
   }
 
 
@@ -311,6 +394,8 @@ namespace samara
     double energy = 0;
     for (unsigned int i = 0; i < used.size(); ++i)
       energy += 0.5 * used[i]->spring * e[i] * e[i];
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      energy += 0.5 * used[stops[i].motion]->stop_stiffness * std::pow(e[used.size() + i], 2);
     return energy;
   }
 
@@ -333,12 +418,12 @@ namespace samara
   {
     using std::cos;
     using std::sin;
-    const PairValues<Number>                         pair(frame_a, frame_b, point.q);
-    Eigen::Matrix<Number, Eigen::Dynamic, 1>         local = Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(block.size());
-    const Number                                    *lambda = point.multipliers + first_multiplier;
-    const Number                                    *stress = point.stress + first_strain;
-    const unsigned int                               first_row = 12 + used.size();
-    unsigned int                                     row       = 0;
+    const PairValues<Number>                 pair(frame_a, frame_b, point.q);
+    Eigen::Matrix<Number, Eigen::Dynamic, 1> local     = Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(block.size());
+    const Number                            *lambda    = point.multipliers + first_multiplier;
+    const Number                            *stress    = point.stress + first_strain;
+    const unsigned int                       first_row = 12 + used.size();
+    unsigned int                             row       = 0;
 
     for (const auto &l : locked)
       {
@@ -347,9 +432,9 @@ namespace samara
       }
     for (unsigned int i = 0; i < used.size(); ++i)
       {
-        const FreeMotion &m      = *used[i];
-        const Number      value  = point.coordinates[m.coordinate];
-        local(first_row + row)   = measure(m, pair, value);
+        const FreeMotion &m     = *used[i];
+        const Number      value = point.coordinates[m.coordinate];
+        local(first_row + row)  = measure(m, pair, value);
         local(12 + i) += stress[i] - point.factor * m.force(point.time);
         if (m.is_angle())
           {
@@ -374,10 +459,16 @@ namespace samara
         }
     if (is_screw)
       {
-        local(first_row + row) = point.coordinates[used[0]->coordinate] - pitch * point.coordinates[used[1]->coordinate];
+        local(first_row + row) =
+          point.coordinates[used[0]->coordinate] - pitch * point.coordinates[used[1]->coordinate];
         local(12) += lambda[row];
         local(13) -= pitch * lambda[row];
+        ++row;
       }
+    for (const auto &s : no_slip)
+      s.velocity.add_coefficients(pair, lambda[row++], local.template head<12>());
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      local(12 + stops[i].motion) += touches(point, i) * stress[used.size() + i];
     block.add(local, r);
   }
 
@@ -433,6 +524,17 @@ namespace samara
       {
         local(12, first_row + row) = 1;
         local(13, first_row + row) = -pitch;
+        ++row;
+      }
+    for (const auto &s : no_slip)
+      {
+        s.velocity.add_derivative(pair, lambda[row], H);
+        s.velocity.add_coefficients(pair, 1., local.col(first_row + row++).head<12>());
+      }
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      {
+        const unsigned int k = 12 + stops[i].motion;
+        local(k, k) += touches(point, i) * used[stops[i].motion]->stop_stiffness;
       }
     local.bottomLeftCorner(rows.size(), first_row) = local.topRightCorner(first_row, rows.size()).transpose();
     block.add(local, K);
@@ -441,11 +543,16 @@ namespace samara
 
 
   void
-  Joint::damping(const Point<double> &, SparseMatrix &C) const
+  Joint::damping(const Point<double> &point, SparseMatrix &C) const
   {
     Eigen::MatrixXd local = Eigen::MatrixXd::Zero(block.size(), block.size());
     for (unsigned int i = 0; i < used.size(); ++i)
       local(12 + i, 12 + i) = used[i]->damper;
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      {
+        const unsigned int k = 12 + stops[i].motion;
+        local(k, k) += touches(point, i) * used[stops[i].motion]->stop_damping;
+      }
     block.add(local, C);
   }
 
@@ -485,7 +592,13 @@ namespace samara
       if (m->is_prescribed)
         rates[row++] = point.rates[m->coordinate] - point.factor * m->prescribed.derivative(point.time);
     if (is_screw)
-      rates[row] = point.rates[used[0]->coordinate] - pitch * point.rates[used[1]->coordinate];
+      rates[row++] = point.rates[used[0]->coordinate] - pitch * point.rates[used[1]->coordinate];
+    for (const auto &s : no_slip)
+      {
+        gradient.setZero();
+        s.velocity.add_coefficients(pair, 1., gradient.head<12>());
+        rates[row++] = gradient.dot(y);
+      }
   }
 
 
@@ -512,7 +625,9 @@ namespace samara
   bool
   Joint::has_damping() const
   {
-    return std::any_of(used.begin(), used.end(), [](const FreeMotion *m) { return m->damper != 0; });
+    return std::any_of(used.begin(), used.end(), [](const FreeMotion *m) {
+      return m->damper != 0 || ((m->has_lower_stop || m->has_upper_stop) && m->stop_damping != 0);
+    });
   }
 
 
@@ -562,6 +677,11 @@ namespace samara
         return [this, i](const State &state) {
           const double lambda = state.multipliers[first_multiplier + locked.size() + i];
           return used[i]->is_angle() ? lambda : -lambda;
+        };
+    for (unsigned int i = 0; i < no_slip.size(); ++i)
+      if (!is_moment && no_slip[i].axis == axis)
+        return [this, k = first_multiplier + rows.size() - no_slip.size() + i](const State &state) {
+          return -state.multipliers[k];
         };
     const auto is_rotation = [](const Locked &l) { return l.function.kind == PairFunction::cosine; };
     for (unsigned int i = 0; i < locked.size(); ++i)

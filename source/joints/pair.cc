@@ -33,4 +33,33 @@ namespace samara
           K.block<3, 3>(6, 9) += 2 * f * skew(gap_B);
       }
   }
+
+
+
+  void
+  PairVelocity::add_derivative(const PairValues<double> &p, const double f, Eigen::Ref<Eigen::MatrixXd> K) const
+  {
+    const Vector3 ei = Vector3::Unit(i);
+    if (kind == rolling)
+      {
+        const Vector3 k  = cross(Vector3::Unit(2), ei);
+        const Matrix3 BA = p.B.transpose() * p.A;
+        PairFunction{PairFunction::gap, i}.add_second_derivative(p, f, K);
+        K.block<3, 3>(9, 3) += f * radius * BA * skew(k);
+        K.block<3, 3>(9, 9) -= f * radius * skew((BA * k).eval());
+      }
+    else
+      {
+        const Matrix3 AB = p.A.transpose() * p.B;
+        const Vector3 a  = p.A.transpose() * p.gap;
+        // δc = c~ θ_A − AᵀB e~ θ_B, δa = a~ θ_A − AᵀA u_A + AᵀB u_B
+        const Matrix3 c = skew(AB.col(i)), c_B = -AB * skew(ei);
+        K.block<3, 3>(0, 3) -= f * c;
+        K.block<3, 3>(0, 9) -= f * c_B;
+        K.block<3, 3>(3, 0) -= f * c * p.A.transpose() * p.A;
+        K.block<3, 3>(3, 3) += f * (c * skew(a) - skew(a) * c);
+        K.block<3, 3>(3, 6) += f * c * AB;
+        K.block<3, 3>(3, 9) -= f * skew(a) * c_B;
+      }
+  }
 } // namespace samara

@@ -199,3 +199,20 @@ TEST(Prescribed, UnusedMotionIsTold)
   scene.equilibrium();
   EXPECT_NEAR(scene.value("j.rotation"), 2. * 180 / M_PI, 1e-7);
 }
+
+
+
+// The first corner of all that is a function of time at a joint.
+TEST(Prescribed, NextCorner)
+{
+  const Scene scene(model("cylindrical",
+                          axis + "subsection rotation\n set Prescribed = table: 0 0; 1 0.5; 3 0.5\n end\n"
+                                 "subsection displacement\n set Spring = 2\n set Force = t < 2 ? 0 : t\n end\n"));
+  const auto &joint = *scene.input.model.contributions.back();
+  EXPECT_NEAR(joint.next_corner(-0.5, 10), 0., 1e-12);
+  EXPECT_NEAR(joint.next_corner(0, 10), 1., 1e-12);
+  EXPECT_NEAR(joint.next_corner(1, 10), 2., 1e-12);
+  EXPECT_NEAR(joint.next_corner(2, 10), 3., 1e-12);
+  EXPECT_EQ(joint.next_corner(3, 10), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(joint.next_corner(1, 1.5), std::numeric_limits<double>::infinity());
+}

@@ -98,7 +98,9 @@ end
   end
 )",
                  ""};
-    const std::string used = "set Spring = 2\n set Damper = 0.3\n set Rest = 0.2\n set Prescribed = 0.1 + 0.2*t\n end\n";
+    const std::string used = "set Spring = 2\n set Damper = 0.3\n set Rest = 0.2\n set Prescribed = 0.1 + 0.2*t\n"
+                             " set Lower stop = -0.1\n set Upper stop = 0.3\n set Stop stiffness = 1.5\n"
+                             " set Stop damping = 0.4\n end\n";
     const std::map<std::string, std::vector<std::string>> motions = {{"revolute", {"rotation"}},
                                                                      {"prismatic", {"displacement"}},
                                                                      {"screw", {"displacement", "rotation"}},
@@ -108,7 +110,9 @@ end
                                                                      {"spherical", {}},
                                                                      {"rigid", {}},
                                                                      {"distance", {}},
-                                                                     {"flexible joint", {}}};
+                                                                     {"flexible joint", {}},
+                                                                     {"rolling ball", {}},
+                                                                     {"knife edge", {}}};
     for (const auto &[kind, free] : motions)
       {
         std::string text = "subsection Joints\n subsection j\n set Type = " + kind +
@@ -119,6 +123,8 @@ end
           text += "set Pitch = 0.3\n";
         if (kind == "rigid")
           text += "set Reaction = true\n";
+        if (kind == "rolling ball")
+          text += "set Radius = 0.4\n set Axis 1 = 1, 0, 0\n";
         if (kind == "flexible joint")
           text += "set Stiffness = 1, 2, 3\n set Rotational stiffness = 4, 5, 6\n set Damping = 6, 5, 4\n"
                   "set Rotational damping = 3, 2, 1\n set Coupling = .1, .2, .1, .2, .1, "
@@ -172,11 +178,13 @@ TEST(Tangents, AgreeWithComplexStep)
     {
       const Scene scene(text.model());
       for (const bool orthonormal : {true, false})
-        {
-          const ComplexStep check(scene.system, orthonormal);
-          EXPECT_LT(check.error_of_tangent(), 2e-14) << kind << (orthonormal ? "" : ", triads deformed");
-          EXPECT_LT(check.error_of_damping(), 2e-14) << kind << ", damping";
-        }
+        for (const bool switched_on : {false, true})
+          {
+            const ComplexStep check(scene.system, orthonormal, switched_on);
+            const std::string where = kind + (orthonormal ? "" : ", triads deformed") + (switched_on ? ", on stops" : "");
+            EXPECT_LT(check.error_of_tangent(), 2e-14) << where;
+            EXPECT_LT(check.error_of_damping(), 2e-14) << where << ", damping";
+          }
     }
 }
 
@@ -185,5 +193,6 @@ TEST(Tangents, AgreeWithComplexStep)
 TEST(Tangents, StrainRatesAreDerivativesOfStrains)
 {
   for (const auto &[kind, text] : scenes())
-    EXPECT_LT(ComplexStep(Scene(text.model()).system).error_of_strain_rates(), 1e-13) << kind;
+    for (const bool switched_on : {false, true})
+      EXPECT_LT(ComplexStep(Scene(text.model()).system, false, switched_on).error_of_strain_rates(), 1e-13) << kind;
 }

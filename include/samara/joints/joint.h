@@ -11,7 +11,8 @@ namespace samara
 {
   /**
    * A relative motion that a joint leaves free: a displacement d along, or a rotation θ about, an axis of frame A. It
-   * becomes an unknown of the system only if something uses it: a spring, a damper, a force, a prescribed motion, a gear.
+   * becomes an unknown of the system only if something uses it: a spring, a damper, a stop, a force, a prescribed
+   * motion, a gear.
    */
   struct FreeMotion
   {
@@ -24,6 +25,8 @@ namespace samara
 
     // entries
     double         spring = 0, rest = 0, damper = 0;
+    double         lower_stop = 0, upper_stop = 0, stop_stiffness = 0, stop_damping = 0;
+    bool           has_lower_stop = false, has_upper_stop = false;
     FunctionOfTime force, prescribed;
     bool           is_prescribed = false;
 
@@ -35,6 +38,9 @@ namespace samara
       return unit == "rad";
     }
     void add_parameters(Parameters &prm);
+
+    /** See which of the entries were given, and complain about stops that make no sense. */
+    void check_parameters(const Parameters &prm, Complaints &complaints);
     bool is_used() const;
   };
 
@@ -67,6 +73,9 @@ namespace samara
    *     free θ, used      sinθ c − cosθ s = 0 with c = cosθ, s = sinθ from the axes of A and B
    *     prescribed        d − f(t) = 0, θ − f(t) = 0
    *     screw             d − p θ = 0
+   *     no slip           0; b·y = 0 is a constraint on velocities alone, its tangent row is b
+   *
+   * Strains are d − rest of the motions in use, then d − stop of their stops, 0 while the stop's switch is 0.
    */
   class Joint : public Evaluated<Joint>
   {
@@ -87,6 +96,11 @@ namespace samara
     void         constraint_time_rates(const Point<double> &point, double *rates) const override;
     bool         has_loads() const override;
     bool         has_damping() const override;
+
+    /** One switch a stop: how far it is passed. */
+    unsigned int n_switches() const override;
+    void         switch_values(const Point<double> &point, double *values) const override;
+    double       next_corner(double from, double to) const override;
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;
@@ -110,12 +124,19 @@ namespace samara
     {
       PairFunction function;
       std::string  name;
-      double       value = 0; ///< that it keeps
-      unsigned int axis  = 0; ///< joint axis of its force or moment
+      double       value = 0;  ///< that it keeps
+      unsigned int axis  = 0;  ///< joint axis of its force or moment
       double       sign  = -1; ///< of the force or moment of A on B when the multiplier is positive
+    };
+    struct NoSlip
+    {
+      PairVelocity velocity; ///< that stays zero
+      std::string  name;
+      unsigned int axis = 0; ///< joint axis of its force
     };
     std::vector<Locked>    locked;
     std::deque<FreeMotion> free; // a deque, because parameters keep references to what is in it
+    std::vector<NoSlip>    no_slip;
 
     void lock_displacement(unsigned int axis);
     /** Keep E_iᴬ normal to E_jᴮ. */
@@ -134,9 +155,9 @@ namespace samara
     Vector3     position = Vector3::Zero(), axis = Vector3::UnitZ(), axis_1 = Vector3::Zero();
 
     /** d = pitch θ for the first free displacement and rotation, if not zero [m/rad]. */
-    double pitch      = 0;
-    bool   is_screw   = false;
-    double draw_size  = 0.05;
+    double pitch     = 0;
+    bool   is_screw  = false;
+    double draw_size = 0.05;
 
     Frame        frame_a, frame_b;
     unsigned int first_multiplier = 0;
@@ -144,9 +165,21 @@ namespace samara
     Model *model = nullptr;
 
   private:
+    /** A spring and damper that act on a motion while it is beyond the place of the stop. */
+    struct Stop
+    {
+      unsigned int motion;      ///< number among those used
+      double       place, side; ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
+    };
+
     Block                     block;
     std::vector<FreeMotion *> used;
+    std::vector<Stop>         stops;
     std::vector<std::string>  rows; ///< names of the multipliers
+
+    /** Whether the switch of stop @p i is on, as a factor. */
+    template <typename Number>
+    double touches(const Point<Number> &point, unsigned int i) const;
 
     /** What acts along (force) or about (moment) joint axis @p axis; nothing if nothing does. */
     std::function<double(const State &)> action(bool is_moment, unsigned int axis) const;

@@ -22,9 +22,9 @@ namespace samara
 
 
   /**
-   * The quadratic functions of two frames from which every joint is made, with first and second derivatives in the twists
-   * (u_A, θ_A, u_B, θ_B) of the frames in their own axes. Orthonormality of the axes is not used, so that the functions
-   * stay quadratic in the coordinates.
+   * The quadratic functions of two frames from which every joint is made, with first and second derivatives in the
+   * twists (u_A, θ_A, u_B, θ_B) of the frames in their own axes. Orthonormality of the axes is not used, so that the
+   * functions stay quadratic in the coordinates.
    *
    *     gap i        E_iᴬ · Δ           Δ from the origin of A to that of B
    *     cosine i j   E_iᴬ · E_jᴮ
@@ -81,6 +81,54 @@ namespace samara
 
     /** Add @p factor times the derivative of the gradient. */
     void add_second_derivative(const PairValues<double> &p, double factor, Eigen::Ref<Eigen::MatrixXd> K) const;
+  };
+
+
+
+  /**
+   * Velocities of body B seen from body A, linear in the twists of the frames, b(q)·(u_A, θ_A, u_B, θ_B), but rates of
+   * no function of their places. With w the velocity of the material of B at a place against that of A at the same
+   * place:
+   *
+   *     rolling i    E_iᴬ·w at the place x_B − R E₃ᴬ, i = 1, 2
+   *     skating j    E_jᴮ·w at the place x_B
+   */
+  struct PairVelocity
+  {
+    enum Kind
+    {
+      rolling,
+      skating
+    };
+    Kind         kind;
+    unsigned int i      = 0;
+    double       radius = 0; ///< R [m]
+
+    /** Add @p factor times b. */
+    template <typename Number, typename Vector>
+    void
+    add_coefficients(const PairValues<Number> &p, const Number &factor, Vector &&b) const
+    {
+      const Vec3<Number> ei = Vec3<Number>::Unit(i);
+      if (kind == rolling)
+        {
+          // the rate of E_iᴬ·Δ less R k·(ω_B − ω_A), k = E₃ × E_i
+          const Vec3<Number> k = cross(Vec3<Number>::Unit(2), ei);
+          PairFunction{PairFunction::gap, i}.add_gradient(p, factor, b);
+          b.template segment<3>(3) += factor * radius * k;
+          b.template segment<3>(9) -= factor * radius * (p.B.transpose() * (p.A * k));
+        }
+      else
+        {
+          const Vec3<Number> c = p.A.transpose() * p.B.col(i);
+          b.template segment<3>(0) -= factor * c;
+          b.template segment<3>(3) += factor * cross(c, (p.A.transpose() * p.gap).eval());
+          b.template segment<3>(6) += factor * ei;
+        }
+    }
+
+    /** Add @p factor times the derivative of b, which is not symmetric. */
+    void add_derivative(const PairValues<double> &p, double factor, Eigen::Ref<Eigen::MatrixXd> K) const;
   };
 } // namespace samara
 
