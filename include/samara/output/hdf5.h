@@ -1,0 +1,80 @@
+#ifndef samara_output_hdf5_h
+#define samara_output_hdf5_h
+
+#include <hdf5.h>
+
+#include <string>
+#include <utility>
+
+namespace samara
+{
+  /**
+   * What all users of the HDF5 library need. Failures are a std::runtime_error without the name of the file, which the
+   * library does not know at that place: catch it and say which file it was.
+   */
+  namespace hdf5
+  {
+    /** An object of the library, closed when it goes out of scope; an exception if it could not be made. */
+    class Handle
+    {
+    public:
+      Handle(hid_t id, herr_t (*close_function)(hid_t));
+
+      Handle(Handle &&other)
+        : id(std::exchange(other.id, -1))
+        , close_function(other.close_function)
+      {}
+
+      ~Handle();
+
+      operator hid_t() const
+      {
+        return id;
+      }
+
+      /** Close it now, where a failure can still be told. */
+      void close();
+
+    private:
+      hid_t id;
+      herr_t (*close_function)(hid_t);
+    };
+
+
+
+    /**
+     * While it lives, the library does not print its call stack on every error. Make one before any other call of the
+     * library.
+     */
+    class Quiet
+    {
+    public:
+      Quiet();
+      Quiet(const Quiet &)            = delete;
+      Quiet &operator=(const Quiet &) = delete;
+      ~Quiet();
+
+    private:
+      H5E_auto2_t function = nullptr;
+      void       *data     = nullptr;
+    };
+
+
+
+    /** Throw if the library returned a failure. */
+    void check(herr_t error);
+
+    /**
+     * A new 1-D dataset of numbers of this type; groups in its name are made. It holds no time of its making, so that
+     * equal runs leave equal files.
+     */
+    Handle create_dataset(hid_t file, const std::string &name, hid_t type, hsize_t size);
+
+    /** Text attributes. @{ */
+    void        write_attribute(hid_t object, const std::string &name, const std::string &text);
+    std::string read_attribute(hid_t object, const std::string &name);
+    /** @} */
+  } // namespace hdf5
+} // namespace samara
+
+#endif

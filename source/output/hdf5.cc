@@ -1,0 +1,130 @@
+#include <samara/output/hdf5.h>
+
+#include <stdexcept>
+
+namespace samara
+{
+  namespace hdf5
+  {
+    namespace
+    {
+      /** Keep what the operating system said, if this entry of the library's call stack tells it. */
+      herr_t
+      find_system_message(unsigned int, const H5E_error2_t *const error, void *const message)
+      {
+        const std::string text = error->desc == nullptr ? "" : error->desc, begin = "error message = '";
+        const std::size_t at = text.find(begin);
+        if (at != std::string::npos)
+          *static_cast<std::string *>(message) =
+            text.substr(at + begin.size(), text.find('\'', at + begin.size()) - at - begin.size());
+        return 0;
+      }
+
+
+
+      [[noreturn]] void
+      fail(const std::string &what)
+      {
+        std::string reason;
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, &find_system_message, &reason);
+        throw std::runtime_error(what + (reason.empty() ? "" : ": " + reason));
+      }
+    } // namespace
+
+
+
+    Handle::Handle(const hid_t id, herr_t (*const close_function)(hid_t))
+      : id(id)
+      , close_function(close_function)
+    {
+      if (id < 0)
+        fail("the HDF5 library refused");
+    }
+
+
+
+    Handle::~Handle()
+    {
+      if (id >= 0)
+        close_function(id);
+    }
+
+
+
+    void
+    Handle::close()
+    {
+      if (close_function(std::exchange(id, -1)) < 0)
+        fail("the HDF5 library could not close it");
+    }
+
+
+
+    Quiet::Quiet()
+    {
+      // On its way out the library would try again to write what it could not, and crash. We close everything
+      // ourselves.
+      static const herr_t never_at_exit = H5dont_atexit();
+      static_cast<void>(never_at_exit);
+
+      H5Eget_auto2(H5E_DEFAULT, &function, &data);
+      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    }
+
+
+
+    Quiet::~Quiet()
+    {
+      H5Eset_auto2(H5E_DEFAULT, function, data);
+    }
+
+
+
+    void
+    check(const herr_t error)
+    {
+      if (error < 0)
+        fail("the HDF5 library failed");
+    }
+
+
+
+    Handle
+    create_dataset(const hid_t file, const std::string &name, const hid_t type, const hsize_t size)
+    {
+      const Handle links(H5Pcreate(H5P_LINK_CREATE), &H5Pclose);
+      check(H5Pset_create_intermediate_group(links, 1));
+      check(H5Pset_char_encoding(links, H5T_CSET_UTF8));
+      const Handle properties(H5Pcreate(H5P_DATASET_CREATE), &H5Pclose);
+      check(H5Pset_obj_track_times(properties, 0));
+      const Handle space(H5Screate_simple(1, &size, nullptr), &H5Sclose);
+      return {H5Dcreate2(file, name.c_str(), type, space, links, properties, H5P_DEFAULT), &H5Dclose};
+    }
+
+
+
+    void
+    write_attribute(const hid_t object, const std::string &name, const std::string &text)
+    {
+      const Handle type(H5Tcopy(H5T_C_S1), &H5Tclose);
+      check(H5Tset_size(type, text.size() + 1)); // with the final zero: HDF5 knows no texts of length 0
+      check(H5Tset_cset(type, H5T_CSET_UTF8));
+      const Handle space(H5Screate(H5S_SCALAR), &H5Sclose);
+      const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose);
+      check(H5Awrite(attribute, type, text.c_str()));
+    }
+
+
+
+    std::string
+    read_attribute(const hid_t object, const std::string &name)
+    {
+      const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), &H5Aclose);
+      const Handle type(H5Aget_type(attribute), &H5Tclose);
+      std::string  text(H5Tget_size(type), '\0');
+      check(H5Aread(attribute, type, text.data()));
+      text.pop_back(); // the final zero
+      return text;
+    }
+  } // namespace hdf5
+} // namespace samara
