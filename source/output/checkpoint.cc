@@ -4,11 +4,9 @@
 #include <samara/output/hdf5.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
@@ -63,16 +61,16 @@ namespace samara
     {
       if (!std::filesystem::exists(file))
         throw InputError("there is no checkpoint " + file + "; start without --restart.");
-      errno = 0;
-      std::ifstream in(file, std::ios::binary);
-      std::string   content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-      if (!in.is_open() || in.bad() || std::filesystem::is_directory(file))
-        throw InputError("the checkpoint " + file + " cannot be read" +
-                         (errno != 0 ? ": " + std::generic_category().message(errno) : "") + ".");
+      std::error_code error;
+      const auto      size = std::filesystem::file_size(file, error);
+      std::string     content(error ? 0 : size, '\0');
+      std::ifstream   in(file, std::ios::binary);
+      if (error || !in.read(content.data(), content.size()))
+        throw InputError("the checkpoint " + file + " cannot be read" + (error ? ": " + error.message() : "") + ".");
 
-      if (content.compare(0, title.size(), title) != 0)
+      if (content.compare(0, title.size(), title, 0, content.size()) != 0)
         throw InputError(file + " is not a checkpoint that samara wrote.");
-      if (content.compare(title.size(), format.size() + 1, format + "\n") != 0)
+      if (content.size() >= head_size && content.compare(title.size(), format.size() + 1, format + "\n") != 0)
         throw InputError("the checkpoint " + file +
                          " was written by another version of samara; start without --restart.");
       std::string body = content.size() > head_size ? content.substr(head_size) : "";

@@ -1,10 +1,12 @@
 #include <samara/output/file.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -17,6 +19,20 @@ namespace samara
     {
       const std::string reason = error != 0 ? ": " + std::generic_category().message(error) : "";
       throw std::runtime_error("cannot write " + file + reason + ".");
+    }
+
+
+
+    int
+    error_of_waiting(const std::string &file)
+    {
+      const int handle = ::open(file.c_str(), O_RDONLY);
+      if (handle < 0)
+        return errno;
+      // what cannot be waited for, such as a pipe, says EINVAL
+      const int error = ::fsync(handle) != 0 && errno != EINVAL ? errno : 0;
+      ::close(handle);
+      return error;
     }
   } // namespace
 
@@ -34,10 +50,10 @@ namespace samara
 
 
   std::ofstream
-  open_file(const std::string &file)
+  open_file(const std::string &file, const bool append)
   {
     errno = 0;
-    std::ofstream stream(file, std::ios::binary);
+    std::ofstream stream(file, append ? std::ios::binary | std::ios::app : std::ios::binary);
     if (!stream)
       fail(file, errno);
     return stream;
@@ -48,8 +64,16 @@ namespace samara
   void
   flush(std::ofstream &stream, const std::string &file)
   {
+    write_now(stream, "", file);
+  }
+
+
+
+  void
+  write_now(std::ofstream &stream, const std::string &content, const std::string &file)
+  {
     errno = 0;
-    stream.flush();
+    stream << content << std::flush;
     if (!stream)
       fail(file, errno);
   }
@@ -57,24 +81,62 @@ namespace samara
 
 
   void
-  replace_file(const std::string &file, const std::string &content)
+  wait_for_disk(const std::string &file)
   {
-    const std::string part = file + ".part";
+    if (const int error = error_of_waiting(file))
+      fail(file, error);
+  }
 
-    std::ofstream stream = open_file(part);
-    errno                = 0;
+
+
+  void
+  replace_file(const std::string &file, const std::string &content, const bool wait)
+  {
+    const std::string part   = part_of(file);
+    std::ofstream     stream = open_file(part);
+
+    errno = 0;
     stream << content << std::flush;
     stream.close();
-    if (!stream)
+    const bool failed = !stream;
+    const int  error  = failed ? errno : wait ? error_of_waiting(part) : 0;
+    if (failed || error != 0)
       {
-        const int       error = errno;
         std::error_code ignored;
         std::filesystem::remove(part, ignored);
         fail(file, error);
       }
+    replace_by_part(file);
+  }
 
+
+
+  std::string
+  part_of(const std::string &file)
+  {
+    return file + ".part";
+  }
+
+
+
+  void
+  replace_by_part(const std::string &file)
+  {
+    std::error_code error, ignored;
+    std::filesystem::rename(part_of(file), file, error);
+    if (!error)
+      return;
+    std::filesystem::remove(part_of(file), ignored);
+    fail(file, error.value());
+  }
+
+
+
+  void
+  cut_file(const std::string &file, const std::uintmax_t size)
+  {
     std::error_code error;
-    std::filesystem::rename(part, file, error);
+    std::filesystem::resize_file(file, size, error);
     if (error)
       fail(file, error.value());
   }
@@ -107,9 +169,28 @@ namespace samara
   std::string
   number_to_field(const double number, const unsigned int digits)
   {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::setprecision(digits) << number;
-    return text.str();
+    std::string text;
+    append_number(text, number, digits);
+    return text;
+  }
+
+
+
+  void
+  append_number(std::string &line, const double number, const unsigned int digits)
+  {
+    char       buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), number, std::chars_format::general, digits).ptr;
+    line.append(buffer, end);
+  }
+
+
+
+  bool
+  is_up_to(const double recorded, const double limit)
+  {
+    // at most half a unit of the last digit was lost
+    const double lost = 0.5 * std::pow(10., 1. - digits_of_records);
+    return recorded <= limit + 2 * lost * std::abs(limit);
   }
 } // namespace samara

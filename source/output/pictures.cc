@@ -1,9 +1,13 @@
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
 #include <samara/output/file.h>
 #include <samara/output/pictures.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/grid/reference_cell.h>
 
+#include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <sstream>
 #include <tuple>
@@ -75,23 +79,64 @@ namespace samara
 
 
 
-    /** 7 becomes 0007, so that files in the order of their names are in the order of time. */
+    /** 7 becomes pictures/NAME.0007.vtu, so that files in the order of their names are in the order of time. */
     std::string
-    frame_number(const unsigned int frame)
+    picture_file(const std::string &name, const unsigned int frame)
     {
       std::ostringstream text;
-      text << std::setw(4) << std::setfill('0') << frame;
+      text << "pictures/" << name << "." << std::setw(4) << std::setfill('0') << frame << ".vtu";
       return text.str();
+    }
+
+
+
+    /** The value of an attribute of the XML tag on this line; "" if it has none. */
+    std::string
+    attribute(const std::string &line, const std::string &name)
+    {
+      const std::string begin = " " + name + "=\"";
+      const std::size_t at    = line.find(begin);
+      if (at == std::string::npos)
+        return "";
+      return line.substr(at + begin.size(), line.find('"', at + begin.size()) - at - begin.size());
     }
   } // namespace
 
 
 
-  Pictures::Pictures(const std::string &folder, const std::string &name)
+  Pictures::Pictures(const std::string &folder, const std::string &name, const std::optional<double> &resume_after)
     : folder(folder)
     , name(name)
   {
     make_folder(folder + "/pictures");
+    if (resume_after && std::filesystem::exists(folder + "/" + name + ".pvd"))
+      keep_series(*resume_after);
+  }
+
+
+
+  void
+  Pictures::keep_series(const double resume_after)
+  {
+    const std::string file = folder + "/" + name + ".pvd";
+    std::ifstream     in(file);
+    bool              ours = false;
+    for (std::string line; std::getline(in, line);)
+      {
+        if (line.find("<DataSet ") == std::string::npos)
+          continue;
+        double            time    = 0;
+        const std::string picture = attribute(line, "file");
+        ours =
+          text_to_number(attribute(line, "timestep"), time) && picture == picture_file(name, times_and_files.size());
+        if (!ours || !is_up_to(time, resume_after))
+          break;
+        times_and_files.emplace_back(time, picture);
+      }
+    if (!ours)
+      throw InputError(file + " is not a series of pictures that samara wrote, so that the run cannot be continued in "
+                              "it. Remove the file, or start without --restart.");
+    write_series();
   }
 
 
@@ -99,7 +144,7 @@ namespace samara
   void
   Pictures::add(const Drawing &drawing, const double time)
   {
-    const std::string file = "pictures/" + name + "." + frame_number(times_and_files.size()) + ".vtu";
+    const std::string file = picture_file(name, times_and_files.size());
     write_picture(folder + "/" + file, drawing);
     write_objects(drawing.objects);
 
@@ -152,8 +197,11 @@ namespace samara
   void
   Pictures::write_series() const
   {
-    std::ostringstream content;
-    dealii::DataOutBase::write_pvd_record(content, times_and_files);
-    replace_file(folder + "/" + name + ".pvd", content.str());
+    std::string content = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    for (const auto &[time, file] : times_and_files)
+      content += "    <DataSet timestep=\"" + number_to_field(time, digits_of_records) +
+                 "\" group=\"\" part=\"0\" file=\"" + file + "\"/>\n";
+    content += "  </Collection>\n</VTKFile>\n";
+    replace_file(folder + "/" + name + ".pvd", content);
   }
 } // namespace samara

@@ -1,14 +1,18 @@
 /*
  * Problem:   histories and tables
- * Reference: the numbers that were put in; 15 significant digits in CSV, all in HDF5
+ * Reference: the numbers that were put in; 15 significant digits
  */
 
 #include <samara/output/history.h>
+#include <samara/output/table.h>
 
 #include <hdf5.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <iostream>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -22,6 +26,8 @@ namespace
                                                                     {"shaft 1.middle.displacement y", "m"},
                                                                     {"force, \"old\"", "N"},
                                                                     {"load factor", "1"}};
+
+  const std::vector<std::pair<std::string, std::string>> columns_of_two = {{"t", "s"}, {"u", "m"}};
 
   const std::vector<std::vector<double>> rows = {{0, 1. / 3, -1e-300, 1}, {0.1, std::sqrt(2.), 1e300, 2}};
 
@@ -51,20 +57,11 @@ namespace
     H5Fclose(handle);
     return values;
   }
-
-
-
-  /** A file that is always full, under a name of ours. */
-  void
-  make_full(const std::string &file)
-  {
-    std::filesystem::create_symlink("/dev/full", file);
-  }
 } // namespace
 
 
 
-TEST(History, CsvHasEachRowAtOnce)
+TEST(History, CsvHasTheRows)
 {
   const ScratchFolder folder;
   History             history(folder.path + "/new/folder", "dynamic", columns);
@@ -73,9 +70,23 @@ TEST(History, CsvHasEachRowAtOnce)
   EXPECT_EQ(content_of(file), header);
 
   history.add(rows[0]);
+  history.flush();
   EXPECT_EQ(content_of(file), header + "0,0.333333333333333,-1e-300,1\n");
   history.add(rows[1]);
+  history.finish();
   EXPECT_EQ(content_of(file), header + "0,0.333333333333333,-1e-300,1\n0.1,1.4142135623731,1e+300,2\n");
+}
+
+
+
+TEST(History, CsvCanBeWatched)
+{
+  const ScratchFolder folder;
+  History             history(folder.path, "h", {{"t", ""}});
+  history.add({1});
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  history.add({2});
+  EXPECT_EQ(content_of(folder.path + "/h.csv"), "t\n1\n2\n");
 }
 
 
@@ -90,11 +101,52 @@ TEST(History, Hdf5HasTheSameNumbersAndUnits)
   }
   for (unsigned int c = 0; c < columns.size(); ++c)
     {
-      std::string unit;
-      EXPECT_EQ(read_dataset(folder.path + "/dynamic.h5", columns[c].first, unit),
-                (std::vector<double>{rows[0][c], rows[1][c]}));
+      std::string               unit;
+      const std::vector<double> values = read_dataset(folder.path + "/dynamic.h5", columns[c].first, unit);
+      ASSERT_EQ(values.size(), rows.size());
+      for (unsigned int r = 0; r < rows.size(); ++r)
+        EXPECT_LE(std::abs(values[r] - rows[r][c]), 5e-15 * std::abs(rows[r][c]));
       EXPECT_EQ(unit, columns[c].second);
     }
+}
+
+
+
+TEST(History, Hdf5HasAllRowsOfALongRun)
+{
+  const ScratchFolder folder;
+  const unsigned int  n_rows = 10000; // several blocks and a piece
+  {
+    History history(folder.path, "h", {{"t", "s"}, {"square", "s^2"}});
+    for (unsigned int i = 0; i < n_rows; ++i)
+      history.add({double(i), double(i) * i});
+  }
+  std::string               unit;
+  const std::vector<double> squares = read_dataset(folder.path + "/h.h5", "square", unit);
+  ASSERT_EQ(squares.size(), n_rows);
+  for (unsigned int i = 0; i < n_rows; ++i)
+    EXPECT_EQ(squares[i], double(i) * i);
+}
+
+
+
+TEST(History, NumbersAtTheEndsOfTheRange)
+{
+  const ScratchFolder folder;
+  const double        inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const double largest = std::numeric_limits<double>::max(), smallest = std::numeric_limits<double>::denorm_min();
+  History      history(folder.path, "h", {{"x", ""}});
+  for (const double x : {inf, -inf, smallest, -largest, nan, -0.})
+    history.add({x});
+  history.finish();
+
+  std::string               unit;
+  const std::vector<double> values = read_dataset(folder.path + "/h.h5", "x", unit);
+  ASSERT_EQ(values.size(), 6u);
+  EXPECT_EQ(std::vector<double>(values.begin(), values.begin() + 3), (std::vector<double>{inf, -inf, smallest}));
+  EXPECT_EQ(values[3], -inf); // rounded to 15 digits it is out of the range
+  EXPECT_TRUE(std::isnan(values[4]));
+  EXPECT_TRUE(values[5] == 0 && std::signbit(values[5]));
 }
 
 
@@ -164,6 +216,76 @@ TEST(History, Hdf5ThatCannotBeWrittenIsNamedAndTheDestructorDoesNotThrow)
     History other(folder.path, "dynamic", columns);
   }
   EXPECT_NE(testing::internal::GetCapturedStderr().find(folder.path + "/dynamic.h5"), std::string::npos);
+}
+
+
+
+TEST(History, DiskThatFillsIsNamedAndWholeRowsStay)
+{
+  const ScratchFolder folder;
+  const std::string   file    = folder.path + "/h.csv";
+  const auto          history = std::make_unique<History>(folder.path, "h", columns_of_two);
+  std::string         complaint;
+  {
+    const FileSizeLimit limit(100000);
+    complaint = complaint_of([&] {
+      for (unsigned int i = 0;; ++i)
+        history->add({0.5 * i, 1. / 3});
+    });
+  }
+  EXPECT_EQ(complaint, "cannot write " + file + ": File too large.");
+  EXPECT_EQ(content_of(file).substr(0, 32), "t [s],u [m]\n0,0.333333333333333\n");
+  EXPECT_ANY_THROW(history->add({0, 0}));
+  EXPECT_FALSE(std::filesystem::exists(folder.path + "/h.h5"));
+}
+
+
+
+/** In a process of its own, since the HDF5 library may crash at the end of one in which it could not write. */
+TEST(History, DiskThatFillsWhileHdf5IsWritten)
+{
+  const ScratchFolder folder;
+  const auto          run = [&](const unsigned int limit) {
+    History history(folder.path, "h", columns_of_two);
+    for (unsigned int i = 0; i < 10000; ++i)
+      history.add({0, 0}); // 4 bytes in the CSV file, 16 in the HDF5 file
+    const FileSizeLimit full(limit);
+    std::cerr << complaint_of([&] { history.finish(); }) << std::endl;
+    std::exit(7);
+  };
+  for (const unsigned int limit : {50000, 100000, 161000})
+    {
+      EXPECT_EXIT(run(limit),
+                  testing::ExitedWithCode(7),
+                  "cannot write .*/h.h5: the HDF5 library .*: File too large\\.\n");
+      EXPECT_FALSE(std::filesystem::exists(folder.path + "/h.h5"));
+      EXPECT_FALSE(std::filesystem::exists(folder.path + "/h.h5.part"));
+    }
+}
+
+
+
+TEST(History, CsvThatIsTakenAwayIsNamed)
+{
+  const ScratchFolder folder;
+  History             history(folder.path, "h", columns_of_two);
+  history.add({0, 0});
+  history.flush();
+  std::ofstream(folder.path + "/h.csv") << "t [s],u [m]\n";
+  const std::string complaint = complaint_of([&] { history.finish(); });
+  EXPECT_EQ(complaint,
+            "cannot write " + folder.path + "/h.h5: " + folder.path + "/h.csv was changed while the analysis ran.");
+}
+
+
+
+TEST(History, Hdf5OfAnEarlierRunIsGone)
+{
+  const ScratchFolder folder;
+  History(folder.path, "h", columns_of_two);
+  EXPECT_TRUE(std::filesystem::exists(folder.path + "/h.h5"));
+  const History history(folder.path, "h", columns_of_two);
+  EXPECT_FALSE(std::filesystem::exists(folder.path + "/h.h5"));
 }
 
 

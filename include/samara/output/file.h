@@ -1,6 +1,7 @@
 #ifndef samara_output_file_h
 #define samara_output_file_h
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -19,21 +20,46 @@ namespace samara
   /** Make the folder and those above it; nothing happens if it is there. */
   void make_folder(const std::string &folder);
 
-  /** An empty file to write into. The folder must exist. */
-  std::ofstream open_file(const std::string &file);
+  /** A file to write into: an empty one, or with @p append behind what it has. The folder must exist. */
+  std::ofstream open_file(const std::string &file, bool append = false);
 
-  /** Bring everything written to the disk. */
+  /** Hand everything written to the operating system. */
   void flush(std::ofstream &stream, const std::string &file);
 
-  /** Give the file this content. Who opens it meanwhile finds the old content or the new one, never a piece. */
-  void replace_file(const std::string &file, const std::string &content);
+  /** Write @p content and hand it to the operating system: a killed program does not lose it. */
+  void write_now(std::ofstream &stream, const std::string &content, const std::string &file);
+
+  /** Wait until the disk itself has the file, which a power failure then does not take. */
+  void wait_for_disk(const std::string &file);
+
+  /**
+   * Give the file this content. Who opens it meanwhile finds the old content or the new one, never a piece; that holds
+   * through a power failure if we @p wait until the disk has it. The old content stays if this fails.
+   */
+  void replace_file(const std::string &file, const std::string &content, bool wait = false);
+
+  /** Where to write a file piece by piece, and how to let it take the place of @p file then. @{ */
+  std::string part_of(const std::string &file);
+  void        replace_by_part(const std::string &file);
+  /** @} */
+
+  /** Cut off what stands behind the first @p size bytes. Once begun it is done, even if the program is killed. */
+  void cut_file(const std::string &file, std::uintmax_t size);
   /** @} */
 
   /** A line of a CSV file with its end; fields with commas, quotes or line breaks are quoted. */
   std::string csv_line(const std::vector<std::string> &fields);
 
-  /** @p number with this many significant digits, in every locale with a point. */
+  /** @p number with this many significant digits, in every locale with a point; nan, inf. @{ */
   std::string number_to_field(double number, unsigned int digits);
+  void        append_number(std::string &line, double number, unsigned int digits);
+  /** @} */
+
+  /** Significant digits of times and other numbers that are recorded while an analysis runs. */
+  constexpr unsigned int digits_of_records = 15;
+
+  /** Whether a number that was recorded, and lost digits then, is @p limit or less. */
+  bool is_up_to(double recorded, double limit);
 } // namespace samara
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <samara/model/drawing.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,13 +26,20 @@ namespace samara
   class Pictures
   {
   public:
-    /** Makes the folder if there is none; no file is written before the first picture. */
-    Pictures(const std::string &folder, const std::string &name);
+    /**
+     * Makes the folder if there is none. A series begins afresh, and no file is written before the first picture; or,
+     * with @p resume_after, an existing series goes on behind its pictures up to this time. If there is none it begins
+     * afresh. If the .pvd file was not written by this class that is an InputError.
+     */
+    Pictures(const std::string           &folder,
+             const std::string           &name,
+             const std::optional<double> &resume_after = std::nullopt);
 
     /** Write a picture. @p time is what ParaView orders the series by: seconds, a load factor, a phase. */
     void add(const Drawing &drawing, double time);
 
   private:
+    void keep_series(double resume_after);
     void write_picture(const std::string &file, const Drawing &drawing) const;
     void write_objects(const std::vector<std::string> &objects);
     void write_series() const;
