@@ -18,42 +18,47 @@ namespace samara
     prm.add("Start time", start_time, "Time at the start [s].");
     prm.add("End time", end_time, "Time at the end [s].");
     prm.add("Step", step, "Time step; of adaptive steps the first one [s].", Double(0));
-    prm.add("Step control",
-            control,
-            "fixed, or adaptive: steps are as long as the tolerance allows, judged by the energy that the scheme dissipates. "
-            "Either way steps end at corners of loads and at stops, and are halved where no solution is found.",
-            Selection("fixed|adaptive"));
+    prm.add(
+      "Step control",
+      control,
+      "fixed, or adaptive: steps are as long as the tolerance allows, judged by the energy that the scheme dissipates. "
+      "Either way steps end at corners of loads and at stops, and are halved where no solution is found.",
+      Selection("fixed|adaptive"));
     prm.add("Tolerance",
             tolerance,
             "Of adaptive steps: relative error of an oscillation over one period [1].",
             Double(0, 1));
     prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
     prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
-    prm.add("Stages",
-            n_stages,
-            "Stages of the integrator, 1 to 3: order 2 s for spectral radius 1, otherwise 2 s - 1. One stage: the midpoint rule.",
-            Integer(1, 3));
+    prm.add(
+      "Stages",
+      n_stages,
+      "Stages of the integrator, 1 to 3: order 2 s for spectral radius 1, otherwise 2 s - 1. One stage: the midpoint rule.",
+      Integer(1, 3));
     prm.add("Spectral radius",
             spectral_radius,
             "At infinite frequency: 1 preserves energy, less damps what the step cannot resolve; 0 most [1].",
             Double(0, 1));
-    prm.add("Newton tolerance",
-            newton_tolerance,
-            "Newton's method stops when velocities change by less, relative to the largest, and the energy statement is "
-            "satisfied to this part of the energy [1].",
-            Double(0));
+    prm.add(
+      "Newton tolerance",
+      newton_tolerance,
+      "Newton's method stops when velocities change by less, relative to the largest, and the energy statement is "
+      "satisfied to this part of the energy [1].",
+      Double(0));
     prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
-    prm.add("Inconsistent velocities",
-            inconsistent,
-            "Velocities at the start that the constraints do not allow: project them on those that are allowed, nearest in "
-            "kinetic energy, and say so; or refuse them.",
-            Selection("project|refuse"));
+    prm.add(
+      "Inconsistent velocities",
+      inconsistent,
+      "Velocities at the start that the constraints do not allow: project them on those that are allowed, nearest in "
+      "kinetic energy, and say so; or refuse them.",
+      Selection("project|refuse"));
     prm.add("Output every", output_every, "Steps from one row of the histories to the next.", Integer(1));
     prm.add("Pictures", n_pictures, "Number of pictures of the moving model, at equal times.", Integer(0));
-    prm.add("Second estimate",
-            second_estimate,
-            "Repeat each step by two half ones and write how far they are apart: an independent estimate of the error, at "
-            "three times the cost.");
+    prm.add(
+      "Second estimate",
+      second_estimate,
+      "Repeat each step by two half ones and write how far they are apart: an independent estimate of the error, at "
+      "three times the cost.");
     prm.add("Checkpoint interval",
             seconds_between_checkpoints,
             "Seconds of computing between two checkpoints for --restart [s].",
@@ -68,7 +73,7 @@ namespace samara
     std::unique_ptr<History>  history, energies, steps;
     std::unique_ptr<Pictures> pictures;
     double                    next_picture = 0;
-    bool                      is_massless = false; ///< accelerations cannot be found; has been said
+    bool                      is_massless  = false; ///< accelerations cannot be found; has been said
 
     Output(const Context &context, const DynamicAnalysis &analysis, const double start)
     {
@@ -80,20 +85,21 @@ namespace samara
       std::vector<std::pair<std::string, std::string>> columns = {{"t", "s"}};
       for (const auto &probe : context.probes)
         columns.emplace_back(probe.name, probe.unit);
-      history  = std::make_unique<History>(context.folder, "dynamic", columns, after);
-      energies = std::make_unique<History>(context.folder,
-                                           "dynamic_energy",
-                                           std::vector<std::pair<std::string, std::string>>{{"t", "s"},
-                                                                                            {"kinetic", "J"},
-                                                                                            {"strain", "J"},
-                                                                                            {"potential", "J"},
-                                                                                            {"work of loads", "J"},
-                                                                                            {"work of drives", "J"},
-                                                                                            {"damper loss", "J"},
-                                                                                            {"numerical dissipation", "J"},
-                                                                                            {"balance", "J"}},
-                                           after);
-      steps    = std::make_unique<History>(context.folder,
+      history = std::make_unique<History>(context.folder, "dynamic", columns, after);
+      energies =
+        std::make_unique<History>(context.folder,
+                                  "dynamic_energy",
+                                  std::vector<std::pair<std::string, std::string>>{{"t", "s"},
+                                                                                   {"kinetic", "J"},
+                                                                                   {"strain", "J"},
+                                                                                   {"potential", "J"},
+                                                                                   {"work of loads", "J"},
+                                                                                   {"work of drives", "J"},
+                                                                                   {"damper loss", "J"},
+                                                                                   {"numerical dissipation", "J"},
+                                                                                   {"balance", "J"}},
+                                  after);
+      steps = std::make_unique<History>(context.folder,
                                         "dynamic_steps",
                                         std::vector<std::pair<std::string, std::string>>{{"t", "s"},
                                                                                          {"step", "s"},
@@ -108,7 +114,8 @@ namespace samara
       if (context.restart && pictures != nullptr)
         {
           const double interval = (analysis.end_time - analysis.start_time) / analysis.n_pictures;
-          next_picture = analysis.start_time + interval * (std::floor((start - analysis.start_time) / interval + 1e-9) + 1);
+          next_picture =
+            analysis.start_time + interval * (std::floor((start - analysis.start_time) / interval + 1e-9) + 1);
         }
     }
 
@@ -171,9 +178,10 @@ namespace samara
     const System &system = context.system;
     for (unsigned int i = 0; i < system.model.rotations.size(); ++i)
       if (system.model.rotations[i].coordinate < 0 && context.speeds[i] != 0.)
-        throw InputError(parameters.where() + ": steady rotation <" + system.model.rotations[i].name +
-                         "> turns the whole model, ground included; the dynamic analysis sees it from the ground, which stands "
-                         "still. Let a joint turn: give the steady rotation a <Joint>.");
+        throw InputError(
+          parameters.where() + ": steady rotation <" + system.model.rotations[i].name +
+          "> turns the whole model, ground included; the dynamic analysis sees it from the ground, which stands "
+          "still. Let a joint turn: give the steady rotation a <Joint>.");
     state.held   = false;
     state.factor = 1;
     state.time   = start_time;
@@ -191,11 +199,12 @@ namespace samara
     const double length = model_length(system.model);
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       if (const double gap = std::abs(r[system.layout.of_multiplier(i)]); gap > 1e-6 * std::max(1., length))
-        throw InputError(system.layout.multiplier_names[i] + ": the constraint is violated by " + format("%.3g", gap) +
-                         " at the start; let a static analysis find a position that obeys it: <Analyses = static, dynamic>");
-    Projection   projection(system);
-    const State  given  = state;
-    double       change = 0;
+        throw InputError(
+          system.layout.multiplier_names[i] + ": the constraint is violated by " + format("%.3g", gap) +
+          " at the start; let a static analysis find a position that obeys it: <Analyses = static, dynamic>");
+    Projection  projection(system);
+    const State given  = state;
+    double      change = 0;
     try
       {
         change = projection.velocities(state);
@@ -212,8 +221,9 @@ namespace samara
         for (unsigned int i = 6; i < state.y.size(); ++i)
           if (std::abs(state.y[i] - given.y[i]) > std::abs(state.y[worst] - given.y[worst]))
             worst = i;
-        const std::string text = "the velocities at the start do not obey the constraints: those that do are different by " +
-                                 format("%.3g", 100 * change) + " % of the largest, most at " + system.layout.name_of(worst - 6);
+        const std::string text =
+          "the velocities at the start do not obey the constraints: those that do are different by " +
+          format("%.3g", 100 * change) + " % of the largest, most at " + system.layout.name_of(worst - 6);
         if (inconsistent == "refuse")
           throw InputError(text);
         context.log.warning("", text + "; they are used");
@@ -267,7 +277,8 @@ namespace samara
   void
   DynamicAnalysis::record(const Context &context, const State &state, Projection &projection, Output &output)
   {
-    const bool is_picture = output.pictures != nullptr && state.time >= output.next_picture - 1e-9 * (end_time - start_time);
+    const bool is_picture =
+      output.pictures != nullptr && state.time >= output.next_picture - 1e-9 * (end_time - start_time);
     if (output.energies != nullptr)
       output.energies->add({state.time,
                             budget.kinetic,
@@ -288,8 +299,10 @@ namespace samara
     catch (const SingularMatrix &)
       {
         if (!output.is_massless)
-          context.log.warning("", "something without mass can move freely: velocities, accelerations and joint forces are those "
-                                  "of the integrator, of lower order");
+          context.log.warning(
+            "",
+            "something without mass can move freely: velocities, accelerations and joint forces are those "
+            "of the integrator, of lower order");
         output.is_massless = true;
       }
     if (observer)
@@ -355,27 +368,28 @@ namespace samara
   void
   DynamicAnalysis::run(Context &context)
   {
-    using Clock = std::chrono::steady_clock;
+    using Clock          = std::chrono::steady_clock;
     const System &system = context.system;
     if (!(end_time > start_time))
       throw InputError(parameters.where("End time") + ": the <End time> must be later than the <Start time>");
     if (!(step > 0))
       throw InputError(parameters.where("Step") + ": the <Step> must be positive");
     if (!context.sweep.empty())
-      throw InputError(parameters.where() + ": a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
+      throw InputError(parameters.where() +
+                       ": a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
 
     const Tableau tableau(n_stages, spectral_radius);
-    Integrator    integrator(system, tableau, newton_tolerance, max_iterations), halves(system, tableau, newton_tolerance);
-    const bool    is_adaptive = control == "adaptive";
+    Integrator integrator(system, tableau, newton_tolerance, max_iterations), halves(system, tableau, newton_tolerance);
+    const bool is_adaptive = control == "adaptive";
     StepController::Settings settings;
     settings.tolerance     = tolerance;
     settings.smallest_step = smallest_step;
     settings.largest_step  = largest_step > 0 ? largest_step : 0.1 * (end_time - start_time);
-    Stepper stepper        = is_adaptive ? Stepper(system, integrator, std::min(step, settings.largest_step), settings) :
-                                           Stepper(system, integrator, step, smallest_step);
-    report                 = {};
-    budget                 = {};
-    State state            = context.state;
+    Stepper stepper = is_adaptive ? Stepper(system, integrator, std::min(step, settings.largest_step), settings) :
+                                    Stepper(system, integrator, step, smallest_step);
+    report          = {};
+    budget          = {};
+    State state     = context.state;
     if (context.restart)
       restore(context, state, stepper);
     else
@@ -388,13 +402,13 @@ namespace samara
     if (!context.restart)
       budget.start = budget.kinetic + budget.strain + budget.potential;
 
-    InterruptGuard    interrupt;
-    Projection        projection(system);
-    Output            output(context, *this, begin);
-    const auto        clock_start = Clock::now();
-    auto              last_progress = clock_start, last_checkpoint = clock_start;
-    double            largest_energy = 1e-300;
-    const auto        seconds_since = [](const Clock::time_point &t) {
+    InterruptGuard interrupt;
+    Projection     projection(system);
+    Output         output(context, *this, begin);
+    const auto     clock_start   = Clock::now();
+    auto           last_progress = clock_start, last_checkpoint = clock_start;
+    double         largest_energy = 1e-300;
+    const auto     seconds_since  = [](const Clock::time_point &t) {
       return std::chrono::duration<double>(Clock::now() - t).count();
     };
     const auto show = [&]() {
@@ -402,7 +416,8 @@ namespace samara
       context.log.progress("t " + format("%.6g", state.time) + " s of " + format("%g", end_time) + ", step " +
                            format("%.3g", is_adaptive ? stepper.next_step : step) + " s, " +
                            format("%.1f", double(integrator.n_iterations) / std::max(1u, integrator.n_steps)) +
-                           " iterations a step, energy " + format("%.6g", budget.kinetic + budget.strain + budget.potential) + " J, " +
+                           " iterations a step, energy " +
+                           format("%.6g", budget.kinetic + budget.strain + budget.potential) + " J, " +
                            format("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
                            format("%.0f", done > 0 ? seconds / done * (end_time - state.time) : 0.) + " s");
     };
@@ -446,7 +461,8 @@ namespace samara
             report.n_rejected += advance.n_rejected;
             report.n_failed += advance.n_failed;
             report.n_events += advance.n_events;
-            largest_energy = std::max({largest_energy, budget.kinetic + budget.strain, std::abs(budget.loads), std::abs(budget.drives)});
+            largest_energy = std::max(
+              {largest_energy, budget.kinetic + budget.strain, std::abs(budget.loads), std::abs(budget.drives)});
             report.largest_balance = std::max(report.largest_balance, std::abs(budget.balance()) / largest_energy);
             double second          = std::nan("");
             if (second_estimate)
@@ -487,9 +503,10 @@ namespace samara
     catch (const NotConverged &problem)
       {
         close();
-        throw NotConverged(std::string("dynamic analysis: ") + problem.what() +
-                           "\n  everything up to there is written; try a smaller <Step>, <Step control = adaptive>, more damping "
-                           "(<Spectral radius = 0>), or look whether the mechanism locks there");
+        throw NotConverged(
+          std::string("dynamic analysis: ") + problem.what() +
+          "\n  everything up to there is written; try a smaller <Step>, <Step control = adaptive>, more damping "
+          "(<Spectral radius = 0>), or look whether the mechanism locks there");
       }
     close();
     summarize(context, integrator);
@@ -505,10 +522,12 @@ namespace samara
                        format("%.2f", integrator.n_iterations / steps) + " Newton iterations and " +
                        format("%.2f", integrator.n_factorizations / steps) + " factorizations a step";
     if (report.n_rejected + report.n_failed > 0)
-      text += ", " + std::to_string(report.n_rejected) + " rejected, " + std::to_string(report.n_failed) + " without solution";
+      text += ", " + std::to_string(report.n_rejected) + " rejected, " + std::to_string(report.n_failed) +
+              " without solution";
     if (report.n_events > 0)
       text += ", " + std::to_string(report.n_events) + " events";
-    text += "; " + format("%.3g", report.seconds) + " s; the energy budget closes to " + format("%.1e", report.largest_balance);
+    text += "; " + format("%.3g", report.seconds) + " s; the energy budget closes to " +
+            format("%.1e", report.largest_balance);
     context.log.line(text);
   }
 } // namespace samara

@@ -149,7 +149,8 @@ namespace samara
     if (n_steps_with_factors == 1)
       fresh_iterations = iterations;
     const double extra = iterations > fresh_iterations ? iterations - fresh_iterations : 0.;
-    if (n_steps_with_factors > 1 && extra > (iterations_of_a_factorization + extra_iterations) / (n_steps_with_factors - 1))
+    if (n_steps_with_factors > 1 &&
+        extra > (iterations_of_a_factorization + extra_iterations) / (n_steps_with_factors - 1))
       factored_step = 0;
     extra_iterations += extra;
   }
@@ -220,8 +221,9 @@ namespace samara
           power += stage.residual[system.layout.of_coordinate(i)] * stage.rates[i];
         force_work += h * tableau.b(k) * power;
         for (const auto &c : system.model.contributions)
-          stress_work += h * tableau.b(k) *
-                         std::abs(c->power(stage.excess.data() + c->first_strain, stage.strain_rates.data() + c->first_strain));
+          stress_work +=
+            h * tableau.b(k) *
+            std::abs(c->power(stage.excess.data() + c->first_strain, stage.strain_rates.data() + c->first_strain));
       }
     return std::abs(force_work) + stress_work;
   }
@@ -234,7 +236,7 @@ namespace samara
     // the polynomial through the start and the stages of the last step
     std::fill(y.begin(), y.end(), 0.);
     std::fill(rates.begin(), rates.end(), 0.);
-    const unsigned int n_y = y.size();
+    const unsigned int n_y  = y.size();
     const auto         node = [&](const unsigned int j) { return j == 0 ? 0. : tableau.c(j - 1); };
     for (unsigned int j = 0; j <= tableau.s; ++j)
       {
@@ -425,8 +427,8 @@ namespace samara
             const int                       i = layout.of_node(node);
             const Eigen::Map<const Vector6> zeta(&dz[k][i]), rate(&dz_rate[k][i]);
             const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), w(&frozen.y[6 * node + 3]);
-            const Vector3 d_v = rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
-                          d_w = rate.tail<3>() + w.cross(zeta.tail<3>());
+            const Vector3                   d_v = rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
+                          d_w                   = rate.tail<3>() + w.cross(zeta.tail<3>());
             Eigen::Map<Vector3> y_v(&stage.y[6 * node]), y_w(&stage.y[6 * node + 3]);
             y_v += d_v;
             y_w += d_w;
@@ -485,8 +487,8 @@ namespace samara
   void
   Integrator::finish(State &state, const double h)
   {
-    const unsigned int s = tableau.s;
-    const auto advance = [&](std::vector<double> &y, std::vector<double> Stage::*of_stage) {
+    const unsigned int s       = tableau.s;
+    const auto         advance = [&](std::vector<double> &y, std::vector<double> Stage::*of_stage) {
       for (unsigned int j = 0; j < y.size(); ++j)
         {
           const double start = y[j];

@@ -8,7 +8,7 @@ namespace samara
   Integrator::account(const State &state, const double h, StepResult &result)
   {
     const unsigned int s = tableau.s, n_strains = system.layout.n_strains;
-    const auto power = [&](const Stage &stage) {
+    const auto         power = [&](const Stage &stage) {
       double sum = 0;
       for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
         sum += force[i] * stage.y[6 + i];
@@ -45,9 +45,10 @@ namespace samara
             if (c->has_damping())
               {
                 const double *const rates = stages[k].strain_rates.data() + c->first_strain;
-                c->stresses(strain_increment.data() + c->first_strain, rates, stress_increment.data() + c->first_strain);
-                result.viscous_loss += h * tableau.b(k) *
-                                       c->power(stress_increment.data() + c->first_strain, rates);
+                c->stresses(strain_increment.data() + c->first_strain,
+                            rates,
+                            stress_increment.data() + c->first_strain);
+                result.viscous_loss += h * tableau.b(k) * c->power(stress_increment.data() + c->first_strain, rates);
               }
       }
 

@@ -14,7 +14,7 @@ namespace samara
       if constexpr (s == 1)
         {
           // D (I − r~) = D_i with r = h a Ω, in closed form
-          const Vector3 r = h * t.a(0, 0) * spin[0];
+          const Vector3 r       = h * t.a(0, 0) * spin[0];
           const Matrix3 inverse = (Matrix3::Identity() + skew(r) + r * r.transpose()) / (1 + r.squaredNorm());
           D[0].noalias()        = D_start * inverse;
         }
@@ -149,9 +149,10 @@ namespace samara
       for (unsigned int i = 0; i < n_multipliers; ++i)
         {
           const int row       = system.layout.of_multiplier(i);
-          stage.residual[row] = !is_active[i]      ? 0. :
-                                is_nonholonomic[i] ? stage.constraint_rates[i] :
-                                                     stage.constraint_rates[i] - mean_rates[i] + constraints_at_end[row] / h;
+          stage.residual[row] = !is_active[i] ? 0. :
+                                is_nonholonomic[i] ?
+                                                stage.constraint_rates[i] :
+                                                stage.constraint_rates[i] - mean_rates[i] + constraints_at_end[row] / h;
         }
     for (const auto &correction : system.layout.corrections)
       {

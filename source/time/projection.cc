@@ -85,7 +85,8 @@ namespace samara
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         // constant twist: the screw motion exp(dt y)
-        const Vector3       v = Eigen::Map<const Vector3>(&state.y[6 * node]), w = Eigen::Map<const Vector3>(&state.y[6 * node + 3]);
+        const Vector3 v = Eigen::Map<const Vector3>(&state.y[6 * node]),
+                      w = Eigen::Map<const Vector3>(&state.y[6 * node + 3]);
         Eigen::Map<Vector3> x(&moved.q[12 * node]);
         Eigen::Map<Matrix3> D(&moved.q[12 * node + 3]);
         x += D * (dt * v + 0.5 * dt * dt * w.cross(v) + dt * dt * dt / 6 * w.cross(w.cross(v)));

@@ -125,7 +125,7 @@ namespace samara
     Decision decision;
     decision.accept = good || h <= settings.smallest_step;
     decision.next_h = std::clamp(ratio * h, settings.smallest_step, settings.largest_step);
-    if (decision.accept && ratio >= settings.safety && ratio < settings.worth_a_change)
+    if (decision.accept && std::max(ratio, 1 / ratio) < settings.worth_a_change)
       decision.next_h = h; // the factorisation can be kept
     if (!decision.accept)
       {

@@ -111,7 +111,8 @@ namespace samara
           return;
         double low = 0, high = h, f_low = start_values[i], f_high = end_values[i];
         int    side = 0;
-        for (unsigned int iteration = 0; iteration < 60 && high - low > 1e-13 * std::max(h, std::abs(state.time)); ++iteration)
+        for (unsigned int iteration = 0; iteration < 60 && high - low > 1e-13 * std::max(h, std::abs(state.time));
+             ++iteration)
           {
             double middle = f_high != f_low ? high - f_high * (high - low) / (f_high - f_low) : 0.5 * (low + high);
             middle        = std::clamp(middle, low + 1e-3 * (high - low) * (iteration < 5), high);

@@ -135,6 +135,7 @@ TEST(StepController, ReachesTheRightStepAtOnce)
 TEST(StepController, Limits)
 {
   StepController::Settings settings;
+  settings.worth_a_change = 1; // the formula itself
   settings.smallest_step = 1e-3;
   settings.largest_step  = 0.5;
   StepController control(Tableau(2, 0.5), settings);
@@ -189,6 +190,7 @@ TEST(StepController, NoLongerStepAfterARejectionOrFailure)
 TEST(StepController, FailureAtTheSmallestStepIsTheEnd)
 {
   StepController::Settings settings;
+  settings.worth_a_change = 1; // the formula itself
   settings.smallest_step = 1e-3;
   StepController control(Tableau(3, 0.5), settings);
   EXPECT_DOUBLE_EQ(control.after_failure(1.5e-3), 1e-3);
@@ -320,6 +322,7 @@ namespace
   integrate(const Problem &problem, const Tableau &t, const double tolerance)
   {
     StepController::Settings settings;
+    settings.worth_a_change = 1; // the formula itself
     settings.tolerance = tolerance;
     StepController control(t, settings);
     Pendulum       state = {{1, 0}, 2 * problem.k, problem.torque};

@@ -60,7 +60,7 @@ namespace samara
     std::function<void(const State &)> observer;
 
     // entries
-    double       start_time = 0, end_time = 1, step = 1e-3, tolerance = 1e-4, smallest_step = 1e-10, largest_step = 0,
+    double start_time = 0, end_time = 1, step = 1e-3, tolerance = 1e-4, smallest_step = 1e-10, largest_step = 0,
            spectral_radius = 0.5, newton_tolerance = 1e-10, seconds_between_checkpoints = 60;
     unsigned int n_stages = 3, output_every = 1, n_pictures = 100, max_iterations = 50;
     std::string  control = "fixed", inconsistent = "project";
@@ -69,13 +69,14 @@ namespace samara
   private:
     struct Output;
 
-    void   prepare(Context &context, State &state) const;
-    void   restore(const Context &context, State &state, Stepper &stepper);
-    void   write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const;
-    void   record(const Context &context, const State &state, Projection &projection, Output &output);
-    void   account(const Context &context, const State &state, const StepResult &step);
-    double half_steps(const Context &context, const State &start, const State &end, double h, Integrator &integrator) const;
-    void   summarize(const Context &context, const Integrator &integrator) const;
+    void prepare(Context &context, State &state) const;
+    void restore(const Context &context, State &state, Stepper &stepper);
+    void write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const;
+    void record(const Context &context, const State &state, Projection &projection, Output &output);
+    void account(const Context &context, const State &state, const StepResult &step);
+    double
+    half_steps(const Context &context, const State &start, const State &end, double h, Integrator &integrator) const;
+    void summarize(const Context &context, const Integrator &integrator) const;
   };
 } // namespace samara
 

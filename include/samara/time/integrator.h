@@ -10,14 +10,14 @@ namespace samara
   /** What a step did. Energies in J over the step. */
   struct StepResult
   {
-    bool         converged  = false;
-    unsigned int iterations = 0;
-    double       dissipated = 0; ///< numerically, D ≥ 0
-    double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate
+    bool         converged     = false;
+    unsigned int iterations    = 0;
+    double       dissipated    = 0; ///< numerically, D ≥ 0
+    double       indicator     = 0; ///< D/α, also for α = 0: how much there would be to dissipate
     double       work_of_loads = 0, viscous_loss = 0;
     double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
     double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
-    unsigned int worst = 0; ///< unknown with the largest force left, if not converged
+    unsigned int worst           = 0; ///< unknown with the largest force left, if not converged
   };
 
 
@@ -49,7 +49,10 @@ namespace samara
      * @p tolerance: of Newton's method, change of velocities relative to the largest; velocities below
      * 1e-3 (model length, or rad) per step do not count as large.
      */
-    Integrator(const System &system, const Tableau &tableau, double tolerance = 1e-10, unsigned int max_iterations = 50);
+    Integrator(const System  &system,
+               const Tableau &tableau,
+               double         tolerance      = 1e-10,
+               unsigned int   max_iterations = 50);
 
     /** Advance @p state by @p h; it is unchanged if the result says not converged. */
     StepResult step(State &state, double h);
@@ -83,8 +86,16 @@ namespace samara
       Point<double>
       point() const
       {
-        return {q.data(),      coordinates.data(), y.data(), rates.data(), multipliers.data(),
-                stress.data(), time,               1.,       false,        switches};
+        return {q.data(),
+                coordinates.data(),
+                y.data(),
+                rates.data(),
+                multipliers.data(),
+                stress.data(),
+                time,
+                1.,
+                false,
+                switches};
       }
     };
     std::vector<Stage> stages;
@@ -123,17 +134,17 @@ namespace samara
     std::vector<double>               twists, strain_increment, rate_increment, stress_increment;
 
     /** Newton's method with the factors there are; gives up if corrections shrink by less than the factor @p slow. */
-    bool   iterate(const State &state, double h, double slow, StepResult &result);
-    void   judge_factors(unsigned int iterations);
-    void   predict(const State &state, double h);
-    void   extrapolate(double x, std::vector<double> &y, std::vector<double> &rates) const;
-    void   remember(const State &state, double h);
-    void   freeze(const State &state, double h);
-    void   factorize(double h);
-    void   move_stages(const State &state, double h);
-    void   evaluate(const State &state, double h);
-    void   evaluate_stresses(double h);
-    void   evaluate_constraints(const State &state, double h);
+    bool iterate(const State &state, double h, double slow, StepResult &result);
+    void judge_factors(unsigned int iterations);
+    void predict(const State &state, double h);
+    void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates) const;
+    void remember(const State &state, double h);
+    void freeze(const State &state, double h);
+    void factorize(double h);
+    void move_stages(const State &state, double h);
+    void evaluate(const State &state, double h);
+    void evaluate_stresses(double h);
+    void evaluate_constraints(const State &state, double h);
     /** Work that the residuals of the last evaluation would add to the energy. */
     double energy_error(double h) const;
     double solve(double h);

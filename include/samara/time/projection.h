@@ -7,8 +7,8 @@
 namespace samara
 {
   /**
-   * What is reported of a state of motion. The integrator's own velocities violate the velocity constraints by O(h^s) and
-   * its stage multipliers are of first order; these have the order of the positions. They are never fed back.
+   * What is reported of a state of motion. The integrator's own velocities violate the velocity constraints by O(h^s)
+   * and its stage multipliers are of first order; these have the order of the positions. They are never fed back.
    */
   class Projection
   {

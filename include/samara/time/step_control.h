@@ -71,14 +71,15 @@ namespace samara
   public:
     struct Settings
     {
-      double       tolerance     = 1e-4; ///< relative error in a period
-      double       smallest_step = 1e-9; ///< s
-      double       largest_step  = std::numeric_limits<double>::infinity();
-      double       safety        = 0.9;
-      double       least_ratio   = 0.3;
-      double       largest_ratio = 2;
-      double       reject_factor = 2;
-      unsigned int patience      = 10; ///< steps without growth after a failure: long steps tend to fail again
+      double       tolerance      = 1e-4; ///< relative error in a period
+      double       smallest_step  = 1e-9; ///< s
+      double       largest_step   = std::numeric_limits<double>::infinity();
+      double       safety         = 0.9;
+      double       least_ratio    = 0.3;
+      double       largest_ratio  = 2;
+      double       worth_a_change = 1.15; ///< factor below which a step stays as it is, and factorisations can be kept
+      double       reject_factor  = 2;
+      unsigned int patience       = 10; ///< steps without growth after a failure: long steps tend to fail again
     };
 
     struct Decision

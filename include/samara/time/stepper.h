@@ -12,9 +12,9 @@ namespace samara
   struct Advance
   {
     StepResult   step;
-    double       h = 0;
+    double       h          = 0;
     unsigned int n_rejected = 0, n_failed = 0; ///< attempts before it, too inaccurate or without a solution
-    unsigned int n_events = 0; ///< switches that changed at its end
+    unsigned int n_events = 0;                 ///< switches that changed at its end
   };
 
 
@@ -50,7 +50,7 @@ namespace samara
     const double        fixed_step, smallest_step;
     State               trial;
     std::vector<double> start_values, end_values;
-    std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
+    std::vector<double> steady_twists;      ///< of the start: kinetic energy counts without them
     unsigned int        n_changes_here = 0; ///< of switches without a step between them
 
     double corner(double from, double to) const;

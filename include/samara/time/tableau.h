@@ -16,8 +16,8 @@ namespace samara
    *
    *     a_α = a + α/(2(2s−1)) · p pᵀ diag(b)
    *
-   * carries momentum and stress. b_k a_α,kl + b_l a_α,lk − b_k b_l = α/(2s−1) b_k p_k p_l b_l is positive semidefinite of
-   * rank one: that is the energy statement. (Design notes on the integrator family; Burrage & Butcher 1979.)
+   * carries momentum and stress. b_k a_α,kl + b_l a_α,lk − b_k b_l = α/(2s−1) b_k p_k p_l b_l is positive semidefinite
+   * of rank one: that is the energy statement. (Design notes on the integrator family; Burrage & Butcher 1979.)
    */
   struct Tableau
   {
