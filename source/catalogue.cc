@@ -33,6 +33,7 @@ namespace samara
     joints.add<Spherical>("spherical", "ball joint");
     joints.add<Universal>("universal", "two hinges at a right angle");
     joints.add<Rigid>("rigid", "weld, however far apart");
+    joints.add<Spring>("spring", "spring, damper or actuator between two points");
     joints.add<Distance>("distance", "massless rod between two points");
     joints.add<Gear>("gear", "ratio between the rotations of two joints");
     joints.add<FlexibleJoint>("flexible joint", "six springs and dampers");

@@ -405,6 +405,8 @@ namespace samara
   Number
   Joint::measure(const FreeMotion &motion, const PairValues<Number> &pair, const Number &value) const
   {
+    if (motion.is_length())
+      return 0.5 / motion.reference * (motion.first.value(pair) - (value + motion.reference) * (value + motion.reference));
     if (!motion.is_angle())
       return motion.first.value(pair) - value;
     return sin(value) * motion.first.value(pair) - cos(value) * motion.sign * motion.second.value(pair);
@@ -445,8 +447,8 @@ namespace samara
           }
         else
           {
-            m.first.add_gradient(pair, lambda[row], local.template head<12>());
-            local(12 + i) -= lambda[row];
+            m.first.add_gradient(pair, Number(m.scale() * lambda[row]), local.template head<12>());
+            local(12 + i) -= lambda[row] * m.lever(value);
           }
         ++row;
       }
@@ -454,7 +456,7 @@ namespace samara
       if (used[i]->is_prescribed)
         {
           local(first_row + row) =
-            point.coordinates[used[i]->coordinate] - point.factor * used[i]->prescribed(point.time);
+            point.coordinates[used[i]->coordinate] + used[i]->reference - point.factor * used[i]->prescribed(point.time);
           local(12 + i) += lambda[row++];
         }
     if (is_screw)
@@ -512,9 +514,11 @@ namespace samara
           }
         else
           {
-            m.first.add_second_derivative(pair, lambda[row], H);
-            m.first.add_gradient(pair, 1., G);
-            local(12 + i, first_row + row) = -1;
+            m.first.add_second_derivative(pair, m.scale() * lambda[row], H);
+            m.first.add_gradient(pair, m.scale(), G);
+            local(12 + i, first_row + row) = -m.lever(value);
+            if (m.is_length())
+              local(12 + i, 12 + i) -= lambda[row] / m.reference;
           }
       }
     for (unsigned int i = 0; i < used.size(); ++i)
@@ -584,8 +588,8 @@ namespace samara
           }
         else
           {
-            m->first.add_gradient(pair, 1., gradient.head<12>());
-            rates[row++] = gradient.dot(y) - rate;
+            m->first.add_gradient(pair, m->scale(), gradient.head<12>());
+            rates[row++] = gradient.dot(y) - m->lever(value) * rate;
           }
       }
     for (const auto *m : used)
@@ -636,8 +640,10 @@ namespace samara
   Joint::angle_or_gap(const FreeMotion &motion, const State &state) const
   {
     if (motion.coordinate >= 0)
-      return state.coordinates[motion.coordinate];
+      return state.coordinates[motion.coordinate] + motion.reference;
     const PairValues<double> pair(frame_a, frame_b, state.q.data());
+    if (motion.is_length())
+      return std::sqrt(motion.first.value(pair));
     if (!motion.is_angle())
       return motion.first.value(pair);
     return std::atan2(motion.sign * motion.second.value(pair), motion.first.value(pair));

@@ -118,6 +118,71 @@ namespace samara
 
 
   void
+  Spring::add_parameters(Parameters &prm)
+  {
+    free.emplace_back();
+    free.back().name  = "length";
+    free.back().unit  = "m";
+    free.back().first = {PairFunction::squared_distance};
+    Joint::add_parameters(prm);
+  }
+
+
+
+  void
+  Spring::place(Model &model, const Frame &a, const Frame &b)
+  {
+    // the ground has no points of its own
+    frame_a            = a.node == 0 && parameters.is_set("Position") ? model.frame_at(a, position, Matrix3::Identity()) : a;
+    frame_b            = b;
+    FreeMotion &motion = free[0];
+    motion.reference   = (model.position(frame_b) - model.position(frame_a)).norm();
+    if (motion.reference == 0)
+      throw std::invalid_argument("the two points of a spring must not coincide: it would have no direction");
+    // what users say of the length is the length itself, the coordinate is its change
+    motion.rest = parameters.subsection("length").is_set("Rest") ? motion.rest - motion.reference : 0.;
+    motion.lower_stop -= motion.reference;
+    motion.upper_stop -= motion.reference;
+  }
+
+
+
+  std::optional<Probe>
+  Spring::probe(const std::string &path) const
+  {
+    if (path != "force")
+      return Joint::probe(path);
+    const FreeMotion &motion = free[0];
+    if (motion.coordinate < 0)
+      return {};
+    return Probe{path, "N", [this, &motion](const State &state) {
+                   return state.multipliers[first_multiplier] * motion.lever(state.coordinates[motion.coordinate]);
+                 }};
+  }
+
+
+
+  std::vector<std::string>
+  Spring::probe_names() const
+  {
+    return {"length", "length rate", "force"};
+  }
+
+
+
+  void
+  Spring::draw(const State &state, Drawing &drawing) const
+  {
+    Sample a, b;
+    a.x = frame_a.position(state.q.data());
+    b.x = frame_b.position(state.q.data());
+    drawing.begin_object(name);
+    drawing.bar(a, b, 0.02 * free[0].reference);
+  }
+
+
+
+  void
   Distance::add_parameters(Parameters &prm)
   {
     locked.push_back({{PairFunction::squared_distance}, "distance"});

@@ -34,6 +34,7 @@ namespace
      {}},
     {"rigid", {{"clamp.force 3", 2 * g}, {"clamp.moment 2", -g}}, {}},
     {"distance", {{"slider.position x", std::sqrt(3.)}, {"crank.pin.position z", 1}}, {}},
+    {"spring", {{"coil.length", 0.8 + 2 * g / 100}, {"coil.force", 2 * g}}, {std::sqrt(50.)}},
     {"gear", {{"shaft A.angular velocity x", 100}, {"shaft B.angular velocity y", 50}}, {}},
     {"flexible_joint",
      {{"engine.displacement z", -20 * 9.81 / 2e4}, {"mount.force 1", -20 * 9.81}},

@@ -110,6 +110,7 @@ end
                                                                      {"spherical", {}},
                                                                      {"rigid", {}},
                                                                      {"distance", {}},
+                                                                     {"spring", {"length"}},
                                                                      {"flexible joint", {}},
                                                                      {"rolling ball", {}},
                                                                      {"knife edge", {}}};

@@ -18,8 +18,9 @@ namespace samara
   {
     std::string name, unit; ///< "rotation" in rad, "displacement" in m
 
-    /** The functions that tell it: d = value of the first; θ = atan2(± second, first). */
+    /** The functions that tell it: d = value of the first; θ = atan2(± second, first); l = √first of squared distances. */
     PairFunction first, second;
+    double       reference = 0; ///< of a length: its value in the reference configuration, where the coordinate is zero
     double       sign = 1;
     unsigned int axis = 2; ///< joint axis along or about which the force or moment of this motion acts
 
@@ -36,6 +37,24 @@ namespace samara
     is_angle() const
     {
       return unit == "rad";
+    }
+    bool
+    is_length() const
+    {
+      return first.kind == PairFunction::squared_distance;
+    }
+    /** How the coordinate's force enters the constraint that measures it, ∂g/∂d = −lever; l/L for lengths. */
+    template <typename Number>
+    Number
+    lever(const Number &coordinate) const
+    {
+      return is_length() ? Number((reference + coordinate) / reference) : Number(1);
+    }
+    /** Scale of the first function in that constraint. */
+    double
+    scale() const
+    {
+      return is_length() ? 0.5 / reference : 1.;
     }
     void add_parameters(Parameters &prm);
 
@@ -70,6 +89,7 @@ namespace samara
    *
    *     locked            function − its reference value = 0
    *     free d, used      E_iᴬ·Δ − d = 0
+   *     free l, used      (Δ·Δ − l²)/(2 L) = 0, L the length in the reference configuration, l − L the coordinate
    *     free θ, used      sinθ c − cosθ s = 0 with c = cosθ, s = sinθ from the axes of A and B
    *     prescribed        d − f(t) = 0, θ − f(t) = 0
    *     screw             d − p θ = 0

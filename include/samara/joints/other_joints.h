@@ -51,6 +51,27 @@ namespace samara
 
 
   /**
+   * A spring, a damper, an actuator between two points: their distance l is an unknown, with what all free motions of
+   * joints can have (spring, rest length, damper, force, prescribed length, stops). If body A is the ground, Position says
+   * where the spring hangs.
+   */
+  class Spring : public Joint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+
+    /** "length", "length rate"; "force": tension positive */
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
+
+  protected:
+    void place(Model &model, const Frame &body_a, const Frame &body_b) override;
+    void draw(const State &, Drawing &) const override;
+  };
+
+
+
+  /**
    * A massless rod with a ball joint at each end: |Δ|² = L² for the gap Δ between the frames. With the multiplier λ the
    * tension in it is 2 L λ [N].
    */
