@@ -304,7 +304,7 @@ namespace samara
                 F += t.N(k, a) * forces[k].d + t.dN(k, a) * forces[k].dd;
               }
             local.template segment<3>(6 * a)     = nodes[a].D.transpose() * f;
-            local.template segment<3>(6 * a + 3) = Number(2) * axial(nodes[a].D.transpose() * F);
+            local.template segment<3>(6 * a + 3) = Number(2) * axial_of_product(nodes[a].D, F);
           }
         elements[i].block.add(local, r);
       }
@@ -355,7 +355,22 @@ namespace samara
 
   template <int dim>
   void
-  Cosserat<dim>::add_material(const unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const
+  Cosserat<dim>::interpolate_element(const unsigned int element, const double *q) const
+  {
+    const ElementTable<dim> &t = *table;
+    Scratch                 &s = scratch();
+    gather(element, q, s.nodes);
+    s.at.resize(dim * t.n_tying);
+    for (unsigned int k = 0; k < s.at.size(); ++k)
+      s.at[k] = kernel::interpolate(s.nodes, &t.N(k, 0), &t.dN(k, 0));
+  }
+
+
+
+  template <int dim>
+  template <typename Matrix>
+  void
+  Cosserat<dim>::strain_matrix(const unsigned int element, Matrix &&B_element) const
   {
     const ElementTable<dim> &t = *table;
     Scratch                 &s = scratch();
@@ -367,13 +382,10 @@ namespace samara
                               t.N(k, a),
                               t.dN(k, a),
                               s.B_tied.template block<6, 6>(6 * k, 6 * a));
-
-    s.B.resize(n * t.n_points, 6 * t.n_nodes);
-    s.CB.resize(n * t.n_points, 6 * t.n_nodes);
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
         const IntegrationPoint &point = points[element * t.n_points + g];
-        auto                    B     = s.B.template middleRows<n>(n * g);
+        auto                    B     = B_element.template middleRows<n>(n * g);
         if constexpr (dim == 1)
           B = point.T(0, 0) * s.B_tied.template middleRows<6>(6 * g);
         else
@@ -385,9 +397,96 @@ namespace samara
                   B.template middleRows<6>(6 * beta) += point.T(beta, alpha) * t.interpolation[alpha](g, k) *
                                                         s.B_tied.template middleRows<6>(6 * (alpha * t.n_tying + k));
           }
-        const MatrixN C = point.weight * (materials[point.material].*which);
-        auto          CB = s.CB.template middleRows<n>(n * g);
-        CB.noalias()     = C.lazyProduct(B);
+      }
+  }
+
+
+
+  /** B of all elements, row by row. */
+  template <int dim>
+  class Cosserat<dim>::StoredStrains : public LinearStrains
+  {
+  public:
+    explicit StoredStrains(const Cosserat &body)
+      : body(body)
+      , n_rows(n * body.table->n_points)
+      , n_columns(6 * body.table->n_nodes)
+      , B(n_rows * body.n_elements(), n_columns)
+      , z(n_columns)
+      , weighted(n_rows)
+    {}
+
+    void
+    renew(const Point<double> &point) override
+    {
+      for (unsigned int i = 0; i < body.n_elements(); ++i)
+        {
+          body.interpolate_element(i, point.q);
+          body.strain_matrix(i, B.middleRows(n_rows * i, n_rows));
+        }
+    }
+
+    void
+    strains(const double *y, const double *, double *e) const override
+    {
+      for (unsigned int i = 0; i < body.n_elements(); ++i)
+        {
+          const Element &element = body.elements[i];
+          for (unsigned int a = 0; a < element.frames.size(); ++a)
+            if (element.all_nodes)
+              z.template segment<6>(6 * a) = Eigen::Map<const Vector6>(y + 6 * element.frames[a].node);
+            else
+              z.template segment<6>(6 * a) = element.frames[a].twist(y);
+          Eigen::Map<Eigen::VectorXd>(e + n_rows * i, n_rows).noalias() = B.middleRows(n_rows * i, n_rows) * z;
+        }
+    }
+
+    void
+    add_forces(const double *stress, double *r) const override
+    {
+      for (unsigned int i = 0; i < body.n_elements(); ++i)
+        {
+          for (unsigned int g = 0; g < body.table->n_points; ++g)
+            weighted.template segment<n>(n * g) = body.points[i * body.table->n_points + g].weight *
+                                                  Eigen::Map<const VectorN>(stress + n_rows * i + n * g);
+          z.noalias() = B.middleRows(n_rows * i, n_rows).transpose() * weighted;
+          body.elements[i].block.add(z, r);
+        }
+    }
+
+  private:
+    const Cosserat         &body;
+    const int               n_rows, n_columns;
+    RowMajor                B;
+    mutable Eigen::VectorXd z, weighted;
+  };
+
+
+
+  template <int dim>
+  std::unique_ptr<LinearStrains>
+  Cosserat<dim>::linear_strains() const
+  {
+    return std::make_unique<StoredStrains>(*this);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::add_material(const unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const
+  {
+    const ElementTable<dim> &t = *table;
+    Scratch                 &s = scratch();
+    s.B.resize(n * t.n_points, 6 * t.n_nodes);
+    s.CB.resize(n * t.n_points, 6 * t.n_nodes);
+    strain_matrix(element, s.B);
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        const IntegrationPoint &point = points[element * t.n_points + g];
+        const MatrixN           C     = point.weight * (materials[point.material].*which);
+        auto                    CB    = s.CB.template middleRows<n>(n * g);
+        CB.noalias()                  = C.lazyProduct(s.B.template middleRows<n>(n * g));
       }
     add_transpose_product(s.B, s.CB, K);
   }
@@ -445,11 +544,8 @@ namespace samara
     const double            *stress = point.stress + this->first_strain;
     for (unsigned int i = 0; i < n_elements(); ++i, stress += n * t.n_points)
       {
-        gather(i, point.q, s.nodes);
+        interpolate_element(i, point.q);
         to_tying(i, stress, s.tied);
-        s.at.resize(s.tied.size());
-        for (unsigned int k = 0; k < s.tied.size(); ++k)
-          s.at[k] = kernel::interpolate(s.nodes, &t.N(k, 0), &t.dN(k, 0));
         s.K.setZero(6 * t.n_nodes, 6 * t.n_nodes);
         add_material(i, &Material::stiffness, s.K);
         add_geometric(s.tied, s.K);
@@ -467,10 +563,7 @@ namespace samara
     Scratch                 &s = scratch();
     for (unsigned int i = 0; i < n_elements(); ++i)
       {
-        gather(i, point.q, s.nodes);
-        s.at.resize(dim * t.n_tying);
-        for (unsigned int k = 0; k < s.at.size(); ++k)
-          s.at[k] = kernel::interpolate(s.nodes, &t.N(k, 0), &t.dN(k, 0));
+        interpolate_element(i, point.q);
         s.K.setZero(6 * t.n_nodes, 6 * t.n_nodes);
         add_material(i, &Material::viscosity, s.K);
         elements[i].block.add(s.K, C);

@@ -56,7 +56,10 @@ namespace samara
     for (const auto i : system.dropped_multipliers())
       is_active[i] = false;
     for (const auto &c : system.model.contributions)
-      has_damping = has_damping || c->has_damping();
+      {
+        has_damping = has_damping || c->has_damping();
+        frozen_strains.push_back(c->n_strains() > 0 ? c->linear_strains() : nullptr);
+      }
     system.mass(M);
 
     x.resize(n);
@@ -343,6 +346,11 @@ namespace samara
   {
     system.damping(frozen, C);
     system.tangent(frozen, K);
+    Point<double> point = frozen.point();
+    point.multipliers   = no_multipliers.data();
+    for (const auto &strains : frozen_strains)
+      if (strains)
+        strains->renew(point);
     const unsigned int n = K.values.size() - 1;
     matrix.resize(n);
     for (unsigned int j = 0; j < factors.size(); ++j)
@@ -459,13 +467,13 @@ namespace samara
   {
     // δσ = (what the configuration has more) + C B ζ + C_d B ζ̇, B as in the matrices
     const Layout &layout  = system.layout;
-    Point<double> at      = frozen.point();
     const auto    strains = [&](const std::vector<double> &z, std::vector<double> &e) {
       std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
-      at.y     = twists.data();
-      at.rates = z.data() + layout.of_coordinate(0);
-      for (const auto &c : system.model.contributions)
-        c->strain_rates(at, e.data() + c->first_strain);
+      for (unsigned int i = 0; i < frozen_strains.size(); ++i)
+        if (frozen_strains[i])
+          frozen_strains[i]->strains(twists.data(),
+                                     z.data() + layout.of_coordinate(0),
+                                     e.data() + system.model.contributions[i]->first_strain);
     };
     for (unsigned int k = 0; k < tableau.s; ++k)
       {

@@ -175,20 +175,17 @@ namespace samara
   Integrator::evaluate(const State &state, const double h)
   {
     evaluate_stresses(h);
-    Point<double> at = frozen.point();
-    at.multipliers   = no_multipliers.data();
-    at.factor        = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
         Stage &stage = stages[k];
         stage.residual.assign(system.size() + 6, 0.);
-        at.stress = stage.excess.data();
-        for (const auto &c : system.model.contributions)
+        for (unsigned int i = 0; i < frozen_strains.size(); ++i)
           {
-            c->residual(stage.point(), stage.residual.data());
-            if (c->n_strains() > 0)
-              c->residual(at, stage.residual.data());
+            const Contribution &c = *system.model.contributions[i];
+            c.residual(stage.point(), stage.residual.data());
+            if (frozen_strains[i])
+              frozen_strains[i]->add_forces(stage.excess.data() + c.first_strain, stage.residual.data());
           }
         for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
           {

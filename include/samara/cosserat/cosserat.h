@@ -6,6 +6,7 @@
 #include <samara/model/system.h>
 
 #include <array>
+#include <memory>
 
 namespace samara
 {
@@ -42,6 +43,8 @@ namespace samara
     double power(const double *stress, const double *rates) const override;
     double strain_energy(const double *e) const override;
     bool   has_damping() const override;
+
+    std::unique_ptr<LinearStrains> linear_strains() const override;
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;
@@ -117,6 +120,15 @@ namespace samara
     /** Section forces at the tying points, weights included, from stresses at the integration points. */
     template <typename Number>
     void to_tying(unsigned int element, const Number *stress, std::vector<Vec6<Number>> &tied) const;
+
+    /** Positions and triads of an element's nodes, and what is interpolated from them at the tying points, into scratch(). */
+    void interpolate_element(unsigned int element, const double *q) const;
+
+    /** B of an element at its integration points from what is in scratch(), rows of 6 dim. */
+    template <typename Matrix>
+    void strain_matrix(unsigned int element, Matrix &&B) const;
+
+    class StoredStrains;
 
     void add_material(unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const;
     void add_geometric(const std::vector<Vec6<double>> &tied, Eigen::MatrixXd &K) const;

@@ -45,13 +45,23 @@ namespace samara
     PointValues<Number>
     interpolate(const std::vector<NodeValues<Number>> &nodes, const double *N, const double *dN)
     {
-      PointValues<Number> p{Vec3<Number>::Zero(), Mat3<Number>::Zero(), Mat3<Number>::Zero()};
+      // x and the directors side by side, as the compiler likes it
+      static_assert(sizeof(NodeValues<Number>) == 12 * sizeof(Number), "no gaps");
+      Number value[12] = {}, derivative[12] = {};
       for (unsigned int a = 0; a < nodes.size(); ++a)
         {
-          p.dx += dN[a] * nodes[a].x;
-          p.d += N[a] * nodes[a].D;
-          p.dd += dN[a] * nodes[a].D;
+          const Number *const node = nodes[a].x.data();
+          const double        N_a = N[a], dN_a = dN[a];
+          for (unsigned int i = 0; i < 12; ++i)
+            {
+              value[i] += N_a * node[i];
+              derivative[i] += dN_a * node[i];
+            }
         }
+      PointValues<Number> p;
+      p.dx = Eigen::Map<const Vec3<Number>>(derivative);
+      p.d  = Eigen::Map<const Mat3<Number>>(value + 3);
+      p.dd = Eigen::Map<const Mat3<Number>>(derivative + 3);
       return p;
     }
 
@@ -63,7 +73,7 @@ namespace samara
     strain(const PointValues<Number> &p)
     {
       Vec6<Number> e;
-      e << p.d.transpose() * p.dx, axial(p.d.transpose() * p.dd);
+      e << p.d.transpose() * p.dx, axial_of_product(p.d, p.dd);
       return e;
     }
 
@@ -75,7 +85,7 @@ namespace samara
     strain_rate(const PointValues<Number> &p, const PointValues<Number> &v)
     {
       Vec6<Number> e;
-      e << v.d.transpose() * p.dx + p.d.transpose() * v.dx, axial(v.d.transpose() * p.dd + p.d.transpose() * v.dd);
+      e << v.d.transpose() * p.dx + p.d.transpose() * v.dx, axial_of_product(v.d, p.dd) + axial_of_product(p.d, v.dd);
       return e;
     }
 

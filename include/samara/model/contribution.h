@@ -3,12 +3,14 @@
 
 #include <samara/base/parameters.h>
 #include <samara/model/drawing.h>
+#include <samara/model/linear_strains.h>
 #include <samara/model/matrix.h>
 #include <samara/model/state.h>
 
 #include <complex>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace samara
@@ -126,6 +128,9 @@ namespace samara
     {
       return 0;
     }
+
+    /** For repeated use of one B. By default strain_rates() and residual() do it; what has many strains can be faster. */
+    virtual std::unique_ptr<LinearStrains> linear_strains() const;
 
     /** σᵀ ė, integrated [W]. */
     virtual double

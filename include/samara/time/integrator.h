@@ -110,6 +110,7 @@ namespace samara
     double              energy_scale  = 0;
     double              factored_step = 0; ///< step size of the factors; 0: none
     State               frozen;            ///< at which they were made
+    std::vector<std::unique_ptr<LinearStrains>> frozen_strains; ///< of each contribution; none without strains
     unsigned int        n_steps_with_factors = 0, fresh_iterations = 0;
     double              extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix        M, C, K;
