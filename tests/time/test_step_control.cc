@@ -119,11 +119,12 @@ TEST(StepController, ReachesTheRightStepAtOnce)
     control.update(3.);
     EXPECT_NEAR(control.relation.period_error(control.Y_target), 1e-4, 1e-15);
     const double w = 40, right = std::sqrt(control.Y_target) / w;
-    for (const double factor : {0.5, 0.8, 1., 2.5})
+    for (const double factor : {0.5, 0.7, 0.85, 1., 2.5})
       {
         const double h        = factor * right;
         const auto   decision = control.decide(3. * control.relation.value(std::pow(w * h, 2)), h);
-        EXPECT_NEAR(decision.next_h / right, 0.9, 1e-12);
+        const bool   stays    = factor > 0.8 && factor < 1.03; // not worth a change
+        EXPECT_NEAR(decision.next_h / right, stays ? factor : 0.9, 1e-12);
         EXPECT_EQ(decision.accept, factor <= 1);
       }
     EXPECT_EQ(control.n_rejections, 1u);
