@@ -1,185 +1,40 @@
-// The integrator family: its energy statement, constraints, orders and amplification, for s = 1, 2, 3 and several ρ∞.
+// The integrator family: energy statement, dissipation, constraints, triads, steady rotation, over all systems of
+// systems.h, s = 1, 2, 3 and ρ∞ = 1, ½, 0.
 //
-// References: the statements of proof in the design notes (energy, constraints, triads: to round-off; orders 2s for
-// ρ∞ = 1 and 2s − 1 otherwise; steady rotation exact), the linear oscillator's amplification factor
-// R(z) = 1 + z bᵀ (I − z a_α)⁻¹ 1, and the motion of a free body.
-
-#include "../scene.h"
-
-#include <samara/time/integrator.h>
-#include <samara/time/projection.h>
+// References: the statements of proof in the design notes. They hold for every step that is solved, to round-off: 1e-12
+// of the largest energy, 1e-12 m or rad, 1e-13 for triads. Nothing weaker is needed, however stiff the system is, as
+// long as the steps turn it by less than a quarter of a radian; beyond, and for stiff hinged beams from 0.08 rad on,
+// the iteration may stop too early (doc/theory/integrators.md).
 
 #include <gtest/gtest.h>
+
+#include "systems.h"
 
 using namespace samara;
 
 namespace
 {
-  const std::string two_bodies = R"(
-subsection Bodies
-  subsection a
-    set Type = rigid body
-    set Mass = 2
-    set Position = 0.5, 0, 0
-    set Centre of mass = 0.1, 0.05, -0.1
-    set Inertia = 0.1, 0.2, 0.25, 0.01, 0.02, -0.01
-    set Frames = pivot at 0 0 0, hinge at 1 0 0
-  end
-  subsection b
-    set Type = rigid body
-    set Mass = 1
-    set Position = 1.5, 0, 0
-    set Centre of mass = 0, 0.1, 0.1
-    set Inertia = 0.1, 0.1, 0.15
-  end
-end
-)";
-
-  const std::string joints = R"(
-subsection Joints
-  subsection ball
-    set Type = spherical
-    set Body A = ground
-    set Body B = a.pivot
-  end
-  subsection hinge
-    set Type = revolute
-    set Body A = a.hinge
-    set Body B = b.centre
-    set Position = 1, 0, 0
-    set Axis = 0, 1, 1
-    #use
-  end
-end
-subsection Loads
-  subsection weight
-    set Type = gravity
-  end
-end
-)";
-
-  const std::string beam = R"(
-subsection Sections
-  subsection s
-    set Type = engineering constants
-    set EA = 1e6
-    set GA2 = 1e6
-    set GA3 = 1e6
-    set GJ = 10
-    set EI2 = 10
-    set EI3 = 10
-    set Mass = 1
-    set I2 = 0.01
-    set I3 = 0.01
-  end
-end
-subsection Bodies
-  subsection rod
-    set Type = beam
-    set Points = 0, 0, 0; 2, 0, 0
-    set Elements = 2
-    set Degree = 2
-    set Section = s
-  end
-end
-)";
-
-  std::string
-  with(std::string text, const std::string &mark, const std::string &by)
-  {
-    return text.replace(text.find(mark), mark.size(), by);
-  }
-
+  /** Of the free system at rest. */
   double
-  energy(const System &system, const State &state)
+  highest_frequency(const System &system)
   {
-    const auto e     = system.energy(state);
-    double     total = e.kinetic + e.strain;
-    for (const auto &c : system.model.contributions)
-      total += c->potential_energy(state.point());
-    return total;
+    const int    n = 6 * (system.layout.n_nodes - 1);
+    SparseMatrix K(system.layout.pattern), M(system.layout.pattern);
+    system.tangent(system.reference(), K);
+    system.mass(M);
+    const Eigen::MatrixXd k = K.dense().topLeftCorner(n, n), m = M.dense().topLeftCorner(n, n);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(k, m, Eigen::EigenvaluesOnly);
+    return std::sqrt(modes.eigenvalues().maxCoeff());
   }
 
-  /** A start with every twist different, made to obey the constraints. */
-  State
-  moving(const System &system, const double speed)
+  void
+  expect_statements(const Record &r, const Tableau &tableau)
   {
-    State state = system.reference();
-    for (unsigned int i = 6; i < state.y.size(); ++i)
-      state.y[i] = speed * std::sin(1.3 * (i - 5));
-    Projection(system).velocities(state);
-    return state;
-  }
-
-  /** Thrown and turning as a rigid body, with some bending velocity. */
-  State
-  thrown(const System &system, const double spin, const double bending)
-  {
-    State state = system.reference();
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const double x = system.model.nodes[node].x(0) - 1;
-        Eigen::Map<Vector6>(&state.y[6 * node]) << 0.3, spin * x, bending * x * x, 0.2, 0, spin;
-      }
-    return state;
-  }
-
-  struct Record
-  {
-    State  state;
-    double energy_error = 0; ///< largest of E_f − E_i − work + loss + D, relative to the energy at start
-    double dissipated = 0, constraints = 0, triads = 0;
-    bool   converged = true, decays = true;
-  };
-
-  Record
-  run(const System &system, State state, const unsigned int s, const double rho, const double h, const unsigned int n_steps)
-  {
-    Integrator   integrator(system, Tableau(s, rho), 1e-14);
-    Record          result;
-    const double scale = system.energy(state).kinetic + system.energy(state).strain;
-    for (unsigned int i = 0; i < n_steps; ++i)
-      {
-        const double before = energy(system, state);
-        double       gravity = 0;
-        for (const auto &c : system.model.contributions)
-          gravity -= c->potential_energy(state.point());
-        const StepResult step = integrator.step(state, h);
-        if (!step.converged)
-          {
-            result.converged = false;
-            break;
-          }
-        // gravity has a potential and is among the loads, too
-        for (const auto &c : system.model.contributions)
-          gravity += c->potential_energy(state.point());
-        const double error = energy(system, state) - before - (step.work_of_loads + gravity) + step.viscous_loss +
-                             step.dissipated - step.work_of_drives;
-        result.energy_error = std::max(result.energy_error, std::abs(error) / scale);
-        result.dissipated += step.dissipated;
-        result.decays = result.decays && step.dissipated >= 0;
-        std::vector<double> r(system.size() + 6, 0.);
-        State               free = state;
-        free.held                = false;
-        for (const auto *c : system.layout.constraining)
-          c->residual(free.point(), r.data());
-        for (unsigned int k = 0; k < system.layout.n_multipliers; ++k)
-          result.constraints = std::max(result.constraints, std::abs(r[system.layout.of_multiplier(k)]));
-        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-          result.triads = std::max(
-            result.triads,
-            (state.triad(node).transpose() * state.triad(node) - Matrix3::Identity()).cwiseAbs().maxCoeff());
-      }
-    result.state = state;
-    return result;
-  }
-
-  double
-  distance(const State &a, const State &b)
-  {
-    return (Eigen::Map<const Eigen::VectorXd>(a.q.data(), a.q.size()) -
-            Eigen::Map<const Eigen::VectorXd>(b.q.data(), b.q.size()))
-      .norm();
+    EXPECT_LT(r.balance, 1e-12);
+    EXPECT_LT(r.gap, 1e-12);
+    EXPECT_LT(r.skewness, 1e-13);
+    EXPECT_GE(r.least_dissipated, 0);
+    EXPECT_EQ(r.dissipated > 0, tableau.alpha > 0);
   }
 } // namespace
 
@@ -191,105 +46,336 @@ TEST(Tableau, DissipatesOnlyTheHighestLegendreMode)
     for (const double rho : {0., 0.3, 1.})
       {
         const Tableau         t(s, rho);
-        const Eigen::MatrixXd B = t.b.asDiagonal(), m = B * t.a_alpha + t.a_alpha.transpose() * B - t.b * t.b.transpose();
+        const Eigen::MatrixXd B  = t.b.asDiagonal(),
+                              m  = B * t.a_alpha + t.a_alpha.transpose() * B - t.b * t.b.transpose();
         const Eigen::VectorXd bp = t.b.cwiseProduct(t.p);
         EXPECT_LT((m - t.alpha / (2. * s - 1) * bp * bp.transpose()).norm(), 1e-15);
-        // amplification at infinite frequency
-        const std::complex<double> z(0, 1e8);
-        const Eigen::MatrixXcd     A = Eigen::MatrixXcd::Identity(s, s) - z * t.a_alpha;
-        const std::complex<double> R = 1. + z * t.b.cast<std::complex<double>>().dot(A.lu().solve(Eigen::VectorXcd::Ones(s)));
-        EXPECT_NEAR(std::abs(R), rho, 1e-6);
       }
+  EXPECT_THROW(Tableau(0, 1.), std::invalid_argument);
   EXPECT_THROW(Tableau(4, 1.), std::invalid_argument);
   EXPECT_THROW(Tableau(2, 1.5), std::invalid_argument);
+  EXPECT_THROW(Tableau(2, -0.1), std::invalid_argument);
 }
 
 
 
-TEST(Integrator, EnergyStatementOfJointedBodies)
+TEST(EnergyStatement, OfAllSystems)
 {
-  const std::string use = "subsection rotation\n set Spring = 3\n set Rest = 0.4\n set Damper = 0.2\n end\n";
-  for (const std::string &motion : {std::string(), use})
+  for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
+    for_all_members([&](const Tableau &tableau) {
+      for (const double h : {0.1 * what.h, what.h})
+        {
+          SCOPED_TRACE(h);
+          const Record r = run(system, start, tableau, h, 40);
+          EXPECT_EQ(r.n_steps, 40u);
+          expect_statements(r, tableau);
+          // constraints work only if they are driven
+          if (system.model.prescribed.empty())
+            EXPECT_LT(std::abs(r.work_of_drives), 1e-11 * r.energy);
+          else
+            EXPECT_GT(std::abs(r.work_of_drives), 1e-3 * r.energy);
+        }
+    });
+  });
+}
+
+
+
+// ω is the highest frequency; the start has energy in stretching and shear, that is in modes which no step resolves.
+TEST(EnergyStatement, OfBeamsOfAnyStiffness)
+{
+  double least = 1e300, most = 0;
+  for (const std::string EA : {"1", "1e2", "1e4", "1e6", "1e8", "1e10", "1e12"})
+    for (const bool is_hinged : {false, true})
+      {
+        const std::string  EI   = EA == "1" ? "1" : "100";
+        const MovingSystem what = is_hinged ? systems::hinged_beam(EA, EI, 0, 0) : systems::flying_beam(EA, EI, 0, 0);
+        SCOPED_TRACE(what.name);
+        const Scene  scene(what.text);
+        const State  start = start_of(what, scene.system);
+        const double omega = highest_frequency(scene.system);
+        for (const double h : {2e-4, 5e-3})
+          for_all_members([&](const Tableau &tableau) {
+            SCOPED_TRACE("h omega = " + std::to_string(h * omega));
+            const Record r = run(scene.system, start, tableau, h, 20);
+            EXPECT_EQ(r.n_steps, 20u);
+            expect_statements(r, tableau);
+            least = std::min(least, h * omega);
+            most  = std::max(most, h * omega);
+          });
+      }
+  EXPECT_LT(least, 0.01);
+  EXPECT_GT(most, 1e4);
+}
+
+
+
+// What gravity works is what its potential loses: places are carried exactly by quadratures of quadratic functions.
+TEST(EnergyStatement, WorkOfGravity)
+{
+  for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
+    if (what.text.find("gravity") == std::string::npos)
+      return;
+    for_all_members([&](const Tableau &tableau) {
+      const Record r = run(system, start, tableau, what.h, 40);
+      EXPECT_NEAR(r.work_of_loads, potential_of(system, start) - potential_of(system, r.state), 1e-12 * r.energy);
+    });
+  });
+}
+
+
+
+// The iteration may stop earlier. What it leaves is estimated, hence the factor.
+TEST(EnergyStatement, WithinTheTolerance)
+{
+  for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
+    for_all_members([&](const Tableau &tableau) {
+      Integrator   integrator(system, tableau, 1e-8);
+      const Record r = run(system, start, integrator, what.h, 40);
+      EXPECT_EQ(r.n_steps, 40u);
+      EXPECT_LT(r.balance, 10 * 1e-8);
+      EXPECT_LT(r.gap, 10 * 1e-8);
+    });
+  });
+}
+
+
+
+// Disabled: with steps that turn a body by half a radian, or a stiff beam by a tenth, corrections of an iteration with
+// old factors may grow again from round-off, and are taken for round-off (Integrator::iterate, n_stagnant).
+TEST(EnergyStatement, DISABLED_OfLargeSteps)
+{
+  std::vector<MovingSystem> systems = {systems::hinged_beam("30", "2", 0.06, 0),
+                                       systems::hinged_beam("1e8", "100", 0.03, 0),
+                                       systems::hinged_beam("1e12", "100", 0.02, 0)};
+  for (MovingSystem &what : moving_systems())
+    if (what.name == "heavy top")
+      {
+        what.h = 0.06;
+        systems.push_back(what);
+      }
+  for (const MovingSystem &what : systems)
     {
-      Scene scene(two_bodies + with(joints, "#use", motion));
-      const State start = moving(scene.system, 2.);
-      for (const unsigned int s : {1, 2, 3})
-        for (const double rho : {1., 0.5, 0.})
-          for (const double h : {0.002, 0.02})
-            {
-              const Record r = run(scene.system, start, s, rho, h, 40);
-              EXPECT_TRUE(r.converged) << "s = " << s << ", rho = " << rho << ", h = " << h;
-              EXPECT_LT(r.energy_error, 2e-12) << "s = " << s << ", rho = " << rho << ", h = " << h;
-              EXPECT_LT(r.constraints, 2e-12);
-              EXPECT_LT(r.triads, 1e-13);
-              EXPECT_TRUE(r.decays);
-              EXPECT_EQ(r.dissipated > 0, rho < 1);
-            }
+      SCOPED_TRACE(what.name);
+      const Scene scene(what.text);
+      for_all_members([&](const Tableau &tableau) {
+        const Record r = run(scene.system, start_of(what, scene.system), tableau, what.h, 40);
+        EXPECT_EQ(r.n_steps, 40u);
+        expect_statements(r, tableau);
+      });
     }
 }
 
 
 
-TEST(Integrator, OrdersOfJointedBodies)
+// 1e5 steps: gaps, triads and the account of a step are no worse at the end than at the beginning.
+TEST(Drift, NoneIn100000Steps)
 {
-  Scene       scene(two_bodies + with(joints, "#use", "subsection rotation\n set Spring = 3\n end\n"));
-  const State start = moving(scene.system, 1.5), exact = run(scene.system, start, 3, 1., 0.0025, 80).state;
-  for (const unsigned int s : {1, 2, 3})
-    for (const double rho : {1., 0.5, 0.})
+  for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
+    if (what.name != "double pendulum")
+      return;
+    Integrator   integrator(system, Tableau(1, 1.), 1e-14);
+    const Record first = run(system, start, integrator, 0.005, 50000);
+    EXPECT_EQ(first.n_steps, 50000u);
+    const Record second = run(system, first.state, integrator, 0.005, 50000);
+    EXPECT_EQ(second.n_steps, 50000u);
+    for (const Record &r : {first, second})
       {
-        if (s == 1 && rho < 1)
-          continue; // first order, for settling only
-        const double       order = rho == 1. ? 2 * s : 2 * s - 1;
-        const unsigned int n     = s == 1 ? 80 : s == 2 ? 20 : 5;
-        const double       error = distance(run(scene.system, start, s, rho, 0.2 / n, n).state, exact),
-                     finer       = distance(run(scene.system, start, s, rho, 0.1 / n, 2 * n).state, exact);
-        EXPECT_NEAR(std::log2(error / finer), order, 0.25) << "s = " << s << ", rho = " << rho << ", error " << finer;
+        EXPECT_LT(r.balance, 1e-12);
+        EXPECT_LT(r.gap, 1e-12);
+        EXPECT_LT(r.skewness, 1e-13);
+      }
+    // all steps together
+    const auto total = [&](const State &state) { return energy_of(system, state) + potential_of(system, state); };
+    EXPECT_NEAR(total(second.state), total(start), 1e-10 * second.energy);
+  });
+}
+
+
+
+namespace
+{
+  /** Twists and energy do not change. */
+  void
+  expect_steady(const System &system, const State &start, const double h, const double tolerance)
+  {
+    for_all_members([&](const Tableau &tableau) {
+      SCOPED_TRACE(h);
+      const Record r = run(system, start, tableau, h, 20, true);
+      EXPECT_EQ(r.n_steps, 20u);
+      EXPECT_LT(distance(r.state.y, start.y), tolerance);
+      EXPECT_LT(r.dissipated, tolerance * tolerance * r.energy);
+      EXPECT_NEAR(energy_of(system, r.state) / energy_of(system, start), 1., tolerance);
+      EXPECT_LT(r.gap, 1e-12);
+    });
+  }
+} // namespace
+
+
+
+// About a principal axis through the centre of mass, which is not the node, at up to sixteen turns a step.
+TEST(SteadyRotation, OfABody)
+{
+  using namespace systems;
+  const MovingSystem what = {
+    "",
+    model(rigid_body("a",
+                     "set Mass = 2\n set Centre of mass = 0.5, 0, 0\n set Inertia = 1, 2, 3\n" +
+                       moving("0, -5, 0", "0, 0, 10")),
+          ""),
+    0,
+    0};
+  const Scene scene(what.text);
+  const State start = start_of(what, scene.system);
+  for (const double h : {0.01, 0.1, 1., 10.})
+    expect_steady(scene.system, start, h, 1e-13);
+}
+
+
+
+// A whirling chain: joint forces as large as they like do not change what is steady, up to a radian a
+// step.
+TEST(SteadyRotation, OfJointedBodies)
+{
+  using namespace systems;
+  const std::string  body = "set Mass = 1\n set Inertia = 0.1, 0.2, 0.3\n", ends = " set Axis = 0, 0, 1\n";
+  const MovingSystem what = {
+    "",
+    model(rigid_body("a",
+                     body + " set Position = 0.5, 0, 0\n set Frames = end at 1 0 0\n" + moving("0, 5, 0", "0, 0, 10")) +
+            rigid_body("b", body + " set Position = 1.5, 0, 0\n" + moving("0, 15, 0", "0, 0, 10")),
+          joint("drive", "revolute", "set Body A = ground\n set Body B = a.centre\n set Position = 0, 0, 0\n" + ends) +
+            joint("hinge", "revolute", "set Body A = a.end\n set Body B = b.centre\n set Position = 1, 0, 0\n" + ends)),
+    0,
+    0};
+  const Scene scene(what.text);
+  const State start = start_of(what, scene.system);
+  for (const double h : {0.001, 0.01, 0.03, 0.1})
+    expect_steady(scene.system, start, h, 1e-12);
+}
+
+
+
+// Where something is under stress, what the scheme keeps steady is an equilibrium displaced by O((hΩ)^2s), as the
+// triads of the stages are not orthonormal. For one stage, D₁ᵀD₁ = 1/(1 + (hΩ/2)²) across the axis: forces in the axes
+// of the nodes balance if the tension is 1 + (hΩ/2)² times larger. The beam has dampers, so that it gets there.
+TEST(SteadyRotation, OfABeamIsDisplaced)
+{
+  Scene        scene(systems::hinged_beam("1e6", "10", 0, 0).text +
+                "subsection Loads\n  subsection r\n set Type = steady rotation\n set Joint = hinge\n set Speed = 10\n"
+                       " end\nend\n",
+              {"Bodies/rod/Damping = 0.1"});
+  const State  start   = scene.equilibrium();
+  const double tension = start.stress[0] / std::pow(10., 2);
+  for (const unsigned int s : {1, 2})
+    for (const double rho : {0.5, 0.})
+      {
+        SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
+        double excess[2];
+        for (const unsigned int i : {0, 1})
+          {
+            const double h = (s == 1 ? 0.02 : 0.1) / (i + 1);
+            Integrator   integrator(scene.system, Tableau(s, rho), 1e-14);
+            const Record r    = run(scene.system, start, integrator, h, 500),
+                         last = run(scene.system, r.state, integrator, h, 1);
+            ASSERT_EQ(r.n_steps + last.n_steps, 501u);
+            // Ω from what the coordinate turns in a step, tan(hθ̇/2) = hΩ/2 for s = 1 and (hΩ/2)/(1 − (hΩ)²/12) for s =
+            // 2
+            const double x     = std::tan(0.5 * h * last.state.rates[0]),
+                         speed = (s == 1 ? 2 * x : (std::sqrt(9 + 12 * x * x) - 3) / x) / h;
+            excess[i]          = last.state.stress[0] / (tension * speed * speed) - 1;
+            EXPECT_LT(last.dissipated, 1e-13 * last.energy);
+            if (s == 1)
+              {
+                EXPECT_NEAR(excess[i] / std::pow(0.5 * h * speed, 2), 1, 1e-3);
+              }
+          }
+        EXPECT_NEAR(std::log2(excess[0] / excess[1]), 2 * s, 0.15);
       }
 }
 
 
 
-TEST(Integrator, EnergyStatementOfAStiffFlyingBeam)
+// What is at rest on a spring of an angle stays there. Disabled: the correction −λ̄ ρ θ̇_k of the force that measures the
+// angle is a quotient of round-off there, ρ = Σ b ġ/Σ b θ̇² (Integrator::evaluate_constraints); no step has a solution.
+TEST(Rest, DISABLED_OnASpringOfAnAngle)
 {
-  Scene       scene(beam);
-  const State start = thrown(scene.system, 3., 1.5);
-  for (const unsigned int s : {1, 2, 3})
-    for (const double rho : {1., 0.5, 0.})
+  using namespace systems;
+  Scene       scene(model(rigid_body("a", offset),
+                    joint("j",
+                          "revolute",
+                          "set Body A = ground\n set Body B = a.pivot\n set Axis = 0, 1, 0.2\n" +
+                            motion("rotation", spring("30", "0", "0.4"))),
+                    gravity));
+  const State start = scene.equilibrium();
+  for_all_members([&](const Tableau &tableau) {
+    for (const double h : {0.001, 0.01})
       {
-        const Record r = run(scene.system, start, s, rho, 0.01, 50);
-        EXPECT_TRUE(r.converged) << "s = " << s << ", rho = " << rho;
-        EXPECT_LT(r.energy_error, 1e-11) << "s = " << s << ", rho = " << rho;
-        EXPECT_TRUE(r.decays);
+        Integrator   integrator(scene.system, tableau);
+        const Record r = run(scene.system, start, integrator, h, 100);
+        EXPECT_EQ(r.n_steps, 100u);
+        EXPECT_LT(distance(r.state.q, start.q), 1e-9);
+      }
+  });
+}
+
+
+
+// The same of a blade that turns steadily and leans on the spring of its hinge: displaced by O((hΩ)^2s), not more.
+TEST(SteadyRotation, DISABLED_OfAHingedBlade)
+{
+  using namespace systems;
+  Scene scene(
+    model(rigid_body("a", offset) + rigid_body("b", second),
+          joint("drive", "revolute", "set Body A = ground\n set Body B = a.pivot\n set Axis = 0, 0, 1\n") +
+            joint("hinge",
+                  "revolute",
+                  "set Body A = a.hinge\n set Body B = b.centre\n set Position = 1, 0, 0\n"
+                  " set Axis = 0, 1, 0.2\n" +
+                    motion("rotation", spring("30", "0", "0.4"))),
+          gravity + "  subsection r\n set Type = steady rotation\n set Joint = drive\n set Speed = 10\n end\n"));
+  const State start = scene.equilibrium();
+  for (const unsigned int s : {2, 3})
+    for (const double rho : {1., 0.})
+      {
+        SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
+        Integrator   integrator(scene.system, Tableau(s, rho));
+        const Record r = run(scene.system, start, integrator, 0.01, 100);
+        EXPECT_EQ(r.n_steps, 100u);
+        EXPECT_NEAR(r.state.coordinates[1], start.coordinates[1], 1e-5);
       }
 }
 
 
 
-TEST(Integrator, SteadyRotationIsExact)
+// Whatever is not solved leaves the state as it was, and says so.
+TEST(Integrator, WithoutSolution)
 {
-  Scene pinned(with(beam, "set Points = 0, 0, 0; 2, 0, 0", "set Points = 0.5, 0, 0; 2, 0, 0") + R"(
-subsection Joints
-  subsection clamp
-    set Type = revolute
-    set Body A = ground
-    set Body B = rod.start
-    set Position = 0, 0, 0
-  end
-end
-subsection Loads
-  subsection r
-    set Type = steady rotation
-    set Joint = clamp
-    set Speed = 10
-  end
-end
-)");
-  const State start = pinned.equilibrium();
-  for (const double rho : {1., 0.})
-    {
-      const Record r = run(pinned.system, start, 2, rho, 0.03, 40); // 0.3 rad a step
-      ASSERT_TRUE(r.converged);
-      EXPECT_LT(r.dissipated, 1e-8 * pinned.system.energy(start).kinetic); // the start is an equilibrium to 1e-9
-      EXPECT_NEAR(energy(pinned.system, r.state) / energy(pinned.system, start), 1., 1e-8);
-    }
+  for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
+    if (what.name != "two bodies")
+      return;
+    for_all_members([&](const Tableau &tableau) {
+      Integrator       integrator(system, tableau, 1e-10, 3);
+      State            state  = start;
+      const StepResult result = integrator.step(state, 1.);
+      EXPECT_FALSE(result.converged);
+      EXPECT_LT(result.worst, system.size());
+      EXPECT_EQ(state.q, start.q);
+      EXPECT_EQ(state.y, start.y);
+      EXPECT_EQ(state.coordinates, start.coordinates);
+      EXPECT_EQ(state.rates, start.rates);
+      EXPECT_EQ(state.time, start.time);
+      EXPECT_EQ(integrator.n_steps, 0u);
+      // the next one is not disturbed by it
+      Integrator       fresh(system, tableau);
+      State            expected = start;
+      const StepResult good     = fresh.step(expected, what.h / 10);
+      EXPECT_TRUE(good.converged);
+      Integrator second(system, tableau);
+      second.step(state, 1e3);
+      state = start;
+      EXPECT_TRUE(second.step(state, what.h / 10).converged);
+      EXPECT_LT(distance(state.q, expected.q), 1e-10);
+    });
+  });
 }

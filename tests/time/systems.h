@@ -1,0 +1,459 @@
+#ifndef samara_tests_time_systems_h
+#define samara_tests_time_systems_h
+
+// The systems of which the statements about the integrator family are tested, and what is measured while they move.
+
+#include <samara/time/integrator.h>
+#include <samara/time/projection.h>
+
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace samara
+{
+  /** A model, how it starts, and what may be expected of it. */
+  struct MovingSystem
+  {
+    std::string name, text;
+    double      h;               ///< a step in which it turns by some tenth of a radian
+    double      T;               ///< over which orders show; zero: so stiff that they do not
+    bool        is_free = false; ///< nothing outside acts on it: its momenta are constant
+
+    /** Added to the velocities the text gives at the start; then they are made to obey the constraints. */
+    std::function<void(const System &, State &)> kick = nullptr;
+  };
+
+
+
+  /** In the reference configuration, with the velocities that the system has there. */
+  inline State
+  start_of(const MovingSystem &what, const System &system)
+  {
+    State state = system.reference();
+    for (const auto &c : system.model.contributions)
+      c->add_initial_velocities(state);
+    if (what.kick)
+      what.kick(system, state);
+    Projection(system).velocities(state);
+    return state;
+  }
+
+
+
+  namespace systems
+  {
+    inline std::string
+    rigid_body(const std::string &name, const std::string &entries)
+    {
+      return "  subsection " + name + "\n set Type = rigid body\n" + entries + " end\n";
+    }
+
+    inline std::string
+    joint(const std::string &name, const std::string &kind, const std::string &entries)
+    {
+      return "  subsection " + name + "\n set Type = " + kind + "\n" + entries + " end\n";
+    }
+
+    inline std::string
+    motion(const std::string &name, const std::string &entries)
+    {
+      return " subsection " + name + "\n" + entries + " end\n";
+    }
+
+    inline std::string
+    spring(const std::string &k, const std::string &c, const std::string &rest = "0")
+    {
+      return " set Spring = " + k + "\n set Damper = " + c + "\n set Rest = " + rest + "\n";
+    }
+
+    inline std::string
+    model(const std::string &bodies, const std::string &joints, const std::string &loads = "")
+    {
+      return "subsection Bodies\n" + bodies + "end\nsubsection Joints\n" + joints + "end\nsubsection Loads\n" + loads +
+             "end\n";
+    }
+
+    inline std::string
+    moving(const std::string &velocity, const std::string &spin)
+    {
+      return " set Velocity = " + velocity + "\n set Angular velocity = " + spin + "\n";
+    }
+
+    const std::string gravity = "  subsection weight\n set Type = gravity\n end\n";
+
+    // Two bodies without any symmetry, from x = 0 to 1 and on to 2.
+    const std::string offset  = "set Mass = 2\n set Position = 0.5, 0, 0\n set Centre of mass = 0.1, 0.05, -0.1\n"
+                                " set Inertia = 0.1, 0.2, 0.25, 0.01, 0.02, -0.01\n"
+                                " set Frames = pivot at 0 0 0, hinge at 1 0 0\n",
+                      second  = "set Mass = 1\n set Position = 1.5, 0, 0\n set Centre of mass = 0, 0.1, 0.1\n"
+                                " set Inertia = 0.1, 0.12, 0.15\n",
+                      slanted = " set Axis = 0, 1, 1\n", turn = motion("rotation", spring("3", "0.2", "0.4")),
+                      slide  = motion("displacement", spring("20", "0.5", "0.1")),
+                      thrown = rigid_body("a", offset + moving("0.3, -0.5, 1", "1, 2, -1.5")) +
+                               rigid_body("b", second + moving("0.8, 0, -0.4", "-1, -1, 3"));
+
+    /** The two in flight with a joint between them that is at neither's node. */
+    inline MovingSystem
+    pair(const std::string &kind, const std::string &entries, const std::string &more = "")
+    {
+      const std::string ends = "set Body A = a.hinge\n set Body B = b.centre\n";
+      return {kind + " joint in flight", model(thrown, joint("j", kind, ends + entries) + more), 0.05, 0.2, true};
+    }
+
+    /** The two hanging from the ground, hinged to each other. */
+    inline MovingSystem
+    hanging(const std::string &name, const std::string &kind, const std::string &entries, const std::string &hinge)
+    {
+      return {name,
+              model(rigid_body("a", offset + moving("0, 0, 0", "1.5, 2, -1")) +
+                      rigid_body("b", second + moving("0.5, -1.5, -2", "0, 3, 1")),
+                    joint("ground", kind, "set Body A = ground\n set Body B = a.pivot\n" + entries) +
+                      joint("hinge",
+                            "revolute",
+                            "set Body A = a.hinge\n set Body B = b.centre\n set Position = 1, 0, 0\n" + slanted +
+                              hinge),
+                    gravity),
+              0.03,
+              0.2};
+    }
+
+    /** Along x, with an offset mass; all its stiffnesses against stretching EA, against bending EI. */
+    inline std::string
+    beam(const std::string &EA, const std::string &EI, const std::string &entries)
+    {
+      return "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = " + EA +
+             "\n set GA2 = " + EA + "\n set GA3 = " + EA + "\n set GJ = " + EI + "\n set EI2 = " + EI +
+             "\n set EI3 = " + EI +
+             "\n set Mass = 1\n set I2 = 0.02\n set I3 = 0.03\n set Mass centre = 0.02, -0.03\n end\nend\n"
+             "subsection Bodies\n  subsection rod\n set Type = beam\n set Elements = 2\n set Degree = 2\n"
+             " set Section = s\n" +
+             entries + " end\nend\n";
+    }
+
+    /** Velocities and spins that vary along x: strains have rates, shear and stretching too. */
+    inline void
+    bend(const System &system, State &state)
+    {
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        {
+          const double x = system.model.nodes[node].x(0) - 1;
+          Vector6      y;
+          y << 0, 0, 1.5 * x * x, 0.5 * x, -3 * x, x;
+          Eigen::Map<Vector6>(&state.y[6 * node]) += y;
+        }
+    }
+
+    inline MovingSystem
+    flying_beam(const std::string &EA, const std::string &EI, const double h, const double T)
+    {
+      const std::string entries = "set Points = 0, 0, 0; 2, 0, 0\n" + moving("0.3, -0.5, 1", "0.2, -0.5, 3");
+      return {"flying beam, EA = " + EA, beam(EA, EI, entries), h, T, true, bend};
+    }
+
+    inline MovingSystem
+    hinged_beam(const std::string &EA, const std::string &EI, const double h, const double T)
+    {
+      const std::string entries = "set Points = 0.3, 0, 0; 2, 0, 0\n" + moving("0, 1.2, 0", "0, 0, 4"),
+                        hinge   = "set Body A = ground\n set Body B = rod.start\n set Position = 0, 0, 0\n";
+      return {"hinged rotating beam, EA = " + EA,
+              beam(EA, EI, entries) + "subsection Joints\n" + joint("hinge", "revolute", hinge) + "end\n",
+              h,
+              T};
+    }
+
+    /** Crank, connecting rod and slider in the plane y = 0; @p joints between crank and slider. */
+    inline MovingSystem
+    slider_crank(const std::string &name, const std::string &rod, const std::string &joints)
+    {
+      return {
+        name,
+        model(rigid_body("crank",
+                         "set Mass = 1\n set Inertia = 0.02, 0.02, 0.03\n set Position = 0.15, 0, 0.2\n"
+                         " set Frames = pin at 0 0 0, end at 0.3 0 0.4\n" +
+                           moving("2.4, 0, -1.8", "0, 12, 0")) +
+                rod + rigid_body("slider", "set Mass = 2\n set Inertia = 0.1, 0.1, 0.1\n set Position = 1.5, 0, 0\n"),
+              joint("main", "revolute", "set Body A = ground\n set Body B = crank.pin\n set Axis = 0, 1, 0\n" + turn) +
+                joints +
+                joint("guide", "prismatic", "set Body A = ground\n set Body B = slider.centre\n set Axis = 1, 0, 0\n"),
+              gravity),
+        0.01,
+        0.15};
+    }
+
+    inline MovingSystem
+    rolling_ball()
+    {
+      return {"ball rolling on a driven table",
+              model(rigid_body("table", "set Mass = 1\n set Inertia = 1, 1, 1\n set Position = 0, 0, 0\n") +
+                      rigid_body("ball",
+                                 "set Mass = 3\n set Inertia = 0.1, 0.1, 0.1\n set Position = 1, 0.5, 0.3\n" +
+                                   moving("0.5, -0.7, 0", "1, 2, 3")),
+                    joint("drive",
+                          "revolute",
+                          "set Body A = ground\n set Body B = table.centre\n set Axis = 0.1, 0.2, 1\n" +
+                            motion("rotation", " set Prescribed = 2*t + 0.3*sin(2*t)\n")) +
+                      joint("floor",
+                            "rolling ball",
+                            "set Body A = table.centre\n set Body B = ball.centre\n set Radius = 0.3\n"),
+                    gravity),
+              0.04,
+              0.2};
+    }
+
+    inline MovingSystem
+    sledge()
+    {
+      const std::string ends = "set Body A = ground\n set Body B = sledge.centre\n";
+      return {"sledge on an inclined plane",
+              model(rigid_body("sledge",
+                               "set Mass = 3\n set Inertia = 1, 1, 0.5\n set Position = 0.2, 0, 0\n" +
+                                 moving("1, 0.4, 0", "0, 0, 2")),
+                    joint("ice", "planar", ends + " set Axis 1 = 1, 0, 0\n") +
+                      joint("blade", "knife edge", ends + " set Position = 0, 0, 0\n set Axis = 0, 1, 0\n"),
+                    "  subsection weight\n set Type = gravity\n set Acceleration = 3, 1, -9\n end\n"),
+              0.05,
+              0.3};
+    }
+
+    inline MovingSystem
+    gears()
+    {
+      const std::string wheel = "set Mass = 1\n set Inertia = 0.1, 0.1, 0.2\n";
+      return {
+        "gears in flight",
+        model(rigid_body("housing", offset + moving("0.3, -0.5, 1", "1, 2, -1.5")) +
+                rigid_body("wheel", wheel + " set Position = 1, 0, 0\n" + moving("0.3, -0.5, 1", "2, 2, 0")) +
+                rigid_body("pinion", wheel + " set Position = 0, 0, 0\n"),
+              joint("A", "revolute", "set Body A = housing.hinge\n set Body B = wheel.centre\n set Axis = 1, 0, 0\n") +
+                joint("B",
+                      "revolute",
+                      "set Body A = housing.pivot\n set Body B = pinion.centre\n set Axis = 0, 3, 4\n" + turn) +
+                joint("gear", "gear", "set Joint A = A\n set Joint B = B\n set Ratio = -2.5\n")),
+        0.02,
+        0.2,
+        true};
+    }
+  } // namespace systems
+
+
+
+  /** All of them. */
+  inline std::vector<MovingSystem>
+  moving_systems()
+  {
+    using namespace systems;
+    const std::string bush = "set Body A = a.hinge\n set Body B = b.centre\n set Rotational stiffness = 3, 2, 1\n"
+                             " set Rotational damping = 0.1, 0.2, 0.3\n";
+    return {
+      {"offset body in flight",
+       model(rigid_body("a", offset + moving("0.3, -0.5, 1", "1, 2, -1.5")), ""),
+       0.1,
+       0.4,
+       true},
+      {"heavy top",
+       model(rigid_body("a", offset + moving("0, 0, 0", "8, 1, -1")),
+             joint("tip", "spherical", "set Body A = ground\n set Body B = a.pivot\n"),
+             gravity),
+       0.01,
+       0.2},
+      hanging("two bodies", "spherical", "", turn),
+      hanging("double pendulum", "spherical", "", ""),
+      hanging("prescribed rotation", "revolute", motion("rotation", " set Prescribed = 0.8*sin(3*t) + t\n"), turn),
+      slider_crank("crank and slider",
+                   rigid_body("rod",
+                              "set Mass = 0.5\n set Inertia = 0.01, 0.05, 0.06\n set Position = 0.9, 0, 0.2\n"
+                              " set Frames = end at 0.3 0 0.4, head at 1.5 0 0\n"),
+                   joint("knee", "spherical", "set Body A = crank.end\n set Body B = rod.end\n") +
+                     joint("elbow",
+                           "universal",
+                           "set Body A = rod.head\n set Body B = slider.centre\n set Axis = 0, 1, 0\n"
+                           " set Second axis = 0, 0, 1\n")),
+      slider_crank("crank and slider with a massless rod",
+                   "",
+                   joint("rod", "distance", "set Body A = crank.end\n set Body B = slider.centre\n")),
+      flying_beam("30", "2", 0.02, 0.05),
+      hinged_beam("30", "2", 0.02, 0.05),
+      hinged_beam("1e8", "100", 0.005, 0),
+      pair("revolute", slanted + turn),
+      pair("prismatic", slanted + slide),
+      pair("screw", slanted + " set Pitch = 0.2\n" + turn + motion("displacement", spring("20", "0.5"))),
+      pair("cylindrical", slanted + turn + slide),
+      pair("planar",
+           slanted + turn + motion("displacement 1", spring("20", "0.5")) +
+             motion("displacement 2", spring("10", "0.3"))),
+      pair("spherical", "", joint("bush", "flexible joint", bush)),
+      pair("universal",
+           " set Axis = 0, 1, 1\n set Second axis = 1, 0, 0\n" + motion("rotation 1", spring("3", "0.2")) +
+             motion("rotation 2", spring("2", "0.1"))),
+      gears(),
+      rolling_ball(),
+      sledge(),
+    };
+  }
+
+
+
+  // ------------------------------------------------------------------ what is measured
+
+  /** What a row of steps did. */
+  struct Record
+  {
+    State        state;
+    unsigned int n_steps       = 0; ///< fewer than asked for if one was not solved
+    double       balance       = 0; ///< most energy that the account of a step leaves, relative to the largest energy
+    double       energy        = 0; ///< the largest
+    double       work_of_loads = 0, work_of_drives = 0, viscous_loss = 0, dissipated = 0; ///< in all
+    double       least_dissipated = 0;                                                    ///< in a step
+    double       gap = 0, skewness = 0; ///< largest violation of a constraint; of DᵀD = I
+  };
+
+  inline double
+  energy_of(const System &system, const State &state)
+  {
+    const auto e = system.energy(state);
+    return e.kinetic + e.strain;
+  }
+
+  inline double
+  potential_of(const System &system, const State &state)
+  {
+    double sum = 0;
+    for (const auto &c : system.model.contributions)
+      sum += c->potential_energy(state.point());
+    return sum;
+  }
+
+  inline double
+  largest_gap(const System &system, const State &state)
+  {
+    std::vector<double> r(system.size() + 6, 0.);
+    State               free = state;
+    free.held                = false;
+    for (const auto *c : system.layout.constraining)
+      c->residual(free.point(), r.data());
+    double gap = 0;
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      gap = std::max(gap, std::abs(r[system.layout.of_multiplier(i)]));
+    return gap;
+  }
+
+  inline double
+  largest_skewness(const System &system, const State &state)
+  {
+    double largest = 0;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        const Matrix3 D = state.triad(node);
+        largest         = std::max(largest, (D.transpose() * D - Matrix3::Identity()).cwiseAbs().maxCoeff());
+      }
+    return largest;
+  }
+
+  /** Make @p n steps of size @p h; @p afresh: each with new factors, as far as Newton's method can get. */
+  inline Record
+  run(const System      &system,
+      const State       &start,
+      Integrator        &integrator,
+      const double       h,
+      const unsigned int n,
+      const bool         afresh = false)
+  {
+    Record record;
+    record.state  = start;
+    double before = energy_of(system, start), imbalance = 0;
+    record.energy = before;
+    for (; record.n_steps < n; ++record.n_steps)
+      {
+        if (afresh)
+          integrator.forget_history();
+        const StepResult step = integrator.step(record.state, h);
+        if (!step.converged)
+          break;
+        const double after = energy_of(system, record.state);
+        record.energy = std::max({record.energy, after, std::abs(step.work_of_loads), std::abs(step.work_of_drives)});
+        imbalance     = std::max(imbalance,
+                             std::abs(after - before - step.work_of_loads - step.work_of_drives + step.viscous_loss +
+                                      step.dissipated));
+        before        = after;
+        record.work_of_loads += step.work_of_loads;
+        record.work_of_drives += step.work_of_drives;
+        record.viscous_loss += step.viscous_loss;
+        record.dissipated += step.dissipated;
+        record.least_dissipated = std::min(record.least_dissipated, step.dissipated);
+        record.gap              = std::max(record.gap, largest_gap(system, record.state));
+        record.skewness         = std::max(record.skewness, largest_skewness(system, record.state));
+      }
+    record.balance = imbalance / record.energy;
+    return record;
+  }
+
+  inline Record
+  run(const System      &system,
+      const State       &start,
+      const Tableau     &tableau,
+      const double       h,
+      const unsigned int n,
+      const bool         afresh = false)
+  {
+    Integrator integrator(system, tableau, 1e-14);
+    return run(system, start, integrator, h, n, afresh);
+  }
+
+  /** Momentum, and moment of momentum about the origin. */
+  inline Vector6
+  momentum_of(const System &system, const State &state)
+  {
+    Vector6 sum = Vector6::Zero();
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        const Vector6 p = system.model.nodes[node].inertia * Eigen::Map<const Vector6>(&state.y[6 * node]);
+        const Matrix3 D = state.triad(node);
+        sum.head<3>() += D * p.head<3>();
+        sum.tail<3>() += D * p.tail<3>() + state.position(node).cross(D * p.head<3>());
+      }
+    return sum;
+  }
+
+  /** Relative distance of two vectors. */
+  inline double
+  distance(const std::vector<double> &a, const std::vector<double> &b)
+  {
+    double square = 0, norm = 0;
+    for (unsigned int i = 0; i < b.size(); ++i)
+      {
+        square += std::pow(a[i] - b[i], 2);
+        norm += std::pow(b[i], 2);
+      }
+    return norm > 0 ? std::sqrt(square / norm) : std::sqrt(square);
+  }
+
+  /** Call @p check with every s and ρ∞ = 1, ½, 0. */
+  template <typename Check>
+  void
+  for_all_members(const Check &check)
+  {
+    for (const unsigned int s : {1, 2, 3})
+      for (const double rho : {1., 0.5, 0.})
+        {
+          SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
+          check(Tableau(s, rho));
+        }
+  }
+
+  /** Call @p check with each of the systems, read and at its start. */
+  template <typename Check>
+  void
+  for_all_systems(const Check &check)
+  {
+    for (const MovingSystem &what : moving_systems())
+      {
+        SCOPED_TRACE(what.name);
+        const Scene scene(what.text);
+        check(what, scene.system, start_of(what, scene.system));
+      }
+  }
+} // namespace samara
+
+#endif
