@@ -4,6 +4,7 @@
 #include <samara/output/checkpoint.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
+#include <samara/time/stage_integrator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -343,6 +344,14 @@ namespace samara
 
 
 
+  std::unique_ptr<Integrator>
+  DynamicAnalysis::make_integrator(const System &system, const double tolerance) const
+  {
+    return std::make_unique<StageIntegrator>(system, Tableau(n_stages, spectral_radius), tolerance, max_iterations);
+  }
+
+
+
   double
   DynamicAnalysis::half_steps(const Context &context,
                               const State   &start,
@@ -378,9 +387,10 @@ namespace samara
       throw InputError(parameters.where() +
                        ": a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
 
-    const Tableau tableau(n_stages, spectral_radius);
-    Integrator integrator(system, tableau, newton_tolerance, max_iterations), halves(system, tableau, newton_tolerance);
-    const bool is_adaptive = control == "adaptive";
+    const std::unique_ptr<Integrator> owner  = make_integrator(system, newton_tolerance),
+                                      halves = make_integrator(system, newton_tolerance);
+    Integrator              &integrator      = *owner;
+    const bool               is_adaptive     = control == "adaptive";
     StepController::Settings settings;
     settings.tolerance     = tolerance;
     settings.smallest_step = smallest_step;
@@ -467,8 +477,8 @@ namespace samara
             double second          = std::nan("");
             if (second_estimate)
               {
-                halves.forget_history();
-                second = half_steps(context, before, state, state.time - from, halves);
+                halves->forget_history();
+                second = half_steps(context, before, state, state.time - from, *halves);
               }
             const bool is_on_grid = is_adaptive || state.time >= goal - 1e-9 * step;
             if (output.steps != nullptr)

@@ -23,7 +23,10 @@ namespace samara
                    const StepController::Settings &settings)
     : Stepper(system, integrator, step, settings.smallest_step)
   {
-    controller.emplace(integrator.tableau, settings);
+    if (integrator.family() == nullptr)
+      throw InputError(
+        "steps are adapted by the energy that the integrator family dissipates; other integrators have none");
+    controller.emplace(*integrator.family(), settings);
   }
 
 

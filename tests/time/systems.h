@@ -3,8 +3,8 @@
 
 // The systems of which the statements about the integrator family are tested, and what is measured while they move.
 
-#include <samara/time/integrator.h>
 #include <samara/time/projection.h>
+#include <samara/time/stage_integrator.h>
 
 #include "../scene.h"
 #include <gtest/gtest.h>
@@ -397,7 +397,7 @@ namespace samara
       const unsigned int n,
       const bool         afresh = false)
   {
-    Integrator integrator(system, tableau, 1e-14);
+    StageIntegrator integrator(system, tableau, 1e-14);
     return run(system, start, integrator, h, n, afresh);
   }
 

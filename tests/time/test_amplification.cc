@@ -51,8 +51,8 @@ namespace
     Eigen::Matrix2d map;
     for (const int j : {0, 1})
       {
-        Integrator integrator(system, tableau, 1e-14);
-        State      state = displaced(system, j == 0 ? amplitude : 0., j == 1 ? amplitude : 0.);
+        StageIntegrator integrator(system, tableau, 1e-14);
+        State           state = displaced(system, j == 0 ? amplitude : 0., j == 1 ? amplitude : 0.);
         EXPECT_TRUE(integrator.step(state, h).converged);
         map.col(j) << state.coordinates[0] / amplitude, state.rates[0] / amplitude;
         // the body goes with it

@@ -68,7 +68,7 @@ TEST(Drives, WorkIsMomentTimesAngle)
     const unsigned int n      = 40;
     const double       T      = 0.4;
     const unsigned int lambda = system.model.prescribed.begin()->second;
-    Integrator         integrator(system, Tableau(3, 1.), 1e-14);
+    StageIntegrator    integrator(system, Tableau(3, 1.), 1e-14);
     Projection         projection(system);
     double             work = 0, integral = 0;
     State              state = start;

@@ -130,8 +130,8 @@ TEST(EnergyStatement, WithinTheTolerance)
 {
   for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
     for_all_members([&](const Tableau &tableau) {
-      Integrator   integrator(system, tableau, 1e-8);
-      const Record r = run(system, start, integrator, what.h, 40);
+      StageIntegrator integrator(system, tableau, 1e-8);
+      const Record    r = run(system, start, integrator, what.h, 40);
       EXPECT_EQ(r.n_steps, 40u);
       EXPECT_LT(r.balance, 10 * 1e-8);
       EXPECT_LT(r.gap, 10 * 1e-8);
@@ -142,7 +142,7 @@ TEST(EnergyStatement, WithinTheTolerance)
 
 
 // Disabled: with steps that turn a body by half a radian, or a stiff beam by a tenth, corrections of an iteration with
-// old factors may grow again from round-off, and are taken for round-off (Integrator::iterate, n_stagnant).
+// old factors may grow again from round-off, and are taken for round-off (StageIntegrator::iterate, n_stagnant).
 TEST(EnergyStatement, DISABLED_OfLargeSteps)
 {
   std::vector<MovingSystem> systems = {systems::hinged_beam("30", "2", 0.06, 0),
@@ -174,8 +174,8 @@ TEST(Drift, NoneIn100000Steps)
   for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
     if (what.name != "double pendulum")
       return;
-    Integrator   integrator(system, Tableau(1, 1.), 1e-14);
-    const Record first = run(system, start, integrator, 0.005, 50000);
+    StageIntegrator integrator(system, Tableau(1, 1.), 1e-14);
+    const Record    first = run(system, start, integrator, 0.005, 50000);
     EXPECT_EQ(first.n_steps, 50000u);
     const Record second = run(system, first.state, integrator, 0.005, 50000);
     EXPECT_EQ(second.n_steps, 50000u);
@@ -274,9 +274,9 @@ TEST(SteadyRotation, OfABeamIsDisplaced)
         double excess[2];
         for (const unsigned int i : {0, 1})
           {
-            const double h = (s == 1 ? 0.02 : 0.1) / (i + 1);
-            Integrator   integrator(scene.system, Tableau(s, rho), 1e-14);
-            const Record r    = run(scene.system, start, integrator, h, 500),
+            const double    h = (s == 1 ? 0.02 : 0.1) / (i + 1);
+            StageIntegrator integrator(scene.system, Tableau(s, rho), 1e-14);
+            const Record    r = run(scene.system, start, integrator, h, 500),
                          last = run(scene.system, r.state, integrator, h, 1);
             ASSERT_EQ(r.n_steps + last.n_steps, 501u);
             // Ω from what the coordinate turns in a step, tan(hθ̇/2) = hΩ/2 for s = 1 and (hΩ/2)/(1 − (hΩ)²/12) for s =
@@ -297,7 +297,8 @@ TEST(SteadyRotation, OfABeamIsDisplaced)
 
 
 // What is at rest on a spring of an angle stays there. Disabled: the correction −λ̄ ρ θ̇_k of the force that measures the
-// angle is a quotient of round-off there, ρ = Σ b ġ/Σ b θ̇² (Integrator::evaluate_constraints); no step has a solution.
+// angle is a quotient of round-off there, ρ = Σ b ġ/Σ b θ̇² (StageIntegrator::evaluate_constraints); no step has a
+// solution.
 TEST(Rest, DISABLED_OnASpringOfAnAngle)
 {
   using namespace systems;
@@ -311,8 +312,8 @@ TEST(Rest, DISABLED_OnASpringOfAnAngle)
   for_all_members([&](const Tableau &tableau) {
     for (const double h : {0.001, 0.01})
       {
-        Integrator   integrator(scene.system, tableau);
-        const Record r = run(scene.system, start, integrator, h, 100);
+        StageIntegrator integrator(scene.system, tableau);
+        const Record    r = run(scene.system, start, integrator, h, 100);
         EXPECT_EQ(r.n_steps, 100u);
         EXPECT_LT(distance(r.state.q, start.q), 1e-9);
       }
@@ -339,10 +340,10 @@ TEST(SteadyRotation, DISABLED_OfAHingedBlade)
     for (const double rho : {1., 0.})
       {
         SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
-        Integrator   integrator(scene.system, Tableau(s, rho));
-        const Record r = run(scene.system, start, integrator, 0.01, 100);
+        StageIntegrator integrator(scene.system, Tableau(s, rho));
+        const Record    r = run(scene.system, start, integrator, 0.01, 100);
         EXPECT_EQ(r.n_steps, 100u);
-        EXPECT_NEAR(r.state.coordinates[1], start.coordinates[1], 1e-5);
+        EXPECT_NEAR(r.state.coordinates[0], start.coordinates[0], 1e-5);
       }
 }
 
@@ -355,7 +356,7 @@ TEST(Integrator, WithoutSolution)
     if (what.name != "two bodies")
       return;
     for_all_members([&](const Tableau &tableau) {
-      Integrator       integrator(system, tableau, 1e-10, 3);
+      StageIntegrator  integrator(system, tableau, 1e-10, 3);
       State            state  = start;
       const StepResult result = integrator.step(state, 1.);
       EXPECT_FALSE(result.converged);
@@ -367,11 +368,11 @@ TEST(Integrator, WithoutSolution)
       EXPECT_EQ(state.time, start.time);
       EXPECT_EQ(integrator.n_steps, 0u);
       // the next one is not disturbed by it
-      Integrator       fresh(system, tableau);
+      StageIntegrator  fresh(system, tableau);
       State            expected = start;
       const StepResult good     = fresh.step(expected, what.h / 10);
       EXPECT_TRUE(good.converged);
-      Integrator second(system, tableau);
+      StageIntegrator second(system, tableau);
       second.step(state, 1e3);
       state = start;
       EXPECT_TRUE(second.step(state, what.h / 10).converged);

@@ -137,8 +137,8 @@ TEST(StepController, Limits)
 {
   StepController::Settings settings;
   settings.worth_a_change = 1; // the formula itself
-  settings.smallest_step = 1e-3;
-  settings.largest_step  = 0.5;
+  settings.smallest_step  = 1e-3;
+  settings.largest_step   = 0.5;
   StepController control(Tableau(2, 0.5), settings);
   control.update(2);
   control.update(1); // the largest counts
@@ -192,7 +192,7 @@ TEST(StepController, FailureAtTheSmallestStepIsTheEnd)
 {
   StepController::Settings settings;
   settings.worth_a_change = 1; // the formula itself
-  settings.smallest_step = 1e-3;
+  settings.smallest_step  = 1e-3;
   StepController control(Tableau(3, 0.5), settings);
   EXPECT_DOUBLE_EQ(control.after_failure(1.5e-3), 1e-3);
   EXPECT_THROW(control.after_failure(1e-3), NotConverged);
@@ -324,7 +324,7 @@ namespace
   {
     StepController::Settings settings;
     settings.worth_a_change = 1; // the formula itself
-    settings.tolerance = tolerance;
+    settings.tolerance      = tolerance;
     StepController control(t, settings);
     Pendulum       state = {{1, 0}, 2 * problem.k, problem.torque};
     Result         result;

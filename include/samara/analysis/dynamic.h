@@ -69,8 +69,9 @@ namespace samara
   private:
     struct Output;
 
-    void prepare(Context &context, State &state) const;
-    void restore(const Context &context, State &state, Stepper &stepper);
+    std::unique_ptr<Integrator> make_integrator(const System &system, double tolerance) const;
+    void                        prepare(Context &context, State &state) const;
+    void                        restore(const Context &context, State &state, Stepper &stepper);
     void write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const;
     void record(const Context &context, const State &state, Projection &projection, Output &output);
     void account(const Context &context, const State &state, const StepResult &step);

@@ -2,11 +2,11 @@
 #define samara_time_integrator_h
 
 #include <samara/model/system.h>
-#include <samara/solvers/linear.h>
-#include <samara/time/tableau.h>
 
 namespace samara
 {
+  struct Tableau;
+
   /** What a step did. Energies in J over the step. */
   struct StepResult
   {
@@ -22,136 +22,33 @@ namespace samara
 
 
 
-  /**
-   * One step of the integrator family in nodal-frame twists, over the assembled system only:
-   *
-   *     Q_k = q_i + h Σ a_kl N(Q_l) y_l
-   *     M Σ w_kl (y_l − y_i)/h = ad*_{y_k} M y_k − N(Q_k)ᵀ [ B(Q_k)ᵀ σ_k + G(Q_k)ᵀ λ_k − f ]
-   *     σ_k = C ( e(q_i) + h Σ a_α,kl B(Q_l) y_l ) + C_d B(Q_k) y_k
-   *     ġ(Q_k, y_k, t_k) − Σ b_l ġ_l + g(q_f, t_f)/h = 0        b(Q_k) y_k = 0 if nonholonomic
-   *
-   * The last line is one rule for all constraints: for quadratic ones Σ b_l ġ_l = (g_f − g_i)/h, so that it reads
-   * ġ_k + g_i/h = 0; for others it says that g vanishes at the end of the step and that all stages have the same rate.
-   * Constraints that are not quadratic nor driven get the force −λ̄ ρ θ̇_k along their coordinate, with λ̄ = Σ b λ and
-   * ρ = Σ b ġ/Σ b θ̇²: then they do no work (design notes, 5.3, with the weights b for any s).
-   *
-   * Energy: E_f − E_i = work of loads and drives − viscous loss − D, D = h² α/(2(2s−1)) |Σ b_k p_k (ẏ_k, ė_k)|².
-   *
-   * Newton's method is simplified and mixed (doc/theory/integrators.md): y, σ and λ are iterated, with the tangent of
-   * one frozen configuration. In the eigenvectors of a_α its matrices are M + hμ C + (hμ)² K, those of the modal
-   * analysis: one real factorisation for s = 1, one complex for s = 2, one of each for s = 3. As the frames turn with
-   * the bodies, they serve for many steps; they are renewed in the middle of a step when Newton's method slows down.
-   */
+  /** What advances the state of a system in time, over the assembled system only. */
   class Integrator
   {
   public:
-    /**
-     * @p tolerance: of Newton's method, change of velocities relative to the largest; velocities below
-     * 1e-3 (model length, or rad) per step do not count as large.
-     */
-    Integrator(const System  &system,
-               const Tableau &tableau,
-               double         tolerance      = 1e-10,
-               unsigned int   max_iterations = 50);
+    virtual ~Integrator() = default;
 
     /** Advance @p state by @p h; it is unchanged if the result says not converged. */
-    StepResult step(State &state, double h);
+    virtual StepResult step(State &state, double h) = 0;
 
     /** To be called when the state has been changed from outside. */
-    void forget_history();
+    virtual void
+    forget_history()
+    {}
 
     /** To be called when the last step is not accepted: the next one begins where it began. */
-    void step_back();
+    virtual void
+    step_back()
+    {}
+
+    /** The relation of dissipated energy to accuracy by which steps are controlled; none: steps are fixed. */
+    virtual const Tableau *
+    family() const
+    {
+      return nullptr;
+    }
 
     unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0; ///< for reports
-
-    const Tableau tableau;
-
-  private:
-    const System &system;
-    const double  tolerance;
-    unsigned int  max_iterations;
-    double        length;
-
-    /** What is computed at a stage. */
-    struct Stage
-    {
-      std::vector<double> q, coordinates, y, rates, multipliers;
-      std::vector<double> stress; ///< σ_k as iterated
-      std::vector<double> excess; ///< what the configuration's stress has more than it
-      std::vector<double> strain_rates, residual, constraint_rates;
-      double              time;
-      const char         *switches;
-
-      Point<double>
-      point() const
-      {
-        return {q.data(),
-                coordinates.data(),
-                y.data(),
-                rates.data(),
-                multipliers.data(),
-                stress.data(),
-                time,
-                1.,
-                false,
-                switches};
-      }
-    };
-    std::vector<Stage> stages;
-
-    /** A factorisation for one eigenvalue of the tableau, real or complex. */
-    struct Factor
-    {
-      std::unique_ptr<LinearSolver>  real;
-      std::unique_ptr<ComplexSolver> complex;
-    };
-    std::vector<Factor> factors;
-    double              energy_scale  = 0;
-    double              factored_step = 0; ///< step size of the factors; 0: none
-    State               frozen;            ///< at which they were made
-    std::vector<std::unique_ptr<LinearStrains>> frozen_strains; ///< of each contribution; none without strains
-    unsigned int        n_steps_with_factors = 0, fresh_iterations = 0;
-    double              extra_iterations = 0; ///< more than with fresh factors
-    SparseMatrix        M, C, K;
-    std::vector<bool>   is_constraint_entry, is_nonholonomic;
-    std::vector<bool>   is_active; ///< multipliers: neither released nor dropped
-    bool                has_damping = false;
-
-    std::vector<double> e_start, final_q, final_coordinates, constraints_at_end;
-
-    /** Velocities at the start and the stages of the last step, and whether extrapolating them was a good start. */
-    std::vector<std::vector<double>> previous;
-    double                           previous_step = 0;
-    double                           offset        = 1; ///< 0 after step_back(): where the next step begins
-    bool                             extrapolates  = false;
-
-    // work space
-    std::vector<std::complex<double>> x, matrix;
-    SparseMatrix                      real_matrix;
-    Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
-    std::vector<double>               x_real, x_rates, e, mean_rates, no_multipliers, time_rates, force;
-    std::vector<std::vector<double>>  dy, dz, dz_rate; ///< increments of the stages
-    std::vector<double>               twists, strain_increment, rate_increment, stress_increment;
-
-    /** Newton's method with the factors there are; gives up if corrections shrink by less than the factor @p slow. */
-    bool iterate(const State &state, double h, double slow, StepResult &result);
-    void judge_factors(unsigned int iterations);
-    void predict(const State &state, double h);
-    void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates) const;
-    void remember(const State &state, double h);
-    void freeze(const State &state, double h);
-    void factorize(double h);
-    void move_stages(const State &state, double h);
-    void evaluate(const State &state, double h);
-    void evaluate_stresses(double h);
-    void evaluate_constraints(const State &state, double h);
-    /** Work that the residuals of the last evaluation would add to the energy. */
-    double energy_error(double h) const;
-    double solve(double h);
-    void   correct_stresses();
-    void   account(const State &state, double h, StepResult &result);
-    void   finish(State &state, double h);
   };
 } // namespace samara
 

@@ -1,11 +1,11 @@
 // The energy account of a step.
 
-#include <samara/time/integrator.h>
+#include <samara/time/stage_integrator.h>
 
 namespace samara
 {
   void
-  Integrator::account(const State &state, const double h, StepResult &result)
+  StageIntegrator::account(const State &state, const double h, StepResult &result)
   {
     const unsigned int s = tableau.s, n_strains = system.layout.n_strains;
     const auto         power = [&](const Stage &stage) {

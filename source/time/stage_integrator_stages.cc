@@ -1,6 +1,6 @@
 // The stages of a step: where they are, and how far their equations are from being satisfied.
 
-#include <samara/time/integrator.h>
+#include <samara/time/stage_integrator.h>
 
 namespace samara
 {
@@ -39,7 +39,7 @@ namespace samara
 
 
   void
-  Integrator::move_stages(const State &state, const double h)
+  StageIntegrator::move_stages(const State &state, const double h)
   {
     const unsigned int s = tableau.s;
     for (auto &stage : stages)
@@ -93,7 +93,7 @@ namespace samara
 
 
   void
-  Integrator::evaluate_stresses(const double h)
+  StageIntegrator::evaluate_stresses(const double h)
   {
     const unsigned int n_strains = system.layout.n_strains;
     for (auto &stage : stages)
@@ -122,7 +122,7 @@ namespace samara
 
 
   void
-  Integrator::evaluate_constraints(const State &state, const double h)
+  StageIntegrator::evaluate_constraints(const State &state, const double h)
   {
     const unsigned int s = tableau.s, n_multipliers = system.layout.n_multipliers;
     if (n_multipliers == 0)
@@ -172,7 +172,7 @@ namespace samara
 
 
   void
-  Integrator::evaluate(const State &state, const double h)
+  StageIntegrator::evaluate(const State &state, const double h)
   {
     evaluate_stresses(h);
     for (unsigned int k = 0; k < tableau.s; ++k)

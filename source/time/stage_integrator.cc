@@ -1,5 +1,5 @@
 #include <samara/solvers/newton.h>
-#include <samara/time/integrator.h>
+#include <samara/time/stage_integrator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +16,10 @@ namespace samara
 
 
 
-  Integrator::Integrator(const System      &system,
-                         const Tableau     &tableau,
-                         const double       tolerance,
-                         const unsigned int max_iterations)
+  StageIntegrator::StageIntegrator(const System      &system,
+                                   const Tableau     &tableau,
+                                   const double       tolerance,
+                                   const unsigned int max_iterations)
     : tableau(tableau)
     , system(system)
     , tolerance(tolerance)
@@ -78,7 +78,7 @@ namespace samara
 
 
   void
-  Integrator::forget_history()
+  StageIntegrator::forget_history()
   {
     previous_step = 0;
     factored_step = 0;
@@ -88,7 +88,7 @@ namespace samara
 
 
   void
-  Integrator::step_back()
+  StageIntegrator::step_back()
   {
     offset       = 0;
     extrapolates = true;
@@ -97,7 +97,7 @@ namespace samara
 
 
   StepResult
-  Integrator::step(State &state, const double h)
+  StageIntegrator::step(State &state, const double h)
   {
     StepResult result;
     state.held = false;
@@ -145,7 +145,7 @@ namespace samara
 
 
   void
-  Integrator::judge_factors(const unsigned int iterations)
+  StageIntegrator::judge_factors(const unsigned int iterations)
   {
     // renew them when a step costs more iterations extra than the average of those so far, the factorisation included
     ++n_steps_with_factors;
@@ -161,7 +161,7 @@ namespace samara
 
 
   bool
-  Integrator::iterate(const State &state, const double h, const double slow, StepResult &result)
+  StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
     double       last = 0, last_rate = 0, smallest = 1e300;
     unsigned int n_stagnant = 0;
@@ -211,7 +211,7 @@ namespace samara
 
 
   double
-  Integrator::energy_error(const double h) const
+  StageIntegrator::energy_error(const double h) const
   {
     double force_work = 0, stress_work = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
@@ -234,7 +234,7 @@ namespace samara
 
 
   void
-  Integrator::extrapolate(const double at, std::vector<double> &y, std::vector<double> &rates) const
+  StageIntegrator::extrapolate(const double at, std::vector<double> &y, std::vector<double> &rates) const
   {
     // the polynomial through the start and the stages of the last step
     std::fill(y.begin(), y.end(), 0.);
@@ -257,7 +257,7 @@ namespace samara
 
 
   void
-  Integrator::predict(const State &state, const double h)
+  StageIntegrator::predict(const State &state, const double h)
   {
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
@@ -276,7 +276,7 @@ namespace samara
 
 
   void
-  Integrator::remember(const State &state, const double h)
+  StageIntegrator::remember(const State &state, const double h)
   {
     const unsigned int n_y = state.y.size();
     if (previous_step > 0)
@@ -310,7 +310,7 @@ namespace samara
 
 
   void
-  Integrator::freeze(const State &state, const double h)
+  StageIntegrator::freeze(const State &state, const double h)
   {
     // the mean of the stages; places and triads half a step after the start
     frozen      = state;
@@ -342,7 +342,7 @@ namespace samara
 
 
   void
-  Integrator::factorize(const double h)
+  StageIntegrator::factorize(const double h)
   {
     system.damping(frozen, C);
     system.tangent(frozen, K);
@@ -380,7 +380,7 @@ namespace samara
 
 
   double
-  Integrator::solve(const double h)
+  StageIntegrator::solve(const double h)
   {
     const Layout      &layout = system.layout;
     const unsigned int n = system.size(), n_kinematic = layout.of_multiplier(0), s = tableau.s;
@@ -463,7 +463,7 @@ namespace samara
 
 
   void
-  Integrator::correct_stresses()
+  StageIntegrator::correct_stresses()
   {
     // δσ = (what the configuration has more) + C B ζ + C_d B ζ̇, B as in the matrices
     const Layout &layout  = system.layout;
@@ -493,7 +493,7 @@ namespace samara
 
 
   void
-  Integrator::finish(State &state, const double h)
+  StageIntegrator::finish(State &state, const double h)
   {
     const unsigned int s       = tableau.s;
     const auto         advance = [&](std::vector<double> &y, std::vector<double> Stage::*of_stage) {
