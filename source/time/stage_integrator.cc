@@ -105,6 +105,8 @@ namespace samara
     energy_scale = system.energy(state).kinetic + system.energy(state).strain;
     predict(state, h);
     bool converged = false;
+    if (frozen.switches != state.switches)
+      factored_step = 0;
     if (std::abs(factored_step / h - 1) < 1e-9)
       {
         converged = iterate(state, h, 0.3, result);
@@ -115,7 +117,14 @@ namespace samara
       {
         // about the middle of the step, as far as it is known; the last time, where another one would not help
         freeze(state, h);
-        factorize(h);
+        try
+          {
+            factorize(h);
+          }
+        catch (const SingularMatrix &)
+          {
+            break; // gone astray
+          }
         const bool is_last = i + 1 == max_factorizations_per_step || (i > 0 && result.last_correction < 0.01);
         converged          = iterate(state, h, is_last ? 0.95 : 0.5, result);
         if (!converged && (is_last || !(result.last_correction < 10)))
@@ -163,6 +172,7 @@ namespace samara
   bool
   StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
+    const bool   is_fresh = n_steps_with_factors == 0;
     double       last = 0, last_rate = 0, smallest = 1e300;
     unsigned int n_stagnant = 0;
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
@@ -172,10 +182,13 @@ namespace samara
         // linear convergence: what is still missing is about last · rate/(1 − rate); at round-off it no longer shrinks
         if (iteration > 0)
           {
-            const double rate = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
-            if ((last * rate / (1 - rate) < tolerance && energy_error(h) < tolerance * energy_scale) ||
-                (n_stagnant > 1 && smallest < 1e-9))
+            const double rate  = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
+            const double error = energy_error(h), scale = std::max(energy_scale, kinetic_energy);
+            if (last * rate / (1 - rate) < tolerance && error < tolerance * scale)
               return true;
+            // what is left may be more than what was before, if factors are old: then it grows, slowly, from round-off
+            if (n_stagnant > 2 && last < 1e-9)
+              return is_fresh || (error < 1e-12 * scale && largest_gap(h) < 1e-12 * length);
           }
         const double size = solve(h);
         ++result.iterations;
@@ -187,9 +200,11 @@ namespace samara
         const double this_rate = last > 0 ? size / last : 0;
         const double rate      = std::max(this_rate, last_rate);
         last_rate              = iteration > 0 ? this_rate : 0;
-        n_stagnant             = size < 0.8 * smallest ? 0 : n_stagnant + 1;
-        smallest               = std::min(smallest, size);
-        last                   = size;
+        if (size > 1e-9)
+          smallest = std::max(smallest, size); // a first correction may be none by accident
+        n_stagnant = size < 0.8 * smallest ? 0 : n_stagnant + 1;
+        smallest   = std::min(smallest, size);
+        last       = size;
         if (iteration > 1 && rate > slow && size > 1e-8)
           {
             // too slow with this factorisation, unless little is missing
@@ -206,6 +221,18 @@ namespace samara
           result.worst = i;
         }
     return false;
+  }
+
+
+
+  double
+  StageIntegrator::largest_gap(const double h) const
+  {
+    double gap = 0;
+    for (const Stage &stage : stages)
+      for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+        gap = std::max(gap, h * std::abs(stage.residual[system.layout.of_multiplier(i)]));
+    return gap;
   }
 
 

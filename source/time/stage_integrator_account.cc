@@ -65,10 +65,11 @@ namespace samara
               h * tableau.b(k) * stage.multipliers[i] * (stage.constraint_rates[i] - time_rates[i]);
       }
     for (const auto &correction : system.layout.corrections)
-      for (unsigned int k = 0; k < s; ++k)
-        for (unsigned int l = 0; l < s; ++l)
-          result.work_of_drives += h * tableau.b(k) * tableau.b(l) * stages[k].multipliers[correction.multiplier] *
-                                   stages[l].constraint_rates[correction.multiplier];
+      {
+        const double force = force_of(correction, h);
+        for (unsigned int k = 0; k < s; ++k)
+          result.work_of_drives += h * tableau.b(k) * force * std::pow(stages[k].rates[correction.coordinate], 2);
+      }
 
     // D = h² α/(2(2s−1)) |Σ b p (ẏ, ė)|² in the norm of the energy
     double                square  = 0;

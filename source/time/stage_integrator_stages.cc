@@ -2,6 +2,8 @@
 
 #include <samara/time/stage_integrator.h>
 
+#include <cmath>
+
 namespace samara
 {
   namespace
@@ -154,19 +156,40 @@ namespace samara
                                                 stage.constraint_rates[i] :
                                                 stage.constraint_rates[i] - mean_rates[i] + constraints_at_end[row] / h;
         }
+    if (system.layout.corrections.empty())
+      return;
+    Point<double> start = stages[0].point();
+    start.q             = state.q.data();
+    start.coordinates   = state.coordinates.data();
+    start.time          = state.time;
+    constraints_at_start.assign(system.size() + 6, 0.);
+    for (const auto *c : system.layout.constraining)
+      c->residual(start, constraints_at_start.data());
     for (const auto &correction : system.layout.corrections)
       {
-        double lambda = 0, squares = 0;
-        for (unsigned int k = 0; k < s; ++k)
-          {
-            lambda += tableau.b(k) * stages[k].multipliers[correction.multiplier];
-            squares += tableau.b(k) * std::pow(stages[k].rates[correction.coordinate], 2);
-          }
-        if (squares > 0)
-          for (auto &stage : stages)
-            stage.residual[system.layout.of_coordinate(correction.coordinate)] -=
-              lambda * mean_rates[correction.multiplier] / squares * stage.rates[correction.coordinate];
+        const double force = force_of(correction, h);
+        for (auto &stage : stages)
+          stage.residual[system.layout.of_coordinate(correction.coordinate)] -=
+            force * stage.rates[correction.coordinate];
       }
+  }
+
+
+
+  double
+  StageIntegrator::force_of(const Layout::Correction &correction, const double h) const
+  {
+    // where the coordinate turns less than this a step, ρ is a quotient of round-off, and the work not worth mentioning
+    constexpr double least_turn = 1e-8;
+    double           lambda = 0, squares = 0;
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        lambda += tableau.b(k) * stages[k].multipliers[correction.multiplier];
+        squares += tableau.b(k) * std::pow(h * stages[k].rates[correction.coordinate], 2);
+      }
+    const double rho =
+      h * h * mean_rates[correction.multiplier] * squares / (squares * squares + std::pow(least_turn, 4));
+    return lambda * rho;
   }
 
 
@@ -175,6 +198,7 @@ namespace samara
   StageIntegrator::evaluate(const State &state, const double h)
   {
     evaluate_stresses(h);
+    kinetic_energy = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
@@ -195,6 +219,7 @@ namespace samara
             for (unsigned int l = 0; l < tableau.s; ++l)
               acceleration += tableau.w(k, l) / h * (Eigen::Map<const Vector6>(&stages[l].y[6 * node]) - y_start);
             const Vector6 momentum = inertia * y;
+            kinetic_energy += 0.5 * tableau.b(k) * momentum.dot(y);
             Eigen::Map<Vector6>(&stage.residual[system.layout.of_node(node)]) +=
               inertia * acceleration - ad_star<double>(y, momentum);
           }

@@ -62,7 +62,7 @@ TEST(SimplePendulum, ConvergesWithTheOrderOfTheScheme)
                                Member{2, 0.5, 0.025},
                                Member{2, 0, 0.025},
                                Member{3, 1, 0.05},
-                               Member{3, 0.5, 0.025},
+                               Member{3, 0.2, 0.025},
                                Member{3, 0, 0.025}})
     member.expect_order([](std::vector<std::string> overrides) {
       overrides.push_back("Dynamic/End time = 3");

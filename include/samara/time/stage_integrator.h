@@ -91,10 +91,11 @@ namespace samara
       std::unique_ptr<ComplexSolver> complex;
     };
     std::vector<Factor>                         factors;
-    double                                      energy_scale  = 0;
-    double                                      factored_step = 0; ///< step size of the factors; 0: none
-    State                                       frozen;            ///< at which they were made
-    std::vector<std::unique_ptr<LinearStrains>> frozen_strains;    ///< of each contribution; none without strains
+    double                                      energy_scale   = 0; ///< at the start of the step
+    double                                      kinetic_energy = 0; ///< mean of the stages
+    double                                      factored_step  = 0; ///< step size of the factors; 0: none
+    State                                       frozen;             ///< at which they were made
+    std::vector<std::unique_ptr<LinearStrains>> frozen_strains;     ///< of each contribution; none without strains
     unsigned int                                n_steps_with_factors = 0, fresh_iterations = 0;
     double                                      extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix                                M, C, K;
@@ -102,7 +103,7 @@ namespace samara
     std::vector<bool>                           is_active; ///< multipliers: neither released nor dropped
     bool                                        has_damping = false;
 
-    std::vector<double> e_start, final_q, final_coordinates, constraints_at_end;
+    std::vector<double> e_start, final_q, final_coordinates, constraints_at_start, constraints_at_end;
 
     /** Velocities at the start and the stages of the last step, and whether extrapolating them was a good start. */
     std::vector<std::vector<double>> previous;
@@ -132,6 +133,10 @@ namespace samara
     void evaluate_constraints(const State &state, double h);
     /** Work that the residuals of the last evaluation would add to the energy. */
     double energy_error(double h) const;
+    /** Violation of constraints, at the end or by velocities over the step. */
+    double largest_gap(double h) const;
+    /** λ̄ ρ, the force of a correction per rate. */
+    double force_of(const Layout::Correction &correction, double h) const;
     double solve(double h);
     void   correct_stresses();
     void   account(const State &state, double h, StepResult &result);
