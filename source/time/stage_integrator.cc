@@ -173,8 +173,13 @@ namespace samara
   StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
     const bool   is_fresh = n_steps_with_factors == 0;
-    double       last = 0, last_rate = 0, smallest = 1e300;
+    double       last = 0, last_rate = 0, smallest = 1e300, last_force = 0, force_rate = 0;
     unsigned int n_stagnant = 0;
+    // nothing moves where a fixed body is held: there, velocities do not tell whether forces converge
+    const auto forces_settled = [&]() {
+      const double rate = std::min(force_rate, 0.9);
+      return last_force * rate / (1 - rate) < std::sqrt(tolerance);
+    };
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
       {
         move_stages(state, h);
@@ -185,10 +190,15 @@ namespace samara
             const double rate  = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
             const double error = energy_error(h), scale = std::max(energy_scale, kinetic_energy);
             if (last * rate / (1 - rate) < tolerance && error < tolerance * scale)
-              return true;
+              {
+                if (forces_settled())
+                  return true;
+                if (iteration > 1 && force_rate > slow)
+                  return false;
+              }
             // what is left may be more than what was before, if factors are old: then it grows, slowly, from round-off
             if (n_stagnant > 2 && last < 1e-9)
-              return is_fresh || (error < 1e-12 * scale && largest_gap(h) < 1e-12 * length);
+              return is_fresh || (error < 1e-12 * scale && largest_gap(h) < 1e-12 * length && forces_settled());
           }
         const double size = solve(h);
         ++result.iterations;
@@ -205,6 +215,8 @@ namespace samara
         n_stagnant = size < 0.8 * smallest ? 0 : n_stagnant + 1;
         smallest   = std::min(smallest, size);
         last       = size;
+        force_rate = last_force > 0 ? change_of_force / last_force : 0.5;
+        last_force = change_of_force;
         if (iteration > 1 && rate > slow && size > 1e-8)
           {
             // too slow with this factorisation, unless little is missing
@@ -452,7 +464,8 @@ namespace samara
       }
 
     // corrections are measured against the largest velocity, or one that would matter over the step
-    double size = 0, scale = 1e-3 / h;
+    double size = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
+    change_of_force = 0;
     for (unsigned int k = 0; k < s; ++k)
       {
         Stage &stage = stages[k];
@@ -482,8 +495,15 @@ namespace samara
             scale = std::max(scale, std::abs(stage.rates[i]) / l);
           }
         for (unsigned int i = 0; i < layout.n_multipliers; ++i)
-          stage.multipliers[i] += dy[k][layout.of_multiplier(i)];
+          {
+            const double d = dy[k][layout.of_multiplier(i)];
+            stage.multipliers[i] += d;
+            change_of_force = std::max(change_of_force, std::abs(d));
+            largest_force   = std::max(largest_force, std::abs(stage.multipliers[i]));
+          }
       }
+    if (largest_force > 0)
+      change_of_force /= largest_force;
     return size / scale;
   }
 

@@ -2,6 +2,7 @@
 // the force that it must take.
 
 #include <samara/analysis/dynamic.h>
+#include <samara/solvers/steady_motion.h>
 
 #include <gtest/gtest.h>
 
@@ -105,4 +106,33 @@ TEST(Drives, BudgetOfAnAnalysis)
     const bool is_driven = !scene.system.model.prescribed.empty();
     EXPECT_EQ(std::abs(analysis.budget.drives) > 1e-3 * analysis.budget.kinetic, is_driven);
   });
+}
+
+
+
+// A hub that turns in its place, and the force that holds it there: no velocity depends on it, so that only a look at
+// the force itself tells whether the factors, which are kept for a large part of a turn, still serve.
+TEST(Drives, ForceOnAHubThatStaysInItsPlace)
+{
+  Scene         scene("prm/benchmarks/swept_tip_dynamics.prm");
+  const System &system = scene.system;
+  State         state  = system.reference();
+  set_steady_motion(system, state, scene.context.speeds);
+  StageIntegrator integrator(system, Tableau(3, 1.));
+  double          largest = 0, largest_reported = 0;
+  for (unsigned int i = 0; i < 1200; ++i)
+    {
+      ASSERT_TRUE(integrator.step(state, 2.5e-5).converged);
+      State reported = state;
+      if (i % 20 == 19)
+        {
+          Projection(system).report(reported);
+          for (const double lambda : reported.multipliers)
+            largest_reported = std::max(largest_reported, std::abs(lambda));
+        }
+      for (const double lambda : state.multipliers)
+        largest = std::max(largest, std::abs(lambda));
+    }
+  EXPECT_LT(largest, 3 * largest_reported);
+  EXPECT_GT(largest, 0.3 * largest_reported);
 }

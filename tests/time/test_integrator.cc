@@ -141,8 +141,8 @@ TEST(EnergyStatement, WithinTheTolerance)
 
 
 
-// With steps that turn a body by half a radian, or a stiff beam by a tenth, corrections of an iteration with old factors
-// may grow again from round-off. They must not be taken for round-off.
+// With steps that turn a body by half a radian, or a stiff beam by a tenth, corrections of an iteration with old
+// factors may grow again from round-off. They must not be taken for round-off.
 TEST(EnergyStatement, OfLargeSteps)
 {
   std::vector<MovingSystem> systems = {systems::hinged_beam("30", "2", 0.06, 0),
@@ -296,8 +296,8 @@ TEST(SteadyRotation, OfABeamIsDisplaced)
 
 
 
-// What is at rest on a spring of an angle stays there. The correction −λ̄ ρ θ̇_k of the force that measures the angle must
-// not be a quotient of round-off there, ρ = Σ b ġ/Σ b θ̇² (StageIntegrator::force_of).
+// What is at rest on a spring of an angle stays there. The correction −λ̄ ρ θ̇_k of the force that measures the angle
+// must not be a quotient of round-off there, ρ = Σ b ġ/Σ b θ̇² (StageIntegrator::force_of).
 TEST(Rest, OnASpringOfAnAngle)
 {
   using namespace systems;

@@ -167,8 +167,8 @@ TEST(Events, TwoStops)
 
 
 
-// Two equal masses that touch at the same time: the second switch is turned at the beginning of the next step, for which
-// the factors of the first alone are of no use.
+// Two equal masses that touch at the same time: the second switch is turned at the beginning of the next step, for
+// which the factors of the first alone are of no use.
 TEST(Events, TwoAtATime)
 {
   const std::string slide = motion("displacement", " set Lower stop = -0.5\n set Stop stiffness = 2e3\n"),
@@ -303,15 +303,15 @@ namespace
                   "set Body A = a.hinge\n set Body B = b.centre\n set Rotational damping = 0.5, 0.5, 0.5\n"));
 
   void
-  expect_recovery(const Tableau &tableau)
+  expect_recovery(const Tableau &tableau, const double step = 0.2)
   {
     const Scene   scene(braked);
     const System &system = scene.system;
-    const Course  c      = course(system, start_of(system), tableau, 0.2, 4., 1e-10);
+    const Course  c      = course(system, start_of(system), tableau, step, 4., 1e-10);
     EXPECT_GT(c.n_failed, 0u);
     EXPECT_EQ(c.state.time, 4.);
-    EXPECT_LT(*std::min_element(c.sizes.begin(), c.sizes.end()), 0.11);
-    EXPECT_NEAR(*std::max_element(c.sizes.end() - 6, c.sizes.end()), 0.2, 1e-9);
+    EXPECT_LT(*std::min_element(c.sizes.begin(), c.sizes.end()), 0.55 * step);
+    EXPECT_NEAR(*std::max_element(c.sizes.end() - 6, c.sizes.end()), step, 1e-9);
     EXPECT_LT(c.balance, 1e-7); // of such long steps: doc/theory/integrators.md
   }
 } // namespace
@@ -334,7 +334,7 @@ TEST(Stepper, HalvesAndRecovers)
 // Where the iteration has gone astray, the next factorisation may meet a singular matrix: no solution, not an end.
 TEST(Stepper, HalvesWhenTheMatrixIsSingular)
 {
-  EXPECT_NO_THROW(expect_recovery(Tableau(3, 0.5)));
+  EXPECT_NO_THROW(expect_recovery(Tableau(3, 0.5), 0.4));
 }
 
 
