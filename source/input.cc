@@ -1,6 +1,7 @@
 #include <samara/base/text.h>
 #include <samara/input.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace samara
@@ -34,12 +35,76 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * An override may change the kind of an object, a beam into a rigid body: what the file says of it and the new kind
+     * does not know is forgotten; what an override says of it is not.
+     */
+    void
+    adapt_to_kinds(const Catalogue &catalogue, Outline &outline)
+    {
+      const std::string of_override = "--set";
+      for (auto &section : outline.sections)
+        for (const auto &group : catalogue.groups)
+          if (group.subsection == section.name)
+            for (auto &object : section.sections)
+              {
+                const auto *const type = object.entry("Type");
+                if (type == nullptr || type->where != of_override || !group.kinds.contains(type->value))
+                  continue;
+                const auto contribution = group.kinds.make(type->value);
+                const auto is_unknown   = [&](const Outline &alone, const std::string &name, const std::string &what) {
+                  Parameters parameters(object.name);
+                  contribution->add_parameters(parameters);
+                  Complaints found;
+                  parameters.parse(alone, Quantities(), found);
+                  return !found.empty() && found.all()[0].find("<" + name + "> is not a " + what + " ") == 0;
+                };
+                const auto entry_is_unknown = [&](Outline::Entry entry) {
+                  if (entry.name == "Type" || entry.where == of_override)
+                    return false;
+                  entry.where = "";
+                  Outline alone;
+                  alone.entries = {entry};
+                  return is_unknown(alone, entry.name, "parameter");
+                };
+                const auto section_is_unknown = [&](Outline part) {
+                  part.where = "";
+                  part.entries.clear();
+                  part.sections.clear();
+                  Outline alone;
+                  alone.sections = {part};
+                  return is_unknown(alone, part.name, "subsection");
+                };
+                auto &entries  = object.entries;
+                auto &sections = object.sections;
+                entries.erase(std::remove_if(entries.begin(), entries.end(), entry_is_unknown), entries.end());
+                sections.erase(std::remove_if(sections.begin(), sections.end(), section_is_unknown), sections.end());
+              }
+    }
+  } // namespace
+
+
+
   Input::Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides)
   {
     Complaints complaints;
     Outline    outline = Outline::of_file(file, complaints);
+    // so that overrides find settings of which the file does not speak
+    std::vector<std::string> settings = {"Output"};
+    for (const auto &kind : catalogue.analyses.kinds())
+      settings.push_back(subsection_of_analysis(kind));
+    for (const auto &name : settings)
+      if (outline.section(name) == nullptr)
+        {
+          outline.sections.emplace_back();
+          outline.sections.back().name  = name;
+          outline.sections.back().where = file;
+        }
     for (const auto &override : overrides)
       outline.set(override, complaints);
+    adapt_to_kinds(catalogue, outline);
 
     Quantities quantities;
     if (const auto *constants = outline.section("Constants"))
@@ -93,10 +158,10 @@ namespace samara
             if (!group.kinds.contains(kind))
               {
                 complaints.add(object.entry("Type") != nullptr ? object.entry("Type")->where : object.where,
-                               kind.empty() ?
-                                 group.noun + " <" + object.name + "> has no <Type>" + did_you_mean("", group.kinds.kinds()) :
-                                 "there is no " + group.noun + " of type <" + kind + ">" +
-                                   did_you_mean(kind, group.kinds.kinds()));
+                               kind.empty() ? group.noun + " <" + object.name + "> has no <Type>" +
+                                                did_you_mean("", group.kinds.kinds()) :
+                                              "there is no " + group.noun + " of type <" + kind + ">" +
+                                                did_you_mean(kind, group.kinds.kinds()));
                 continue;
               }
             if (object.name.find('.') != std::string::npos)
@@ -134,8 +199,13 @@ namespace samara
       }
     for (const auto &kind : analysis_names)
       if (!catalogue.analyses.contains(kind))
-        complaints.add(root.where("Analyses"),
-                       "there is no analysis <" + kind + ">" + did_you_mean(kind, catalogue.analyses.kinds()));
+        {
+          auto known = catalogue.analyses.kinds();
+          known.push_back("study");
+          complaints.add(root.where("Analyses"),
+                         kind == "study" ? "a <study> stands alone: it names its model, which says what is analysed" :
+                                           "there is no analysis <" + kind + ">" + did_you_mean(kind, known));
+        }
       else if (all[kind] == nullptr)
         complaints.add(root.where("Analyses"), "the analysis <" + kind + "> is asked for twice");
       else

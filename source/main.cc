@@ -23,6 +23,7 @@ main(int argc, char **argv)
   app.add_option("--output", options.output, "Folder of the results; default results/<name of the model>");
   app.add_flag("--check", options.check, "Read and assemble the model, say what it is, and stop");
   app.add_flag("--restart", options.restart, "Go on from the checkpoint in the folder of the results");
+  app.add_option("-j,--jobs", options.jobs, "Of a study: how many members run side by side")->check(CLI::Range(1, 1024));
   app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
   app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
   auto *const help    = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");

@@ -3,6 +3,7 @@
 #include <samara/base/units.h>
 #include <samara/input.h>
 #include <samara/program.h>
+#include <samara/study.h>
 
 #include <cctype>
 #include <map>
@@ -119,6 +120,27 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
 
 
     void
+    print_study(std::ostream &out)
+    {
+      Study       study;
+      StudyMethod method;
+      Parameters  settings, of_method;
+      study.add_parameters(settings);
+      method.add_parameters(of_method);
+      out
+        << "## Studies\n\nA file with `set Analyses = study` has no model of its own but names one, `set Model = FILE`, and "
+           "`subsection Study`:\n\n";
+      settings.document(out);
+      out
+        << "\nIn `subsection Methods`, or `subsection Levels` from the cheapest to the dearest, each is a subsection with a "
+           "name of its own:\n\n";
+      of_method.document(out);
+      out << '\n';
+    }
+
+
+
+    void
     print_everything(std::ostream &out, const Catalogue &catalogue)
     {
       print_language(out);
@@ -135,6 +157,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
            "`subsection Static`, `subsection Modal`, ...\n\n";
       for (const auto &kind : catalogue.analyses.kinds())
         print_kind(out, catalogue.analyses, kind);
+      print_study(out);
     }
   } // namespace
 

@@ -14,6 +14,8 @@ namespace samara
     std::string              model, output, help_about;
     std::vector<std::string> overrides;
     bool                     check = false, parameters = false, quiet = false, restart = false;
+    unsigned int             jobs    = 1;                ///< members of a study that run side by side
+    std::string              program = "/proc/self/exe"; ///< that runs them: this one
   };
 
   /** Run, check or explain; returns on success. @throws InputError, NotConverged */

@@ -11,19 +11,24 @@ namespace samara
   StaticAnalysis::add_parameters(Parameters &prm)
   {
     using namespace dealii::Patterns;
-    prm.add("Load steps", initial_steps, "Number of load steps to begin with; they grow and shrink by themselves.", Integer(1));
+    prm.add("Load steps",
+            initial_steps,
+            "Number of load steps to begin with; they grow and shrink by themselves.",
+            Integer(1));
     prm.add("Smallest step", smallest_step, "Fraction of the load below which a step is given up [1].", Double(0, 1));
-    prm.add("Stability limits",
-            stability_limits,
-            "Where the tangent matrix becomes singular, at a limit point or a bifurcation: stop there, or pass and follow what "
-            "Newton's method finds beyond. Not watched when parts rotate.",
-            Selection("stop|pass"));
+    prm.add(
+      "Stability limits",
+      stability_limits,
+      "Where the tangent matrix becomes singular, at a limit point or a bifurcation: stop there, or pass and follow what "
+      "Newton's method finds beyond. Not watched when parts rotate.",
+      Selection("stop|pass"));
     prm.add("Time", time, "Time at which functions of time are taken [s].");
     prm.add("Tolerance",
             tolerance,
             "Newton stops when displacements, relative to the size of the model, and rotations change by less [1].",
             Double(0));
     prm.add("Iterations", max_iterations, "Most Newton iterations in a step.", Integer(1));
+    add_path_parameters(prm);
   }
 
 
@@ -59,8 +64,21 @@ namespace samara
       return;
     history = std::make_unique<History>(context.folder, "static", columns_of(context, "load factor", "1"));
     if (!context.sweep.empty())
-      speed_history =
-        std::make_unique<History>(context.folder, "static_speeds", columns_of(context, "speed", "rad/s"));
+      speed_history = std::make_unique<History>(context.folder, "static_speeds", columns_of(context, "speed", "rad/s"));
+    if (path == "arc length")
+      {
+        path_history =
+          std::make_unique<History>(context.folder,
+                                    "static_path",
+                                    std::vector<std::pair<std::string, std::string>>{{"arc length", "1"},
+                                                                                     {"load factor", "1"},
+                                                                                     {"step", "1"},
+                                                                                     {"iterations", "1"},
+                                                                                     {"sign of the determinant", "1"}});
+        auto columns = columns_of(context, "load factor", "1");
+        columns.insert(columns.begin(), {"1 limit point 2 bifurcation", "1"});
+        limits_history = std::make_unique<History>(context.folder, "static_limits", columns);
+      }
     if (context.pictures)
       pictures = std::make_unique<Pictures>(context.folder, "static");
   }
@@ -74,7 +92,8 @@ namespace samara
                               const std::vector<double> &speeds) const
   {
     const auto &rotations = context.system.model.rotations;
-    const bool  at_joints = std::any_of(rotations.begin(), rotations.end(), [](const auto &r) { return r.coordinate >= 0; });
+    const bool  at_joints =
+      std::any_of(rotations.begin(), rotations.end(), [](const auto &r) { return r.coordinate >= 0; });
     set_steady_motion(context.system, state, speeds);
     NewtonResult total = newton.solve(state);
     if (!at_joints)
@@ -133,7 +152,28 @@ namespace samara
   void
   StaticAnalysis::run(Context &context)
   {
-    const System             &system       = context.system;
+    n_steps = n_iterations = 0;
+    singular_points.clear();
+    if (path == "arc length")
+      follow_path(context);
+    else
+      follow_load(context);
+    context.is_equilibrium = true;
+    if (speed_history)
+      speed_history->add(values_of(context, context.state, context.speeds.empty() ? 0. : context.speeds[0]));
+    const double condition = solver->reciprocal_condition();
+    if (condition < 1e-17)
+      context.log.warning("static",
+                          "the tangent matrix is nearly singular (reciprocal condition number " +
+                            short_text(condition) + "): is a motion free, or a stability limit near?");
+  }
+
+
+
+  void
+  StaticAnalysis::follow_load(Context &context)
+  {
+    const System             &system = context.system;
     Newton                    newton(system, *solver, tolerance, max_iterations);
     const std::vector<double> speeds       = context.speeds;
     const double              start_factor = context.is_equilibrium ? context.state.factor : 0.;
@@ -165,14 +205,14 @@ namespace samara
         sign        = stability_sign(context, here);
       }
 
-    n_steps = n_iterations = 0;
     double fraction = 0, step = 1. / initial_steps;
     while (fraction < 1.)
       {
         const double next = fraction + step > 1. - 1e-9 ? 1. : fraction + step;
         State        trial;
         NewtonResult result = attempt(context.state, next, trial);
-        // between two speeds of a sweep there may be a critical one, where no path leads through: start afresh beyond it
+        // between two speeds of a sweep there may be a critical one, where no path leads through: start afresh beyond
+        // it
         if (!result.converged && next == 1. && start_speeds != speeds && start_factor == 1.)
           result = attempt(system.reference(), next, trial);
         if (result.converged && sign != 0 && stability_sign(context, trial) != sign)
@@ -196,23 +236,17 @@ namespace samara
         if (result.iterations <= 8)
           step *= 2;
       }
-    context.is_equilibrium = true;
-    if (speed_history)
-      speed_history->add(values_of(context, context.state, speeds.empty() ? 0. : speeds[0]));
-    const double condition = solver->reciprocal_condition();
-    if (condition < 1e-17)
-      context.log.warning("static", "the tangent matrix is nearly singular (reciprocal condition number " +
-                                      short_text(condition) + "): is a motion free, or a stability limit near?");
   }
 
 
 
   void
-  StaticAnalysis::record(Context &context, const State &state, const double fraction, const NewtonResult &result)
+  StaticAnalysis::record(Context &context, const State &state, const double progress, const NewtonResult &result)
   {
+    const std::string where = path == "arc length" ? "arc " + short_text(progress) : short_text(100 * progress) + " %";
     context.log.line("  static: load factor " + short_text(state.factor) +
                      (context.speeds.empty() ? "" : ", speed " + short_text(context.speeds[0]) + " rad/s") + " (" +
-                     short_text(100 * fraction) + " %), " + std::to_string(result.iterations) + " iterations");
+                     where + "), " + std::to_string(result.iterations) + " iterations");
     if (history)
       history->add(values_of(context, state, state.factor));
     if (pictures)
@@ -220,7 +254,7 @@ namespace samara
         Drawing drawing;
         for (const auto &c : context.system.model.contributions)
           c->draw(state, drawing);
-        pictures->add(drawing, fraction);
+        pictures->add(drawing, progress);
       }
   }
 
@@ -230,19 +264,23 @@ namespace samara
   StaticAnalysis::give_up(const Context &context, const NewtonResult &result, const double fraction) const
   {
     const std::string place = context.system.layout.name_of(result.worst);
-    std::string       text  = "static analysis: no equilibrium found beyond " + short_text(100 * fraction) +
-                       " % of the load: " + result.reason + ".\n";
+    const std::string place_on_path =
+      path == "arc length" ? "load factor " + short_text(fraction) : short_text(100 * fraction) + " % of the load";
+    std::string text = "static analysis: no equilibrium found beyond " + place_on_path + ": " + result.reason + ".\n";
     if (result.reason.find("stability") != std::string::npos)
-      text += "  The equilibrium is stable up to there. Set Stability limits = pass in subsection Static to go on to whatever "
-              "equilibrium is found beyond.";
+      text +=
+        "  The equilibrium is stable up to there. Set Path = arc length in subsection Static to follow the path beyond, or "
+        "Stability limits = pass to go on to whatever equilibrium is found there.";
     else if (result.reason.find("singular") != std::string::npos)
-      text += "  No stiffness is found for: " + place +
-              ".\n  Something can move freely there: clamp it, hold its joint by a spring or a prescribed motion, or remove "
-              "a constraint that is there twice.";
+      text +=
+        "  No stiffness is found for: " + place +
+        ".\n  Something can move freely there: clamp it, hold its joint by a spring or a prescribed motion, or remove "
+        "a constraint that is there twice.";
     else
-      text += "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place +
-              ".\n  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
-              "limit point of the load no equilibrium exists beyond it.";
+      text +=
+        "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place +
+        ".\n  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
+        "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
     throw NotConverged(text);
   }
 
@@ -253,7 +291,8 @@ namespace samara
   {
     if (history)
       history->finish();
-    if (speed_history)
-      speed_history->finish();
+    for (const auto &other : {&speed_history, &path_history, &limits_history})
+      if (*other)
+        (*other)->finish();
   }
 } // namespace samara

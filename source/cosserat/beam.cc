@@ -2,11 +2,11 @@
 #include <samara/cosserat/beam.h>
 #include <samara/model/frame_probe.h>
 
+#include <deal.II/base/polynomial.h>
 #include <deal.II/dofs/dof_handler.h>
-
 #include <deal.II/fe/fe_q.h>
-
 #include <deal.II/grid/tria.h>
+#include <deal.II/hp/fe_collection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +22,30 @@ namespace samara
     prm.add("Expressions", expressions, "x, y, z of the reference line as functions of s from 0 to 1 [m].");
     prm.add("Axis 2", axis_2, "Direction near which section axis 2 lies at the start; 0, 0, 0: horizontal [1].");
     prm.add("Twist", twist, "Initial rotation of the section about axis 1, as a function of the arc length s [rad].");
-    prm.add("Elements", n_elements_wanted, "Number of elements along the beam.", Integer(1));
-    prm.add("Degree", degree, "Polynomial degree p of an element; displacements converge with order 2p.", Integer(1, 4));
+    prm.add(
+      "Elements",
+      elements_wish,
+      "Number of elements along the beam; or <automatic, 1e-4>: elements and their degrees so that the strains of the "
+      "equilibrium, or of the modes without loads, have this relative error in the energy norm, as estimated.");
+    prm.add("Degree",
+            degree,
+            "Polynomial degree p of an element; displacements converge with order 2p.",
+            Integer(1, 4));
+    prm.add(
+      "Mesh",
+      mesh_texts,
+      "Elements one by one, in place of the two entries above: degree to relative abscissa, ..., 3 to 0.25, 2 to 1.");
     prm.add("Section", section_name, "Name of the section.");
     prm.add("Frames", frame_names, "Points others can attach to: name at relative abscissa, name at ...");
-    prm.add("Rigid", rigid, "Whether the beam is a rigid body with the mass of its sections; it then adds a single node.");
-    prm.add("Damping",
-            viscosity,
-            "Stiffness-proportional damping: viscous stress is this time times the rate of elastic stress; one number, or six "
-            "for Gamma1 Gamma2 Gamma3 K1 K2 K3 [s].",
-            List(Double(0), 1, 6));
+    prm.add("Rigid",
+            rigid,
+            "Whether the beam is a rigid body with the mass of its sections; it then adds a single node.");
+    prm.add(
+      "Damping",
+      viscosity,
+      "Stiffness-proportional damping: viscous stress is this time times the rate of elastic stress; one number, or six "
+      "for Gamma1 Gamma2 Gamma3 K1 K2 K3 [s].",
+      List(Double(0), 1, 6));
     prm.add("Damping ratio",
             damping_ratio,
             "The same given as the damping ratio of a mode at the frequency below; one number or six [1].",
@@ -60,10 +74,13 @@ namespace samara
         model->complaints.add(parameters.where(entry == &viscosity ? "Damping" : "Damping ratio"),
                               "give one number or six, for Gamma1 Gamma2 Gamma3 K1 K2 K3");
     if (damping_ratio != std::vector<double>(damping_ratio.size(), 0.) && damping_frequency == 0)
-      model->complaints.add(parameters.where("Damping ratio"), "a damping ratio needs the <Damping frequency> it holds at");
+      model->complaints.add(parameters.where("Damping ratio"),
+                            "a damping ratio needs the <Damping frequency> it holds at");
     if (!find_curve() || section == nullptr || !model->complaints.empty())
       return;
-    make_nodes_and_elements(element_ends());
+    make_cells();
+    if (model->complaints.empty())
+      make_nodes_and_elements();
   }
 
 
@@ -88,10 +105,10 @@ namespace samara
 
 
   std::vector<double>
-  Beam::element_ends()
+  Beam::find_breaks()
   {
-    const double L = curve->length();
-    named          = {{"start", 0.}, {"middle", L / 2}, {"end", L}};
+    const double L             = curve->length();
+    named                      = {{"start", 0.}, {"middle", L / 2}, {"end", L}};
     std::vector<double> breaks = curve->corners();
     breaks.push_back(0.);
     breaks.push_back(L);
@@ -114,10 +131,17 @@ namespace samara
                              breaks.end(),
                              [L](const double a, const double b) { return b - a < 1e-9 * L; }),
                  breaks.end());
+    return breaks;
+  }
 
+
+
+  std::vector<double>
+  Beam::element_ends(const std::vector<double> &breaks) const
+  {
     // as many elements as wanted, in equal lengths as nearly as the breaks allow
     std::vector<double> ends(1, 0.);
-    unsigned int        left = std::max<unsigned int>(n_elements_wanted, breaks.size() - 1);
+    unsigned int        left = std::max<unsigned int>(elements_wish.number, breaks.size() - 1);
     for (unsigned int i = 0; i + 1 < breaks.size(); ++i)
       {
         const double       side   = breaks[i + 1] - breaks[i];
@@ -133,6 +157,65 @@ namespace samara
 
 
 
+  bool
+  Beam::take_mesh(const std::vector<double> &breaks)
+  {
+    try
+      {
+        const double L = curve->length();
+        for (const auto &element : read_mesh(mesh_texts))
+          cells.push_back({cells.empty() ? 0. : cells.back().end, element.end * L, element.degree});
+        for (const double s : breaks)
+          {
+            const auto there = [&](const Cell &cell) { return std::abs(cell.end - s) < 1e-9 * L; };
+            const auto cell  = std::find_if(cells.begin(), cells.end(), there);
+            if (cell != cells.end())
+              cell->end = s;
+            else if (s > 0)
+              throw std::invalid_argument("an element of the mesh must end at " + number_to_text(s / L) +
+                                          ", where the beam has a corner, a frame or a kink of its section");
+          }
+        for (unsigned int i = 1; i < cells.size(); ++i)
+          cells[i].start = cells[i - 1].end;
+        return true;
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Mesh"), problem.what());
+        return false;
+      }
+  }
+
+
+
+  void
+  Beam::make_cells()
+  {
+    const auto breaks = find_breaks();
+    if (!mesh_texts.empty())
+      {
+        take_mesh(breaks);
+        return;
+      }
+    // an automatic mesh begins with degree 2
+    const auto ends = element_ends(breaks);
+    for (unsigned int i = 0; i + 1 < ends.size(); ++i)
+      cells.push_back({ends[i], ends[i + 1], elements_wish.error > 0 ? 2 : degree});
+  }
+
+
+
+  std::vector<MeshElement>
+  Beam::mesh() const
+  {
+    std::vector<MeshElement> result;
+    for (const auto &cell : cells)
+      result.push_back({cell.end / curve->length(), cell.degree});
+    return result;
+  }
+
+
+
   Matrix3
   Beam::triad_at(const double s, const double inside) const
   {
@@ -143,33 +226,42 @@ namespace samara
 
 
   void
-  Beam::make_nodes_and_elements(const std::vector<double> &ends)
+  Beam::make_nodes_and_elements()
   {
-    table = std::make_shared<ElementTable<1>>(degree);
-
     std::vector<dealii::Point<3>>    vertices;
     std::vector<dealii::CellData<1>> cell_data;
-    for (unsigned int i = 0; i < ends.size(); ++i)
+    for (unsigned int i = 0; i <= cells.size(); ++i)
       {
-        const Vector3 x = curve->position(ends[i]);
+        const Vector3 x = curve->position(i == 0 ? 0. : cells[i - 1].end);
         vertices.emplace_back(x(0), x(1), x(2));
       }
-    for (unsigned int i = 0; i + 1 < ends.size(); ++i)
+    unsigned int highest = 0;
+    for (unsigned int i = 0; i < cells.size(); ++i)
       {
         cell_data.emplace_back();
         cell_data.back().vertices = {i, i + 1};
-        cells.push_back({ends[i], ends[i + 1]});
+        highest                   = std::max(highest, cells[i].degree);
       }
     dealii::Triangulation<1, 3> triangulation;
     triangulation.create_triangulation(vertices, cell_data, {});
-    dealii::DoFHandler<1, 3> dof_handler(triangulation);
-    dof_handler.distribute_dofs(dealii::FE_Q<1, 3>(degree));
+    dealii::DoFHandler<1, 3>       dof_handler(triangulation);
+    dealii::hp::FECollection<1, 3> elements_by_degree;
+    for (unsigned int p = 1; p <= highest; ++p)
+      elements_by_degree.push_back(dealii::FE_Q<1, 3>(p));
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      cell->set_active_fe_index(cells[cell->active_cell_index()].degree - 1);
+    dof_handler.distribute_dofs(elements_by_degree);
 
     // nodes are numbered along the beam, in the order of the cells
-    std::vector<int> node_of_dof(dof_handler.n_dofs(), -1);
+    std::vector<int>                                               node_of_dof(dof_handler.n_dofs(), -1);
+    std::map<unsigned int, std::shared_ptr<const ElementTable<1>>> tables;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        const Cell                                  &c = cells[cell->active_cell_index()];
+        const Cell &c = cells[cell->active_cell_index()];
+        auto       &t = tables[c.degree];
+        if (t == nullptr)
+          t = std::make_shared<ElementTable<1>>(c.degree);
+        table = t;
         std::vector<dealii::types::global_dof_index> dofs(table->n_nodes);
         cell->get_dof_indices(dofs);
         const double middle = 0.5 * (c.start + c.end);
@@ -219,7 +311,7 @@ namespace samara
     for (unsigned int i = 0; i < 6; ++i)
       {
         const double ratio = damping_ratio[damping_ratio.size() == 6 ? i : 0];
-        times(i)           = viscosity[viscosity.size() == 6 ? i : 0] + (ratio > 0 ? 2 * ratio / damping_frequency : 0.);
+        times(i) = viscosity[viscosity.size() == 6 ? i : 0] + (ratio > 0 ? 2 * ratio / damping_frequency : 0.);
       }
     return times;
   }
@@ -332,16 +424,63 @@ namespace samara
   {
     std::vector<Station> result;
     for (unsigned int i = 0; i < elements.size(); ++i)
-      for (unsigned int a = 0; a < table->n_nodes; ++a)
-        {
-          Vector3 dx = Vector3::Zero();
-          for (unsigned int b = 0; b < table->n_nodes; ++b)
-            dx += table->gradient_at_nodes[0](a, b) * model->position(elements[i].frames[b]);
-          result.push_back({elements[i].frames[a],
-                            cells[i].start + table->nodes[a][0] * (cells[i].end - cells[i].start),
-                            table->node_weights(a) * dx.norm()});
-        }
+      {
+        const ElementTable<1> &t = *elements[i].table;
+        for (unsigned int a = 0; a < t.n_nodes; ++a)
+          {
+            Vector3 dx = Vector3::Zero();
+            for (unsigned int b = 0; b < t.n_nodes; ++b)
+              dx += t.gradient_at_nodes[0](a, b) * model->position(elements[i].frames[b]);
+            result.push_back({elements[i].frames[a],
+                              cells[i].start + t.nodes[a][0] * (cells[i].end - cells[i].start),
+                              t.node_weights(a) * dx.norm()});
+          }
+      }
     return result;
+  }
+
+
+
+  std::vector<Eigen::MatrixXd>
+  Beam::legendre_coefficients(const double *e) const
+  {
+    std::vector<Eigen::MatrixXd> result;
+    for (unsigned int i = 0; i < n_elements(); ++i)
+      {
+        const ElementTable<1> &t = *elements[i].table;
+        const double           h = cells[i].end - cells[i].start;
+        const Matrix6          C = section->at(0.5 * (cells[i].start + cells[i].end) / curve->length()).stiffness;
+        Eigen::MatrixXd        a = Eigen::MatrixXd::Zero(6, t.n_points);
+        for (unsigned int k = 0; k < t.n_points; ++k)
+          {
+            const dealii::Polynomials::Legendre L(k); // orthonormal on (0, 1)
+            for (unsigned int g = 0; g < t.n_points; ++g)
+              a.col(k) += t.weights(g) * L.value(t.points[g][0]) *
+                          Eigen::Map<const Vector6>(e + 6 * (elements[i].first_point + g));
+          }
+        result.push_back(C.llt().matrixU() * (std::sqrt(h) * a));
+      }
+    return result;
+  }
+
+
+
+  double
+  Beam::geometry_error(const double start, const double end, const unsigned int p) const
+  {
+    const double                                                L = curve->length(), middle = 0.5 * (start + end) * L;
+    static thread_local std::map<unsigned int, ElementTable<1>> tables;
+    const ElementTable<1>                                      &t = tables.try_emplace(p, p).first->second;
+    const auto s_of    = [&](const dealii::Point<1> &xi) { return L * (start + xi[0] * (end - start)); };
+    double     largest = 0;
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        Matrix3 D = Matrix3::Zero();
+        for (unsigned int a = 0; a < t.n_nodes; ++a)
+          D += t.N(g, a) * triad_at(s_of(t.nodes[a]), middle);
+        largest = std::max(largest, (D - triad_at(s_of(t.points[g]), middle)).norm());
+      }
+    return largest;
   }
 
 
@@ -354,15 +493,16 @@ namespace samara
       ++i;
     const dealii::Point<1> xi((s - cells[i].start) / (cells[i].end - cells[i].start));
 
+    const ElementTable<1>                  &t = *elements[i].table;
     std::vector<kernel::NodeValues<double>> nodes;
     gather(i, state.q.data(), nodes);
     // one for each degree, made when first used
     static thread_local std::map<unsigned int, dealii::FE_Q<1>> elements_of_degree;
-    const dealii::FE_Q<1> &fe = elements_of_degree.try_emplace(degree, degree).first->second;
-    Local   result;
-    Sample &sample = result.sample;
+    const dealii::FE_Q<1> &fe = elements_of_degree.try_emplace(t.degree, t.degree).first->second;
+    Local                  result;
+    Sample                &sample = result.sample;
     sample.D.setZero();
-    for (unsigned int a = 0; a < table->n_nodes; ++a)
+    for (unsigned int a = 0; a < t.n_nodes; ++a)
       {
         const double  N = fe.shape_value(a, xi);
         const Vector6 y = elements[i].frames[a].twist(state.y.data());
@@ -382,7 +522,7 @@ namespace samara
     if (is_rigid)
       return result;
     // strains and section forces: the polynomial through the Gauss points
-    const unsigned int  n_points = table->n_points;
+    const unsigned int  n_points = t.n_points;
     std::vector<double> e(n_strains());
     strains_at(state.point(), e.data());
     for (unsigned int g = 0; g < n_points; ++g)
@@ -390,8 +530,8 @@ namespace samara
         double L = 1;
         for (unsigned int k = 0; k < n_points; ++k)
           if (k != g)
-            L *= (xi[0] - table->points[k][0]) / (table->points[g][0] - table->points[k][0]);
-        const unsigned int first = 6 * (i * n_points + g);
+            L *= (xi[0] - t.points[k][0]) / (t.points[g][0] - t.points[k][0]);
+        const unsigned int first = 6 * (elements[i].first_point + g);
         result.strain += L * Eigen::Map<const Vector6>(&e[first]);
         result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + first]);
       }
@@ -407,9 +547,9 @@ namespace samara
   std::optional<Probe>
   Beam::probe(const std::string &path) const
   {
-    const auto dot = std::min(path.size(), path.rfind('.'));
-    const auto  s        = abscissa_of(trim(path.substr(0, dot)));
-    const auto  quantity = dot < path.size() ? trim(path.substr(dot + 1)) : "";
+    const auto dot      = std::min(path.size(), path.rfind('.'));
+    const auto s        = abscissa_of(trim(path.substr(0, dot)));
+    const auto quantity = dot < path.size() ? trim(path.substr(dot + 1)) : "";
     if (!s)
       return {};
     const double abscissa = *s;
@@ -458,13 +598,12 @@ namespace samara
   void
   Beam::draw(const State &state, Drawing &drawing) const
   {
-    std::vector<Sample>                        axis;
+    std::vector<Sample>                       axis;
     std::vector<std::vector<Eigen::Vector2d>> outlines;
-    const unsigned int                         per_element = std::max(2u, 2 * degree);
     for (const auto &cell : cells)
-      for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= per_element; ++k)
+      for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= 2 * cell.degree; ++k)
         {
-          const double s = cell.start + (cell.end - cell.start) * k / per_element;
+          const double s = cell.start + (cell.end - cell.start) * k / (2 * cell.degree);
           axis.push_back(local(state, s).sample);
           outlines.push_back(section->at(s / curve->length()).outline);
         }

@@ -9,7 +9,7 @@ namespace samara
                              const std::vector<unsigned int> &material_of_point)
   {
     const ElementTable<dim> &t = *table;
-    elements.push_back({frames, true, {}});
+    elements.push_back({frames, true, {}, table, static_cast<unsigned int>(points.size())});
 
     std::vector<kernel::NodeValues<double>> nodes(t.n_nodes);
     for (unsigned int a = 0; a < t.n_nodes; ++a)
@@ -35,11 +35,11 @@ namespace samara
             // local axes: director 1 of the element's middle, made tangent to the surface
             for (const auto &node : nodes)
               d += node.D;
-            const Vector3       normal = dx.col(0).cross(dx.col(1)).normalized();
+            const Vector3               normal = dx.col(0).cross(dx.col(1)).normalized();
             Eigen::Matrix<double, 3, 2> axes;
-            axes.col(0) = (d.col(0) - normal * normal.dot(d.col(0))).normalized();
-            axes.col(1) = normal.cross(axes.col(0));
-            point.T     = (axes.transpose() * dx).inverse().transpose();
+            axes.col(0)  = (d.col(0) - normal * normal.dot(d.col(0))).normalized();
+            axes.col(1)  = normal.cross(axes.col(0));
+            point.T      = (axes.transpose() * dx).inverse().transpose();
             point.weight = t.weights(g) * dx.col(0).cross(dx.col(1)).norm();
           }
         point.reference.setZero();
@@ -52,7 +52,7 @@ namespace samara
     std::vector<double> e(n * t.n_points);
     to_points(elements.size() - 1, tied, e.data());
     for (unsigned int g = 0; g < t.n_points; ++g)
-      points[points.size() - t.n_points + g].reference = Eigen::Map<VectorN>(&e[n * g]);
+      points[elements.back().first_point + g].reference = Eigen::Map<VectorN>(&e[n * g]);
   }
 
 
@@ -98,7 +98,9 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::gather(const unsigned int element, const Number *q, std::vector<kernel::NodeValues<Number>> &nodes) const
+  Cosserat<dim>::gather(const unsigned int                       element,
+                        const Number                            *q,
+                        std::vector<kernel::NodeValues<Number>> &nodes) const
   {
     const Element &el = elements[element];
     nodes.resize(el.frames.size());
@@ -123,10 +125,10 @@ namespace samara
   void
   Cosserat<dim>::to_points(const unsigned int element, const std::vector<Vec6<Number>> &tied, Number *e) const
   {
-    const ElementTable<dim> &t = *table;
+    const ElementTable<dim> &t = *elements[element].table;
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
-        const IntegrationPoint                    &point = points[element * t.n_points + g];
+        const IntegrationPoint                   &point = points[elements[element].first_point + g];
         Eigen::Map<Eigen::Matrix<Number, 6, dim>> e_g(e + n * g);
         Eigen::Matrix<Number, 6, dim>             covariant;
         for (unsigned int alpha = 0; alpha < dim; ++alpha)
@@ -149,11 +151,11 @@ namespace samara
   void
   Cosserat<dim>::to_tying(const unsigned int element, const Number *stress, std::vector<Vec6<Number>> &tied) const
   {
-    const ElementTable<dim> &t = *table;
+    const ElementTable<dim> &t = *elements[element].table;
     tied.assign(dim * t.n_tying, Vec6<Number>::Zero());
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
-        const IntegrationPoint             &point = points[element * t.n_points + g];
+        const IntegrationPoint             &point = points[elements[element].first_point + g];
         const Eigen::Matrix<Number, 6, dim> s =
           Eigen::Map<const Eigen::Matrix<Number, 6, dim>>(stress + n * g) * (point.weight * point.T);
         if constexpr (dim == 1)
@@ -172,19 +174,19 @@ namespace samara
   void
   Cosserat<dim>::strains_at(const Point<Number> &point, Number *e) const
   {
-    const ElementTable<dim>                              &t = *table;
     static thread_local std::vector<kernel::NodeValues<Number>> nodes;
     static thread_local std::vector<Vec6<Number>>               tied;
-    tied.resize(dim * t.n_tying);
     for (unsigned int i = 0; i < n_elements(); ++i)
       {
+        const ElementTable<dim> &t = *elements[i].table;
+        tied.resize(dim * t.n_tying);
         gather(i, point.q, nodes);
         for (unsigned int k = 0; k < tied.size(); ++k)
           tied[k] = kernel::strain(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)));
-        Number *const e_i = e + n * t.n_points * i;
+        Number *const e_i = e + n * elements[i].first_point;
         to_points(i, tied, e_i);
         for (unsigned int g = 0; g < t.n_points; ++g)
-          Eigen::Map<Eigen::Matrix<Number, n, 1>>(e_i + n * g) -= points[i * t.n_points + g].reference;
+          Eigen::Map<Eigen::Matrix<Number, n, 1>>(e_i + n * g) -= points[elements[i].first_point + g].reference;
       }
   }
 
@@ -194,13 +196,13 @@ namespace samara
   void
   Cosserat<dim>::strain_rates(const Point<double> &point, double *rates) const
   {
-    const ElementTable<dim>                              &t = *table;
     static thread_local std::vector<kernel::NodeValues<double>> nodes, velocities;
     static thread_local std::vector<Vec6<double>>               tied;
-    tied.resize(dim * t.n_tying);
-    velocities.resize(t.n_nodes);
     for (unsigned int i = 0; i < n_elements(); ++i)
       {
+        const ElementTable<dim> &t = *elements[i].table;
+        tied.resize(dim * t.n_tying);
+        velocities.resize(t.n_nodes);
         gather(i, point.q, nodes);
         for (unsigned int a = 0; a < t.n_nodes; ++a)
           {
@@ -212,7 +214,7 @@ namespace samara
         for (unsigned int k = 0; k < tied.size(); ++k)
           tied[k] = kernel::strain_rate(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)),
                                         kernel::interpolate(velocities, &t.N(k, 0), &t.dN(k, 0)));
-        to_points(i, tied, rates + n * t.n_points * i);
+        to_points(i, tied, rates + n * elements[i].first_point);
       }
   }
 
@@ -253,8 +255,7 @@ namespace samara
   {
     double sum = 0;
     for (unsigned int g = 0; g < points.size(); ++g)
-      sum += points[g].weight *
-             Eigen::Map<const VectorN>(stress + n * g).dot(Eigen::Map<const VectorN>(rates + n * g));
+      sum += points[g].weight * Eigen::Map<const VectorN>(stress + n * g).dot(Eigen::Map<const VectorN>(rates + n * g));
     return sum;
   }
 
@@ -280,18 +281,18 @@ namespace samara
   void
   Cosserat<dim>::residual_at(const Point<Number> &point, Number *r) const
   {
-    const ElementTable<dim>                                     &t = *table;
     static thread_local std::vector<kernel::NodeValues<Number>>  nodes;
     static thread_local std::vector<Vec6<Number>>                tied;
     static thread_local std::vector<kernel::PointValues<Number>> forces;
     static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
-    local.resize(6 * t.n_nodes);
-    forces.resize(dim * t.n_tying);
-    const Number *stress = point.stress + this->first_strain;
-    for (unsigned int i = 0; i < n_elements(); ++i, stress += n * t.n_points)
+    const Number                                                *stress = point.stress + this->first_strain;
+    for (unsigned int i = 0; i < n_elements(); ++i)
       {
+        const ElementTable<dim> &t = *elements[i].table;
+        local.resize(6 * t.n_nodes);
+        forces.resize(dim * t.n_tying);
         gather(i, point.q, nodes);
-        to_tying(i, stress, tied);
+        to_tying(i, stress + n * elements[i].first_point, tied);
         for (unsigned int k = 0; k < tied.size(); ++k)
           forces[k] = kernel::force(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)), tied[k]);
         for (unsigned int a = 0; a < t.n_nodes; ++a)
@@ -357,7 +358,7 @@ namespace samara
   void
   Cosserat<dim>::interpolate_element(const unsigned int element, const double *q) const
   {
-    const ElementTable<dim> &t = *table;
+    const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
     gather(element, q, s.nodes);
     s.at.resize(dim * t.n_tying);
@@ -372,19 +373,16 @@ namespace samara
   void
   Cosserat<dim>::strain_matrix(const unsigned int element, Matrix &&B_element) const
   {
-    const ElementTable<dim> &t = *table;
+    const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
     s.B_tied.resize(6 * dim * t.n_tying, 6 * t.n_nodes);
     for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       for (unsigned int a = 0; a < t.n_nodes; ++a)
-        kernel::strain_matrix(s.at[k],
-                              s.nodes[a].D,
-                              t.N(k, a),
-                              t.dN(k, a),
-                              s.B_tied.template block<6, 6>(6 * k, 6 * a));
+        kernel::strain_matrix(
+          s.at[k], s.nodes[a].D, t.N(k, a), t.dN(k, a), s.B_tied.template block<6, 6>(6 * k, 6 * a));
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
-        const IntegrationPoint &point = points[element * t.n_points + g];
+        const IntegrationPoint &point = points[elements[element].first_point + g];
         auto                    B     = B_element.template middleRows<n>(n * g);
         if constexpr (dim == 1)
           B = point.T(0, 0) * s.B_tied.template middleRows<6>(6 * g);
@@ -409,12 +407,17 @@ namespace samara
   public:
     explicit StoredStrains(const Cosserat &body)
       : body(body)
-      , n_rows(n * body.table->n_points)
-      , n_columns(6 * body.table->n_nodes)
-      , B(n_rows * body.n_elements(), n_columns)
-      , z(n_columns)
-      , weighted(n_rows)
-    {}
+    {
+      int most_columns = 0, most_rows = 0;
+      for (const auto &element : body.elements)
+        {
+          most_rows    = std::max(most_rows, rows_of(element));
+          most_columns = std::max(most_columns, columns_of(element));
+        }
+      B.resize(n * body.points.size(), most_columns);
+      z.resize(most_columns);
+      weighted.resize(most_rows);
+    }
 
     void
     renew(const Point<double> &point) override
@@ -422,7 +425,7 @@ namespace samara
       for (unsigned int i = 0; i < body.n_elements(); ++i)
         {
           body.interpolate_element(i, point.q);
-          body.strain_matrix(i, B.middleRows(n_rows * i, n_rows));
+          body.strain_matrix(i, part(B, body.elements[i]));
         }
     }
 
@@ -437,7 +440,8 @@ namespace samara
               z.template segment<6>(6 * a) = Eigen::Map<const Vector6>(y + 6 * element.frames[a].node);
             else
               z.template segment<6>(6 * a) = element.frames[a].twist(y);
-          Eigen::Map<Eigen::VectorXd>(e + n_rows * i, n_rows).noalias() = B.middleRows(n_rows * i, n_rows) * z;
+          Eigen::Map<Eigen::VectorXd>(e + n * element.first_point, rows_of(element)).noalias() =
+            part(B, element) * z.head(columns_of(element));
         }
     }
 
@@ -446,19 +450,38 @@ namespace samara
     {
       for (unsigned int i = 0; i < body.n_elements(); ++i)
         {
-          for (unsigned int g = 0; g < body.table->n_points; ++g)
-            weighted.template segment<n>(n * g) = body.points[i * body.table->n_points + g].weight *
-                                                  Eigen::Map<const VectorN>(stress + n_rows * i + n * g);
-          z.noalias() = B.middleRows(n_rows * i, n_rows).transpose() * weighted;
-          body.elements[i].block.add(z, r);
+          const Element &element = body.elements[i];
+          for (unsigned int g = element.first_point; g < element.first_point + element.table->n_points; ++g)
+            weighted.template segment<n>(n * (g - element.first_point)) =
+              body.points[g].weight * Eigen::Map<const VectorN>(stress + n * g);
+          local.noalias() = part(B, element).transpose() * weighted.head(rows_of(element));
+          element.block.add(local, r);
         }
     }
 
   private:
     const Cosserat         &body;
-    const int               n_rows, n_columns;
-    RowMajor                B;
-    mutable Eigen::VectorXd z, weighted;
+    RowMajor                B; ///< of elements with fewer nodes, the first columns
+    mutable Eigen::VectorXd z, weighted, local;
+
+    static int
+    rows_of(const Element &element)
+    {
+      return n * element.table->n_points;
+    }
+
+    static int
+    columns_of(const Element &element)
+    {
+      return 6 * element.table->n_nodes;
+    }
+
+    template <typename Matrix>
+    static auto
+    part(Matrix &all, const Element &element)
+    {
+      return all.block(n * element.first_point, 0, rows_of(element), columns_of(element));
+    }
   };
 
 
@@ -476,14 +499,14 @@ namespace samara
   void
   Cosserat<dim>::add_material(const unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const
   {
-    const ElementTable<dim> &t = *table;
+    const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
     s.B.resize(n * t.n_points, 6 * t.n_nodes);
     s.CB.resize(n * t.n_points, 6 * t.n_nodes);
     strain_matrix(element, s.B);
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
-        const IntegrationPoint &point = points[element * t.n_points + g];
+        const IntegrationPoint &point = points[elements[element].first_point + g];
         const MatrixN           C     = point.weight * (materials[point.material].*which);
         auto                    CB    = s.CB.template middleRows<n>(n * g);
         CB.noalias()                  = C.lazyProduct(s.B.template middleRows<n>(n * g));
@@ -495,9 +518,11 @@ namespace samara
 
   template <int dim>
   void
-  Cosserat<dim>::add_geometric(const std::vector<Vec6<double>> &tied, Eigen::MatrixXd &K) const
+  Cosserat<dim>::add_geometric(const unsigned int               element,
+                               const std::vector<Vec6<double>> &tied,
+                               Eigen::MatrixXd                 &K) const
   {
-    const ElementTable<dim> &t = *table;
+    const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
     const unsigned int       N = t.n_nodes;
     s.n.assign(N * N, Vector3::Zero());
@@ -539,16 +564,16 @@ namespace samara
   void
   Cosserat<dim>::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    const ElementTable<dim> &t = *table;
-    Scratch                 &s = scratch();
-    const double            *stress = point.stress + this->first_strain;
-    for (unsigned int i = 0; i < n_elements(); ++i, stress += n * t.n_points)
+    Scratch      &s      = scratch();
+    const double *stress = point.stress + this->first_strain;
+    for (unsigned int i = 0; i < n_elements(); ++i)
       {
+        const ElementTable<dim> &t = *elements[i].table;
         interpolate_element(i, point.q);
-        to_tying(i, stress, s.tied);
+        to_tying(i, stress + n * elements[i].first_point, s.tied);
         s.K.setZero(6 * t.n_nodes, 6 * t.n_nodes);
         add_material(i, &Material::stiffness, s.K);
-        add_geometric(s.tied, s.K);
+        add_geometric(i, s.tied, s.K);
         elements[i].block.add(s.K, K);
       }
   }
@@ -559,10 +584,10 @@ namespace samara
   void
   Cosserat<dim>::damping(const Point<double> &point, SparseMatrix &C) const
   {
-    const ElementTable<dim> &t = *table;
-    Scratch                 &s = scratch();
+    Scratch &s = scratch();
     for (unsigned int i = 0; i < n_elements(); ++i)
       {
+        const ElementTable<dim> &t = *elements[i].table;
         interpolate_element(i, point.q);
         s.K.setZero(6 * t.n_nodes, 6 * t.n_nodes);
         add_material(i, &Material::viscosity, s.K);

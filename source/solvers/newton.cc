@@ -31,7 +31,7 @@ namespace samara
 
 
   double
-  Newton::size_of_step() const
+  size_of_step(const System &system, const std::vector<double> &step, const double length)
   {
     double size = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
@@ -88,7 +88,7 @@ namespace samara
         ++result.iterations;
         ++n_iterations;
 
-        result.last_step = size_of_step();
+        result.last_step = size_of_step(system, step, length);
         if (!std::isfinite(result.last_step) || result.last_step > 100.)
           {
             result.reason = "the iterations diverge";

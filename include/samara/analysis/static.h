@@ -4,18 +4,20 @@
 #include <samara/analysis/analysis.h>
 #include <samara/output/history.h>
 #include <samara/output/pictures.h>
-#include <samara/solvers/newton.h>
+#include <samara/solvers/arc_length.h>
 
 #include <memory>
 
 namespace samara
 {
   /**
-   * Equilibrium under loads and steady rotations (the paper, section 4.1), followed from the context's state to the full
-   * loads and speeds in steps as large as Newton's method takes them.
+   * Equilibrium under loads and steady rotations (the paper, section 4.1), followed from the context's state to the
+   * full loads and speeds in steps as large as Newton's method takes them, or along the arc of the equilibrium path,
+   * with the load factor as an unknown, through limit points and past bifurcations (ArcLength; doc/theory/statics.md).
    *
    * Writes static.csv (.h5) with the probes at each load step, static.pvd with the deformed model, and for a sweep
-   * static_speeds.csv with the probes at each speed.
+   * static_speeds.csv with the probes at each speed. A path by its arc writes static_path.csv, about its steps, and
+   * static_limits.csv, with the probes at its limit points and bifurcations.
    */
   class StaticAnalysis : public Analysis
   {
@@ -27,20 +29,47 @@ namespace samara
 
     unsigned int n_steps = 0, n_iterations = 0; ///< of the last run
 
+    /** Where the tangent matrix is singular on a path. */
+    struct SingularPoint
+    {
+      bool  is_limit; ///< the load factor turns; else a bifurcation
+      State state;
+    };
+    std::vector<SingularPoint> singular_points; ///< passed in the last run with Path = arc length
+
   private:
     // entries
     unsigned int initial_steps = 1, max_iterations = 30;
     double       tolerance = 1e-9, time = 0, smallest_step = 1e-4;
-    std::string  stability_limits = "stop";
+    std::string  stability_limits = "stop", path = "load";
+    double       largest_arc = 0.1, load_weight = 0, end_factor = 1, largest_factor = 10;
+    unsigned int passages = 1, most_steps = 1000;
 
     std::unique_ptr<LinearSolver> solver;
-    std::unique_ptr<History>      history, speed_history;
+    std::unique_ptr<History>      history, speed_history, path_history, limits_history;
     std::unique_ptr<Pictures>     pictures;
 
-    NewtonResult equilibrium(const Context &context, Newton &newton, State &state, const std::vector<double> &speeds) const;
+    NewtonResult
+    equilibrium(const Context &context, Newton &newton, State &state, const std::vector<double> &speeds) const;
     /** Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. */
     int  stability_sign(const Context &context, const State &state) const;
-    void record(Context &context, const State &state, double fraction, const NewtonResult &result);
+    void follow_load(Context &context);
+
+    /** @name Along the arc, in static_path.cc @{ */
+    void add_path_parameters(Parameters &prm);
+    void follow_path(Context &context);
+
+    PathPoint start_of_path(Context &context, ArcLength &method);
+
+    /** Tell and record the limit points and bifurcations between two points at the distance @p s. */
+    void
+    find_singular_points(Context &context, ArcLength &method, const PathPoint &from, const PathPoint &to, double s);
+
+    /** The end of the path lies between two points: @p to becomes it. Returns its distance. */
+    double find_end(Context &context, ArcLength &method, const PathPoint &from, PathPoint &to, double s);
+    /** @} */
+
+    void              record(Context &context, const State &state, double progress, const NewtonResult &result);
     [[noreturn]] void give_up(const Context &context, const NewtonResult &result, double fraction) const;
   };
 } // namespace samara

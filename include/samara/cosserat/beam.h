@@ -1,6 +1,7 @@
 #ifndef samara_cosserat_beam_h
 #define samara_cosserat_beam_h
 
+#include <samara/cosserat/beam_mesh.h>
 #include <samara/cosserat/cosserat.h>
 #include <samara/cosserat/curve.h>
 #include <samara/cosserat/initial_velocity.h>
@@ -13,7 +14,8 @@ namespace samara
    *
    * Section axes: d₁ tangent, d₂ d₃ across as "Axis 2" and "Twist" say. Strains Γ₁ axial, Γ₂ Γ₃ shear, K₁ twist, K₂ K₃
    * bending; a positive K₂ bends d₁ towards −d₃, a positive K₃ towards d₂. Order 2p in nodal displacements, rotations
-   * and frequencies for degree p with p Gauss points; no locking at any slenderness.
+   * and frequencies for degree p with p Gauss points; no locking at any slenderness. Elements of one beam may have
+   * different degrees; a mesh that meets an error is found by automatic_mesh.h.
    */
   class Beam : public Cosserat<1>
   {
@@ -41,20 +43,45 @@ namespace samara
       return curve->length();
     }
 
+    /** The wanted relative error of the strains if the mesh is to be found automatically; 0 if not, or if it has been.
+     */
+    double
+    wanted_error() const
+    {
+      return rigid || !mesh_texts.empty() ? 0. : elements_wish.error;
+    }
+
+    std::vector<MeshElement> mesh() const;
+
+    /**
+     * The strains @p e of this beam at its integration points as coefficients of Legendre polynomials, k = 0 ... p − 1,
+     * on each element: column k is √h Rᵀ a_k for e = Σ a_k L_k, L_k orthonormal on (0, 1), C = R Rᵀ the stiffness at
+     * the middle and h the length of the element, so that ∫ eᵀ C e is the sum of all squares [√J].
+     */
+    std::vector<Eigen::MatrixXd> legendre_coefficients(const double *e) const;
+
+    /**
+     * How far the interpolated reference triads are from the exact ones at the integration points of an element of the
+     * given @p degree between the relative abscissae @p start and @p end [rad].
+     */
+    double geometry_error(double start, double end, unsigned int degree) const;
+
   private:
     // entries
-    std::string                shape = "polyline";
-    std::vector<Vector3>       corner_points;
-    std::array<Expression, 3>  expressions;
-    Vector3                    axis_2 = Vector3::Zero();
-    Expression                 twist;
-    unsigned int               n_elements_wanted = 4, degree = 3;
-    std::string                section_name;
-    std::vector<std::string>   frame_names;
-    std::vector<double>        viscosity = {0}, damping_ratio = {0};
-    double                     damping_frequency = 0;
-    bool                       rigid             = false;
-    InitialVelocity            initial_velocity;
+    std::string               shape = "polyline";
+    std::vector<Vector3>      corner_points;
+    std::array<Expression, 3> expressions;
+    Vector3                   axis_2 = Vector3::Zero();
+    Expression                twist;
+    ElementsWish              elements_wish;
+    unsigned int              degree = 3;
+    std::vector<std::string>  mesh_texts;
+    std::string               section_name;
+    std::vector<std::string>  frame_names;
+    std::vector<double>       viscosity = {0}, damping_ratio = {0};
+    double                    damping_frequency = 0;
+    bool                      rigid             = false;
+    InitialVelocity           initial_velocity;
 
     std::unique_ptr<Curve> curve;
     const Section         *section = nullptr;
@@ -62,19 +89,23 @@ namespace samara
 
     struct Cell
     {
-      double start, end; ///< arc length [m]
+      double       start, end; ///< arc length [m]
+      unsigned int degree;
     };
-    std::vector<Cell>            cells;
-    std::vector<Frame>           node_frames;
-    std::vector<double>          node_abscissae;
+    std::vector<Cell>             cells;
+    std::vector<Frame>            node_frames;
+    std::vector<double>           node_abscissae;
     std::map<std::string, double> named; ///< arc length of named points
 
-    bool                find_curve();
-    std::vector<double> element_ends();
-    void                make_nodes_and_elements(const std::vector<double> &ends);
-    Material            material_at(double s) const;
-    Vector6             relaxation_times() const;
-    Matrix3             triad_at(double s, double inside) const;
+    bool                      find_curve();
+    std::vector<double>       find_breaks();
+    std::vector<double>       element_ends(const std::vector<double> &breaks) const;
+    bool                      take_mesh(const std::vector<double> &breaks);
+    void                      make_cells();
+    void                      make_nodes_and_elements();
+    Material                  material_at(double s) const;
+    Vector6                   relaxation_times() const;
+    Matrix3                   triad_at(double s, double inside) const;
     std::vector<unsigned int> materials_of_cell(const Cell &cell);
 
     /** Arc length of a named point or of "at x"; nothing if there is none. @throws std::invalid_argument if x is wrong

@@ -12,8 +12,8 @@ namespace samara
 {
   /**
    * Finite elements of a Cosserat continuum of dimension @p dim: a beam (1) or a shell (2). A position and a triad at
-   * every point, 6 dim strains, a 6×6 inertia. Energy ½ ∫ eᵀ C e with a symmetric positive definite C; inertia lumped at
-   * the nodes by the Gauss–Lobatto rule.
+   * every point, 6 dim strains, a 6×6 inertia. Energy ½ ∫ eᵀ C e with a symmetric positive definite C; inertia lumped
+   * at the nodes by the Gauss–Lobatto rule.
    *
    * A derived class (Beam) knows geometry and material: it fills @p table, the elements with add_element(), and that is
    * all; everything that is computed is here. Strains at a point are those of direction 1, then 2: for a beam
@@ -59,11 +59,6 @@ namespace samara
     {
       return is_rigid ? 0 : elements.size();
     }
-    unsigned int
-    n_points_per_element() const
-    {
-      return table->n_points;
-    }
 
   protected:
     /** Stiffness and viscosity (per rate of strain) of a point. */
@@ -73,11 +68,12 @@ namespace samara
     };
     std::vector<Material> materials;
 
+    /** Of the elements that are added next: elements of one body may have different degrees. */
     std::shared_ptr<const ElementTable<dim>> table;
 
     /**
-     * One more element on frames, one for each node of the table; @p material_of_point gives the index of a material for
-     * each integration point. Reference strains follow from the frames' places in the model.
+     * One more element on frames, one for each node of the table; @p material_of_point gives the index of a material
+     * for each integration point. Reference strains follow from the frames' places in the model.
      */
     void add_element(const Model                     &model,
                      const std::vector<Frame>        &frames,
@@ -92,6 +88,9 @@ namespace samara
       std::vector<Frame> frames;
       bool               all_nodes = true; ///< no frame is offset from its node
       Block              block;
+
+      std::shared_ptr<const ElementTable<dim>> table;
+      unsigned int                             first_point; ///< of integration, among those of the body
     };
     std::vector<Element> elements;
 
@@ -106,8 +105,8 @@ namespace samara
     /** Integration points of all elements, one after another. */
     struct IntegrationPoint
     {
-      double       weight; ///< [m] or [m²]
-      LocalMap     T;      ///< from derivatives by unit coordinates to derivatives by length in the local axes
+      double       weight;    ///< [m] or [m²]
+      LocalMap     T;         ///< from derivatives by unit coordinates to derivatives by length in the local axes
       VectorN      reference; ///< strain of the reference configuration
       unsigned int material;
     };
@@ -121,7 +120,8 @@ namespace samara
     template <typename Number>
     void to_tying(unsigned int element, const Number *stress, std::vector<Vec6<Number>> &tied) const;
 
-    /** Positions and triads of an element's nodes, and what is interpolated from them at the tying points, into scratch(). */
+    /** Positions and triads of an element's nodes, and what is interpolated from them at the tying points, into
+     * scratch(). */
     void interpolate_element(unsigned int element, const double *q) const;
 
     /** B of an element at its integration points from what is in scratch(), rows of 6 dim. */
@@ -131,18 +131,18 @@ namespace samara
     class StoredStrains;
 
     void add_material(unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const;
-    void add_geometric(const std::vector<Vec6<double>> &tied, Eigen::MatrixXd &K) const;
+    void add_geometric(unsigned int element, const std::vector<Vec6<double>> &tied, Eigen::MatrixXd &K) const;
 
     /** Work space of one element, kept so that the loop over elements allocates nothing. */
     struct Scratch
     {
-      std::vector<kernel::NodeValues<double>>  nodes;
-      std::vector<kernel::PointValues<double>> at;
-      std::vector<Vec6<double>>                tied;
-      std::vector<kernel::PointValues<double>> forces; // on the nodes
+      std::vector<kernel::NodeValues<double>>                                nodes;
+      std::vector<kernel::PointValues<double>>                               at;
+      std::vector<Vec6<double>>                                              tied;
+      std::vector<kernel::PointValues<double>>                               forces; // on the nodes
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> B_tied, B, CB;
       Eigen::MatrixXd                                                        K;
-      std::vector<Vector3>                     n, m; // sums over the points for pairs of nodes
+      std::vector<Vector3> n, m; // sums over the points for pairs of nodes
     };
     static Scratch &scratch();
   };

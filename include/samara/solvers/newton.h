@@ -42,9 +42,11 @@ namespace samara
     SparseMatrix       K;
     std::vector<double> stress, residual, step;
 
-    double size_of_step() const;
-    void   find_worst(NewtonResult &result) const;
+    void find_worst(NewtonResult &result) const;
   };
+
+  /** Largest displacement of a node in @p step, relative to @p length, or rotation; joint coordinates likewise. */
+  double size_of_step(const System &system, const std::vector<double> &step, double length);
 
   /** Diagonal of the box around the reference positions of all nodes; 1 for a single node at the origin. */
   double model_length(const Model &model);

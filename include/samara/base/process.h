@@ -1,0 +1,61 @@
+#ifndef samara_base_process_h
+#define samara_base_process_h
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  /**
+   * Another program that runs beside this one. It has a process group of its own: Ctrl-C on the terminal reaches only
+   * us, who then decide about it. It does not outlive us, nor the object.
+   */
+  class Process
+  {
+  public:
+    /**
+     * Start @p command, a program with its arguments; what it prints goes to two files. Throws a std::runtime_error if
+     * the system refuses; a program that cannot be executed ends at once with the exit code 127, as in a shell.
+     */
+    Process(const std::vector<std::string> &command, const std::string &output, const std::string &errors);
+
+    Process(const Process &)            = delete;
+    Process &operator=(const Process &) = delete;
+
+    /** Kills it if it still runs. */
+    ~Process();
+
+    /** Whether it has ended; does not wait. */
+    bool has_ended();
+
+    /** Send a signal, SIGTERM or SIGKILL, to it and to what it has started. */
+    void send(int signal) const;
+
+    /** Since it was started [s]. */
+    double seconds() const;
+
+    /** @name Once it has ended @{ */
+
+    /** What it returned; −1 if a signal ended it. */
+    int exit_code() const;
+
+    /** The signal that ended it; 0: none. */
+    int signal() const;
+
+    /** Time of all processors that it took, its own and that of the system on its behalf [s]. */
+    double cpu_seconds() const;
+    /** @} */
+
+  private:
+    pid_t                                 pid    = -1;
+    int                                   status = 0;
+    bool                                  ended  = false;
+    double                                cpu    = 0;
+    std::chrono::steady_clock::time_point start;
+  };
+} // namespace samara
+
+#endif

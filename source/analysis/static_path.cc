@@ -1,0 +1,200 @@
+#include <samara/analysis/static.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    // a step takes about as many iterations; its ends are no further than 25 degrees from its chord
+    constexpr double wanted_iterations = 5, smallest_cosine = 0.9;
+  } // namespace
+
+
+
+  void
+  StaticAnalysis::add_path_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add(
+      "Path",
+      path,
+      "What grows from step to step: the load, up to a limit point; or the arc length of the path of equilibria, with "
+      "the load factor as an unknown, through limit points.",
+      Selection("load|arc length"));
+    prm.add(
+      "Largest arc",
+      largest_arc,
+      "Longest step on a path by its arc length: root mean square, over the nodes, of displacements relative to the size "
+      "of the model and rotations [1].",
+      Double(0));
+    prm.add("Weight of the load",
+            load_weight,
+            "Of the load factor in the arc length; 0: displacements alone [1].",
+            Double(0));
+    prm.add("End load factor", end_factor, "A path by its arc length ends where the load factor has this value [1].");
+    prm.add("Passages", passages, "How often it has this value until the path ends.", Integer(1));
+    prm.add("Largest load factor",
+            largest_factor,
+            "A path ends, too, where the load factor is beyond, up or down [1].",
+            Double(0));
+    prm.add("Most steps", most_steps, "A path ends, too, after so many steps.", Integer(1));
+  }
+
+
+
+  PathPoint
+  StaticAnalysis::start_of_path(Context &context, ArcLength &method)
+  {
+    for (const double speed : context.speeds)
+      if (speed != 0.)
+        throw InputError(
+          "Path = arc length in subsection Static follows loads at rest; parts that rotate need Path = load");
+    PathPoint point;
+    point.state        = context.state;
+    point.state.time   = time;
+    point.state.held   = true;
+    point.state.factor = context.is_equilibrium ? context.state.factor : 0.;
+    Newton             newton(context.system, *solver, tolerance, max_iterations);
+    const NewtonResult result = newton.solve(point.state);
+    n_iterations += result.iterations;
+    if (!result.converged)
+      give_up(context, result, 0);
+    try
+      {
+        method.start(point);
+      }
+    catch (const SingularMatrix &singular)
+      {
+        NewtonResult free;
+        free.reason = "the tangent matrix is singular";
+        free.worst  = std::max(0, singular.unknown);
+        give_up(context, free, 0);
+      }
+    return point;
+  }
+
+
+
+  void
+  StaticAnalysis::follow_path(Context &context)
+  {
+    ArcLength    method(context.system, *solver, load_weight, tolerance, max_iterations);
+    PathPoint    here     = start_of_path(context, method), next;
+    const double shortest = smallest_step * largest_arc;
+    double       step = std::min(largest_arc, 1. / (initial_steps * std::abs(here.slope))), arc = 0;
+    unsigned int n_passed = 0;
+    context.state         = here.state;
+    // away from zero factor: towards the end that is asked for
+    if ((end_factor - here.state.factor) * here.slope < 0)
+      {
+        here.slope = -here.slope;
+        for (auto &t : here.tangent)
+          t = -t;
+      }
+
+    bool is_end = false;
+    while (!is_end)
+      {
+        if (n_steps == most_steps || std::abs(here.state.factor) > largest_factor)
+          {
+            context.log.warning("static",
+                                "the path has not come to load factor " + short_text(end_factor) + " but ends at " +
+                                  short_text(here.state.factor) + " after " + std::to_string(n_steps) +
+                                  " steps; what follows starts from there");
+            break;
+          }
+        NewtonResult result = method.step(here, step, next);
+        if (result.converged && next.cosine < smallest_cosine)
+          {
+            result.converged = false;
+            result.reason    = "the path turns too much, or this is another one";
+          }
+        // a limit point alone changes both signs; a bifurcation together with it hides in the determinant
+        if (result.converged && next.slope * here.slope < 0 && next.sign == here.sign && step > 100 * shortest)
+          {
+            result.converged = false;
+            result.reason    = "a limit point and a bifurcation are close together";
+          }
+        if (!result.converged)
+          {
+            step /= 2;
+            context.log.line("  arc of " + short_text(2 * step) + ": " + result.reason + "; trying " +
+                             short_text(step));
+            if (step < shortest)
+              give_up(context, result, here.state.factor);
+            continue;
+          }
+
+        double taken = step;
+        if ((next.state.factor - end_factor) * (here.state.factor - end_factor) <= 0 &&
+            here.state.factor != end_factor && ++n_passed == passages)
+          {
+            taken  = find_end(context, method, here, next, step);
+            is_end = true;
+          }
+        find_singular_points(context, method, here, next, taken);
+        ++n_steps;
+        arc += taken;
+        context.state     = next.state;
+        result.iterations = next.iterations;
+        record(context, next.state, arc, result);
+        if (path_history)
+          path_history->add({arc, next.state.factor, taken, double(next.iterations), double(next.sign)});
+        std::swap(here, next);
+        step = std::min(largest_arc, step * std::clamp(std::sqrt(wanted_iterations / result.iterations), 0.5, 2.));
+      }
+    n_iterations += method.n_iterations;
+  }
+
+
+
+  double
+  StaticAnalysis::find_end(Context &context, ArcLength &method, const PathPoint &from, PathPoint &to, const double s)
+  {
+    const auto   missing = [&](const PathPoint &p) { return p.state.factor - end_factor; };
+    const double before = missing(from), after = missing(to);
+    if (after == 0.)
+      return s;
+    const double taken = method.locate(from, s, before, after, 1e-9, missing, to);
+    Newton       newton(context.system, *solver, tolerance, max_iterations);
+    to.state.factor           = end_factor;
+    const NewtonResult result = taken < 0 ? NewtonResult() : newton.solve(to.state);
+    n_iterations += result.iterations;
+    if (!result.converged)
+      give_up(context, result, from.state.factor);
+    return taken;
+  }
+
+
+
+  void
+  StaticAnalysis::find_singular_points(Context         &context,
+                                       ArcLength       &method,
+                                       const PathPoint &from,
+                                       const PathPoint &to,
+                                       const double     s)
+  {
+    const bool is_limit = from.slope * to.slope < 0;
+    if (!is_limit && from.sign == to.sign)
+      return;
+    PathPoint    point;
+    const double at = is_limit ?
+                        method.locate(
+                          from, s, from.slope, to.slope, 1e-7, [](const PathPoint &p) { return p.slope; }, point) :
+                        method.locate_change_of_sign(from, s, 1e-5, point);
+    if (at < 0)
+      point = to; // passed, but not found more closely
+    singular_points.push_back({is_limit, point.state});
+    context.log.line(std::string("  static: ") + (is_limit ? "limit point" : "bifurcation") + " at load factor " +
+                     number_to_text(point.state.factor) + (at < 0 ? ", about" : ""));
+    if (limits_history)
+      {
+        std::vector<double> row = {is_limit ? 1. : 2., point.state.factor};
+        for (const auto &probe : context.probes)
+          row.push_back(probe.value(point.state));
+        limits_history->add(row);
+      }
+  }
+} // namespace samara

@@ -1,0 +1,124 @@
+#include <samara/base/process.h>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#ifdef __linux__
+#  include <sys/prctl.h>
+#endif
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    /** In the new process; only what is allowed between fork and exec. */
+    [[noreturn]] void
+    become(char *const *const command, const char *const output, const char *const errors)
+    {
+      setpgid(0, 0);
+#ifdef __linux__
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+      std::signal(SIGINT, SIG_DFL);
+      std::signal(SIGTERM, SIG_DFL);
+      const int in  = open("/dev/null", O_RDONLY);
+      const int out = open(output, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+      const int err = open(errors, O_WRONLY | O_CREAT | O_TRUNC, 0644);
+      if (in < 0 || out < 0 || err < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0)
+        _exit(126);
+      execv(command[0], command);
+      _exit(127);
+    }
+  } // namespace
+
+
+
+  Process::Process(const std::vector<std::string> &command, const std::string &output, const std::string &errors)
+    : start(std::chrono::steady_clock::now())
+  {
+    std::vector<char *> arguments;
+    for (const auto &argument : command)
+      arguments.push_back(const_cast<char *>(argument.c_str()));
+    arguments.push_back(nullptr);
+    pid = fork();
+    if (pid < 0)
+      throw std::runtime_error(std::string("cannot start another process: ") + std::strerror(errno));
+    if (pid == 0)
+      become(arguments.data(), output.c_str(), errors.c_str());
+    setpgid(pid, pid); // it does the same; whoever comes first
+  }
+
+
+
+  Process::~Process()
+  {
+    if (ended)
+      return;
+    kill(-pid, SIGKILL);
+    waitpid(pid, nullptr, 0);
+  }
+
+
+
+  bool
+  Process::has_ended()
+  {
+    if (ended)
+      return true;
+    rusage      usage  = {};
+    const pid_t result = wait4(pid, &status, WNOHANG, &usage);
+    if (result == 0 || (result < 0 && errno == EINTR))
+      return false;
+    ended                 = true;
+    const auto seconds_of = [](const timeval &t) { return t.tv_sec + 1e-6 * t.tv_usec; };
+    cpu                   = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+    return true;
+  }
+
+
+
+  void
+  Process::send(const int signal) const
+  {
+    if (!ended)
+      kill(-pid, signal);
+  }
+
+
+
+  double
+  Process::seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+
+
+  int
+  Process::exit_code() const
+  {
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+
+
+  int
+  Process::signal() const
+  {
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  }
+
+
+
+  double
+  Process::cpu_seconds() const
+  {
+    return cpu;
+  }
+} // namespace samara

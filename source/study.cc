@@ -1,0 +1,480 @@
+#include <samara/analysis/dynamic.h>
+#include <samara/analysis/modal.h>
+#include <samara/analysis/static.h>
+#include <samara/base/text.h>
+#include <samara/input.h>
+#include <samara/study.h>
+
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+namespace samara
+{
+  namespace
+  {
+    /** Whether @p piece begins a new override: has an "=" that is not one of ==, <=, >=, !=. */
+    bool
+    is_assignment(const std::string &piece)
+    {
+      for (auto i = piece.find('='); i != std::string::npos; i = piece.find('=', i + 1))
+        if (i > 0 && std::string("=<>!").find(piece[i - 1]) == std::string::npos && piece[i + 1] != '=')
+          return true;
+      return false;
+    }
+
+
+
+    /** "A/b = 1; C/d = 0, 0; 1, 0" are two overrides: a list of vectors goes on behind its semicolon. */
+    std::vector<std::string>
+    overrides_of(const std::string &text)
+    {
+      std::vector<std::string> result;
+      for (const auto &piece : split_top_level(text, ';'))
+        if (result.empty() || is_assignment(piece))
+          result.push_back(piece);
+        else
+          result.back() += "; " + piece;
+      return result;
+    }
+
+
+
+    std::string
+    last_step(const std::string &path)
+    {
+      const auto slash = path.rfind('/');
+      return trim(slash == std::string::npos ? path : path.substr(slash + 1));
+    }
+
+
+
+    /** A name that every file system takes. */
+    std::string
+    file_name(const std::string &text)
+    {
+      std::string result;
+      for (const char c : text)
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+')
+          result += c;
+        else if (!result.empty() && result.back() != '_')
+          result += '_';
+      return result;
+    }
+
+
+
+    /** The number at the start of "5 ms"; nan if there is none. */
+    double
+    leading_number(const std::string &text)
+    {
+      char        *end    = nullptr;
+      const double number = std::strtod(text.c_str(), &end);
+      return end == text.c_str() || *end == '/' || *end == '*' ? std::nan("") : number;
+    }
+
+
+
+    void
+    flatten(const Outline &outline, std::string &text)
+    {
+      for (const auto &entry : outline.entries)
+        text += entry.name + '=' + entry.value + '\n';
+      for (const auto &section : outline.sections)
+        {
+          text += section.name + "{\n";
+          flatten(section, text);
+          text += "}\n";
+        }
+    }
+
+
+
+    /** 64 bits of FNV-1a of all that the file says, with the overrides. */
+    std::string
+    fingerprint_of(const StudyMember &member)
+    {
+      Complaints  ignored;
+      Outline     outline = Outline::of_file(member.model, ignored);
+      std::string text;
+      flatten(outline, text);
+      for (const auto &override : member.override_texts())
+        text += override + '\n';
+      std::uint64_t hash = 14695981039346656037ull;
+      for (const unsigned char c : text)
+        hash = (hash ^ c) * 1099511628211ull;
+      char hexadecimal[17];
+      std::snprintf(hexadecimal, sizeof hexadecimal, "%016llx", static_cast<unsigned long long>(hash));
+      return hexadecimal;
+    }
+
+
+
+    bool
+    has_analysis(const Input &input, const std::string &kind)
+    {
+      for (const auto &analysis : input.analyses)
+        if ((kind == "static" && dynamic_cast<StaticAnalysis *>(analysis.get()) != nullptr) ||
+            (kind == "modal" && dynamic_cast<ModalAnalysis *>(analysis.get()) != nullptr) ||
+            (kind == "dynamic" && dynamic_cast<DynamicAnalysis *>(analysis.get()) != nullptr))
+          return true;
+      return false;
+    }
+
+
+
+    /** A file by its name relative to the study. */
+    std::string
+    beside(const std::string &study, const std::string &name)
+    {
+      return (std::filesystem::path(study).parent_path() / name).lexically_normal().string();
+    }
+  } // namespace
+
+
+
+  void
+  StudyMember::add_overrides(const std::vector<std::string> &texts, const std::string &where)
+  {
+    for (const auto &text : texts)
+      overrides.push_back({text, where, where});
+  }
+
+
+
+  std::vector<std::string>
+  StudyMember::override_texts() const
+  {
+    std::vector<std::string> texts;
+    for (const auto &override : overrides)
+      texts.push_back(override.text);
+    return texts;
+  }
+
+
+
+  double
+  StudyMember::refinement() const
+  {
+    return number > 0 ? number : result.unknowns;
+  }
+
+
+
+  void
+  StudyMethod::add_parameters(Parameters &prm)
+  {
+    prm.add("Overrides",
+            overrides,
+            "What this one has different from the model: Dynamic/Stages = 3; Dynamic/Step = 1e-3.");
+    prm.add("Vary",
+            vary,
+            "The entry that goes through the values, as after --set; several with ; between them go together. Default: "
+            "that of the study.");
+    prm.add("Values",
+            values,
+            "Its values with commas between them, towards the finest; lists of several entries with ; between them.");
+    prm.add("Model", model, "Another model than that of the study; relative to this file.");
+  }
+
+
+
+  bool
+  Study::is_study(const Outline &outline)
+  {
+    return outline.value("Analyses") == "study";
+  }
+
+
+
+  void
+  Study::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Quantity",
+            quantity_text,
+            "What is compared: static: PROBE, dynamic: PROBE, energy: COLUMN of the budget, modal: frequency 1.");
+    prm.add("Norm",
+            norm,
+            "Of a quantity that is recorded over time or load: its final value, the largest, or the root of the mean "
+            "square.",
+            Selection("final|largest|RMS"));
+    prm.add("Error", error_kind, "Relative to the reference, or absolute.", Selection("relative|absolute"));
+    prm.add(
+      "Reference",
+      reference,
+      "What it is compared with: a number; file.csv, or file.csv: COLUMN, relative to this file; or finest: the last "
+      "value of the first method, or of the last level, or the run of the next entry.");
+    prm.add("Reference overrides",
+            reference_overrides,
+            "A run beside the members that they are compared with: what it has different from the model.");
+    prm.add("Overrides", overrides, "What all members have different from the model, with ; between them.");
+    prm.add("Vary", vary, "The entry that goes through the values, where a method does not name its own.");
+    prm.add("Values", values, "Its values, where a method has none of its own.");
+    prm.add(
+      "Tolerance",
+      tolerance,
+      "The error that is good enough: the study says which level meets it at the least cost, and what it costs on "
+      "each; 0: it does not [1].",
+      Double(0));
+    prm.add("Cost",
+            cost,
+            "What a member costs: time of the processor, or a number that no machine changes.",
+            Selection("time|unknowns|steps|iterations"));
+    prm.add("Time limit", time_limit, "After which a member is given up; 0: never [s].", Double(0));
+  }
+
+
+
+  Study::Study(const std::string &file, const Outline &outline)
+    : file(file)
+    , settings("Study", "study")
+  {
+    Complaints       complaints;
+    const Quantities quantities;
+    std::string      analyses;
+    root.add("Title", title, "One line that says what the study is.");
+    root.add("Model", model, "The input file that is studied; relative to this file.");
+    root.add("Analyses", analyses, "study");
+    for (const auto *const name : {"Study", "Methods", "Levels"})
+      root.ignore_subsection(name);
+    root.parse(outline, quantities, complaints);
+    add_parameters(settings);
+    if (const auto *const section = outline.section("Study"))
+      settings.parse(*section, quantities, complaints);
+    else
+      complaints.add(file, "a study needs a subsection <Study> with a <Quantity>");
+    if (outline.section("Study") != nullptr && settings.require("Quantity", complaints))
+      try
+        {
+          quantity = StudyQuantity(quantity_text);
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complaints.add(settings.where("Quantity"), std::string("<Quantity>: ") + problem.what());
+        }
+    read_methods(outline, complaints);
+    complaints.throw_if_any();
+
+    for (unsigned int i = 0; i < methods.size(); ++i)
+      make_members(*methods[i], i, complaints);
+    add_reference(complaints);
+    complaints.throw_if_any();
+    name_folders();
+    check_members(complaints);
+    complaints.throw_if_any();
+  }
+
+
+
+  void
+  Study::read_methods(const Outline &outline, Complaints &complaints)
+  {
+    for (const std::string group : {"Methods", "Levels"})
+      if (const auto *const section = outline.section(group))
+        {
+          for (const auto &entry : section->entries)
+            complaints.add(entry.where, "<" + entry.name + "> stands outside of a named subsection of <" + group + ">");
+          for (const auto &object : section->sections)
+            {
+              auto method        = std::make_unique<StudyMethod>();
+              method->name       = object.name;
+              method->where      = object.where;
+              method->parameters = Parameters(object.name, group == "Levels" ? "level" : "method");
+              method->add_parameters(method->parameters);
+              method->parameters.parse(object, Quantities(), complaints);
+              methods.push_back(std::move(method));
+            }
+          is_ladder = is_ladder || group == "Levels";
+        }
+    if (methods.empty())
+      {
+        methods.push_back(std::make_unique<StudyMethod>());
+        methods[0]->name = "model";
+        methods[0]->add_parameters(methods[0]->parameters);
+      }
+    if (is_ladder && tolerance == 0)
+      complaints.add(settings.where("Tolerance"), "a study of <Levels> needs a <Tolerance> that a level can meet");
+  }
+
+
+
+  void
+  Study::make_members(const StudyMethod &method, const unsigned int index, Complaints &complaints)
+  {
+    StudyMember base;
+    base.method                  = index;
+    const std::string &own_model = method.model.empty() ? model : method.model;
+    const auto        &model_at  = method.model.empty() ? root.where("Model") : method.parameters.where("Model");
+    base.model                   = beside(file, own_model);
+    if (own_model.empty())
+      return complaints.add(root.where("Model"), "<Model> must be given: the input file that is studied");
+    if (!std::filesystem::is_regular_file(base.model))
+      return complaints.add(model_at, "<Model>: there is no file <" + base.model + ">");
+    base.add_overrides(quantity.overrides(), settings.where("Quantity"));
+    base.add_overrides(overrides_of(overrides), settings.where("Overrides"));
+    base.add_overrides(overrides_of(method.overrides), method.parameters.where("Overrides"));
+
+    const bool own_vary = !method.vary.empty(), own_values = !method.values.empty();
+    const auto names     = split_top_level(own_vary ? method.vary : vary, ';');
+    const auto lists     = split_top_level(own_values ? method.values : values, ';');
+    const auto vary_at   = own_vary ? method.parameters.where("Vary") : settings.where("Vary");
+    const auto values_at = own_values ? method.parameters.where("Values") : settings.where("Values");
+    if (names.empty() != lists.empty())
+      return complaints.add(names.empty() ? values_at : vary_at, "<Vary> and <Values> belong together: one is missing");
+    if (lists.size() > 1 && lists.size() != names.size())
+      return complaints.add(values_at,
+                            "<Values> has " + std::to_string(lists.size()) + " lists for " +
+                              std::to_string(names.size()) + " entries of <Vary>; give one for all, or one for each");
+    std::vector<std::vector<std::string>> columns;
+    for (const auto &list : lists)
+      {
+        columns.push_back(split_top_level(list, ','));
+        if (columns.back().size() != columns[0].size())
+          return complaints.add(values_at, "<Values>: the lists have different numbers of values");
+      }
+    for (unsigned int k = 0; k < (columns.empty() ? 1 : columns[0].size()); ++k)
+      {
+        StudyMember member = base;
+        for (unsigned int i = 0; i < names.size(); ++i)
+          member.overrides.push_back({names[i] + " = " + columns[columns.size() > 1 ? i : 0][k], vary_at, values_at});
+        if (!columns.empty())
+          {
+            member.value  = columns[0][k];
+            member.number = leading_number(member.value);
+            member.label  = last_step(names[0]) + " = " + member.value;
+          }
+        members.push_back(std::move(member));
+      }
+  }
+
+
+
+  void
+  Study::add_reference(Complaints &complaints)
+  {
+    const std::string where  = settings.where("Reference");
+    double            number = 0;
+    if (!reference_overrides.empty() && reference != "finest")
+      complaints.add(settings.where("Reference overrides"),
+                     "<Reference overrides> ask for a run to compare with, but <Reference> is <" + reference + ">");
+    else if (reference == "finest" && !reference_overrides.empty())
+      {
+        if (model.empty())
+          return complaints.add(settings.where("Reference overrides"),
+                                "<Reference overrides> need a <Model> of the study");
+        StudyMember member;
+        member.method = methods.size();
+        member.label  = "reference";
+        member.model  = beside(file, model);
+        member.add_overrides(quantity.overrides(), settings.where("Quantity"));
+        member.add_overrides(overrides_of(overrides), settings.where("Overrides"));
+        member.add_overrides(overrides_of(reference_overrides), settings.where("Reference overrides"));
+        reference_member = members.size();
+        members.push_back(std::move(member));
+      }
+    else if (reference == "finest")
+      {
+        // levels go from the coarsest to the finest, methods have no order
+        for (unsigned int i = 0; i < members.size(); ++i)
+          if (members[i].method == 0 || is_ladder)
+            reference_member = i;
+        if (members.size() == 1)
+          complaints.add(where, "there is one member only, and nothing to compare it with; give a <Reference>");
+      }
+    else if (!text_to_number(reference, number))
+      {
+        const auto colon = reference.find(':');
+        reference_file   = beside(file, trim(reference.substr(0, colon)));
+        reference_column = colon == std::string::npos ? quantity.name : trim(reference.substr(colon + 1));
+        try
+          {
+            if (!std::filesystem::is_regular_file(reference_file))
+              throw std::runtime_error("<" + reference + "> is not a number, and there is no file <" + reference_file +
+                                       ">; write a number, a file, or <finest>");
+            read_series(reference_file, reference_column);
+          }
+        catch (const std::runtime_error &problem)
+          {
+            complaints.add(where, std::string("<Reference>: ") + problem.what());
+          }
+      }
+  }
+
+
+
+  void
+  Study::name_folders()
+  {
+    std::set<std::string> taken;
+    for (auto &member : members)
+      {
+        const bool  is_extra = member.method == methods.size();
+        std::string name     = is_extra ? "reference" : file_name(methods[member.method]->name);
+        if (!member.value.empty())
+          name += "_" + file_name(member.value);
+        for (unsigned int i = 2; !taken.insert(name).second; ++i)
+          name += "_" + std::to_string(i);
+        member.folder = "members/" + name;
+      }
+  }
+
+
+
+  std::vector<std::string>
+  Study::faults_of(const StudyMember &member, const std::vector<std::string> &texts) const
+  {
+    try
+      {
+        Input        input(Catalogue(), member.model, texts);
+        const System system(input.model);
+        input.make_probes();
+        if (texts.size() == member.overrides.size() && !has_analysis(input, quantity.analysis()))
+          return {settings.where("Quantity") + ": <Quantity>: there is no " + quantity.analysis() +
+                  " analysis among the <Analyses> of " + member.model};
+      }
+    catch (const InputError &error)
+      {
+        return error.complaints;
+      }
+    return {};
+  }
+
+
+
+  void
+  Study::check_members(Complaints &complaints)
+  {
+    for (const auto &member : members)
+      {
+        const auto texts = member.override_texts();
+        for (const auto &fault : faults_of(member, texts))
+          {
+            const std::string sign = "--set: ";
+            if (fault.compare(0, sign.size(), sign) != 0)
+              {
+                complaints.add("", fault);
+                continue;
+              }
+            // whose fault it is shows when the overrides are given one after the other
+            unsigned int guilty = 0;
+            for (; guilty + 1 < texts.size(); ++guilty)
+              {
+                const auto faults = faults_of(member, {texts.begin(), texts.begin() + guilty + 1});
+                if (std::find(faults.begin(), faults.end(), fault) != faults.end())
+                  break;
+              }
+            const auto &override = member.overrides[guilty];
+            bool        is_name  = false;
+            for (const char *const sign_of_name :
+                 {"is not a parameter", "is not a subsection", "there is no subsection"})
+              is_name = is_name || fault.find(sign_of_name) != std::string::npos;
+            complaints.add(is_name ? override.where : override.where_value, fault.substr(sign.size()));
+          }
+      }
+    if (complaints.empty())
+      for (auto &member : members)
+        member.fingerprint = fingerprint_of(member);
+  }
+} // namespace samara
