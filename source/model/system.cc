@@ -133,6 +133,14 @@ namespace samara
         const Eigen::Map<const Vector6> y(&state.y[6 * node]);
         return gyroscopic_tangent(model.nodes[node].inertia, y) * ad(y);
       });
+    fix_dropped(K);
+  }
+
+
+
+  void
+  System::fix_dropped(SparseMatrix &K) const
+  {
     for (const auto i : dropped)
       {
         const int j = layout.of_multiplier(i);

@@ -2,16 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace samara
 {
+  namespace
+  {
+    /** Of @p all, the entries a saddle-point matrix has: 6×6 masses of nodes, coordinates, and constraints. */
+    std::pair<std::shared_ptr<const Pattern>, std::vector<int>>
+    entries_of_saddle(const Pattern &all, const Layout &layout)
+    {
+      const int        n_twists = layout.of_coordinate(0), n_kinematic = layout.of_multiplier(0);
+      auto             pattern = std::make_shared<Pattern>();
+      std::vector<int> kept;
+      pattern->column_start.push_back(0);
+      for (int j = 0; j < all.size(); ++j)
+        {
+          for (int k = all.column_start[j]; k < all.column_start[j + 1]; ++k)
+            {
+              const int  i       = all.rows[k];
+              const bool is_mass = i < n_twists && j < n_twists ? i / 6 == j / 6 : i == j;
+              if (is_mass || i >= n_kinematic || j >= n_kinematic)
+                {
+                  pattern->rows.push_back(i);
+                  kept.push_back(k);
+                }
+            }
+          pattern->column_start.push_back(pattern->rows.size());
+        }
+      return {pattern, kept};
+    }
+  } // namespace
+
+
+
   Projection::Projection(const System &system)
     : system(system)
-    , solver(make_klu(system.layout.pattern))
+    , K(system.layout.pattern)
     , M(system.layout.pattern)
-    , saddle(system.layout.pattern)
   {
     system.mass(M);
+    std::tie(pattern, kept) = entries_of_saddle(*system.layout.pattern, system.layout);
+    saddle                  = std::make_unique<SparseMatrix>(pattern);
+    solver                  = make_klu(pattern);
   }
 
 
@@ -19,15 +52,17 @@ namespace samara
   void
   Projection::factorize(const State &state)
   {
-    State free = state;
-    free.held  = false;
-    system.tangent(free, saddle);
+    Point<double> free = state.point();
+    free.held          = false;
+    K.clear();
+    for (const auto *c : system.layout.constraining)
+      c->tangent(free, K);
     const int n = system.layout.of_multiplier(0);
-    for (int j = 0; j < n; ++j)
-      for (int k = saddle.pattern->column_start[j]; k < saddle.pattern->column_start[j + 1]; ++k)
-        if (saddle.pattern->rows[k] < n)
-          saddle.values[k] = M.values[k];
-    solver->factorize(saddle);
+    for (int j = 0, k = 0; j < pattern->size(); ++j)
+      for (; k < pattern->column_start[j + 1]; ++k)
+        saddle->values[k] = (j < n && pattern->rows[k] < n ? M : K).values[kept[k]];
+    system.fix_dropped(*saddle);
+    solver->factorize(*saddle);
   }
 
 

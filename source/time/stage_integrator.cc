@@ -138,6 +138,9 @@ namespace samara
       }
     n_iterations += result.iterations;
     judge_factors(result.iterations);
+    // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
+    if (change_of_force > 1e-3)
+      factored_step = 0;
     if (!converged)
       {
         forget_history();
@@ -173,13 +176,8 @@ namespace samara
   StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
     const bool   is_fresh = n_steps_with_factors == 0;
-    double       last = 0, last_rate = 0, smallest = 1e300, last_force = 0, force_rate = 0;
+    double       last = 0, last_rate = 0, smallest = 1e300;
     unsigned int n_stagnant = 0;
-    // nothing moves where a fixed body is held: there, velocities do not tell whether forces converge
-    const auto forces_settled = [&]() {
-      const double rate = std::min(force_rate, 0.9);
-      return last_force * rate / (1 - rate) < std::sqrt(tolerance);
-    };
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
       {
         move_stages(state, h);
@@ -190,15 +188,10 @@ namespace samara
             const double rate  = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
             const double error = energy_error(h), scale = std::max(energy_scale, kinetic_energy);
             if (last * rate / (1 - rate) < tolerance && error < tolerance * scale)
-              {
-                if (forces_settled())
-                  return true;
-                if (iteration > 1 && force_rate > slow)
-                  return false;
-              }
+              return true;
             // what is left may be more than what was before, if factors are old: then it grows, slowly, from round-off
             if (n_stagnant > 2 && last < 1e-9)
-              return is_fresh || (error < 1e-12 * scale && largest_gap(h) < 1e-12 * length && forces_settled());
+              return is_fresh || (error < 1e-12 * scale && largest_gap(h) < 1e-12 * length);
           }
         const double size = solve(h);
         ++result.iterations;
@@ -215,8 +208,6 @@ namespace samara
         n_stagnant = size < 0.8 * smallest ? 0 : n_stagnant + 1;
         smallest   = std::min(smallest, size);
         last       = size;
-        force_rate = last_force > 0 ? change_of_force / last_force : 0.5;
-        last_force = change_of_force;
         if (iteration > 1 && rate > slow && size > 1e-8)
           {
             // too slow with this factorisation, unless little is missing

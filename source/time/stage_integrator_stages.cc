@@ -8,6 +8,34 @@ namespace samara
 {
   namespace
   {
+    /**
+     * Solve A X = B by elimination without pivoting, all in place; A has a dominant diagonal for steps that have a
+     * solution. False if a pivot is small all the same.
+     */
+    template <int n, int m>
+    bool
+    eliminate(double (&A)[n][n + m])
+    {
+      for (int i = 0; i < n; ++i)
+        {
+          if (!(std::abs(A[i][i]) > 0.1))
+            return false;
+          const double inverse = 1 / A[i][i];
+          for (int k = i + 1; k < n + m; ++k)
+            A[i][k] *= inverse;
+          for (int j = i + 1; j < n; ++j)
+            for (int k = i + 1; k < n + m; ++k)
+              A[j][k] -= A[j][i] * A[i][k];
+        }
+      for (int i = n - 1; i > 0; --i)
+        for (int j = 0; j < i; ++j)
+          for (int k = n; k < n + m; ++k)
+            A[j][k] -= A[j][i] * A[i][k];
+      return true;
+    }
+
+
+
     /** Stage triads: [D_1 … D_s] (I − h W) = [D_i … D_i], W with the blocks a_kl Ω~_l. */
     template <int s>
     void
@@ -22,18 +50,37 @@ namespace samara
         }
       else
         {
-          constexpr int               n = 3 * s;
-          Eigen::Matrix<double, n, n> A = Eigen::Matrix<double, n, n>::Identity();
-          Eigen::Matrix<double, n, 3> right;
+          // transposed: (−Ω~)ᵀ = Ω~
+          constexpr int n = 3 * s;
+          double        A[n][n + 3];
           for (int k = 0; k < s; ++k)
+            for (int l = 0; l < s; ++l)
+              {
+                const Matrix3 block = h * t.a(k, l) * skew(spin[l]);
+                for (int i = 0; i < 3; ++i)
+                  for (int j = 0; j < 3; ++j)
+                    A[3 * k + i][3 * l + j] = block(i, j) + (k == l && i == j);
+              }
+          for (int k = 0; k < s; ++k)
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j)
+                A[3 * k + i][n + j] = D_start(j, i);
+          Eigen::Matrix<double, n, n> copy;
+          for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+              copy(i, j) = A[i][j];
+          if (eliminate<n, 3>(A))
+            for (int k = 0; k < s; ++k)
+              for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                  D[k](j, i) = A[3 * k + i][n + j];
+          else
             {
-              right.template middleRows<3>(3 * k) = D_start.transpose();
-              for (int l = 0; l < s; ++l)
-                A.template block<3, 3>(3 * k, 3 * l) += h * t.a(k, l) * skew(spin[l]); // (−Ω~)ᵀ = Ω~
+              const Eigen::Matrix<double, n, 3> solution =
+                copy.partialPivLu().solve(D_start.transpose().template replicate<s, 1>().eval());
+              for (int k = 0; k < s; ++k)
+                D[k] = solution.template middleRows<3>(3 * k).transpose();
             }
-          const Eigen::Matrix<double, n, 3> solution = A.partialPivLu().solve(right);
-          for (int k = 0; k < s; ++k)
-            D[k] = solution.template middleRows<3>(3 * k).transpose();
         }
     }
   } // namespace

@@ -147,6 +147,9 @@ namespace samara
      */
     void drop(const std::vector<unsigned int> &multipliers);
 
+    /** Rows and columns of dropped multipliers in a matrix of constraints: those of the identity. */
+    void fix_dropped(SparseMatrix &K) const;
+
     /** Multipliers that only held the angles of steady rotations for statics: motion is free of them. */
     std::vector<unsigned int> released_multipliers() const;
 

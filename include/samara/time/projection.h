@@ -35,9 +35,12 @@ namespace samara
     void report(State &state);
 
   private:
-    const System                 &system;
-    std::unique_ptr<LinearSolver> solver;
-    SparseMatrix                  M, saddle;
+    const System                  &system;
+    SparseMatrix                   K, M;
+    std::shared_ptr<const Pattern> pattern; ///< of the saddle-point matrix
+    std::vector<int>               kept;    ///< its entries among those of K and M
+    std::unique_ptr<SparseMatrix>  saddle;
+    std::unique_ptr<LinearSolver>  solver;
 
     void                factorize(const State &state);
     double              project(State &state) const;
