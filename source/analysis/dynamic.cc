@@ -4,6 +4,7 @@
 #include <samara/output/checkpoint.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
+#include <samara/time/rivals.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -27,10 +28,17 @@ namespace samara
       Selection("fixed|adaptive"));
     prm.add("Tolerance",
             tolerance,
-            "Of adaptive steps: relative error of an oscillation over one period [1].",
+            "Of adaptive steps: relative error of an oscillation over one period; of BDF: relative tolerance [1].",
             Double(0, 1));
     prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
     prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
+    prm.add(
+      "Integrator",
+      integrator,
+      "family: the energy preserving and decaying schemes of this program; or one of the others, for comparison and "
+      "with fixed steps: generalised alpha on the nodal frames, the trapezoidal rule, the energy decaying scheme in "
+      "inertial velocities, or backward differentiation formulas of variable order and inner step (SUNDIALS).",
+      Selection("family|generalised alpha|trapezoidal|energy decaying|BDF index 2|BDF index 1"));
     prm.add(
       "Stages",
       n_stages,
@@ -347,6 +355,8 @@ namespace samara
   std::unique_ptr<Integrator>
   DynamicAnalysis::make_integrator(const System &system, const double tolerance) const
   {
+    if (integrator != "family")
+      return make_rival(integrator, system, {spectral_radius, tolerance, max_iterations, this->tolerance});
     return std::make_unique<StageIntegrator>(system, Tableau(n_stages, spectral_radius), tolerance, max_iterations);
   }
 
@@ -386,6 +396,12 @@ namespace samara
     if (!context.sweep.empty())
       throw InputError(parameters.where() +
                        ": a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
+
+    if (integrator != "family" && control == "adaptive")
+      throw InputError(parameters.where("Integrator") +
+                       ": <Step control = adaptive> judges steps by the energy that the "
+                       "integrator family dissipates; take fixed steps with the integrator <" +
+                       integrator + ">");
 
     const std::unique_ptr<Integrator> owner  = make_integrator(system, newton_tolerance),
                                       halves = make_integrator(system, newton_tolerance);

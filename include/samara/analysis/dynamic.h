@@ -63,7 +63,7 @@ namespace samara
     double start_time = 0, end_time = 1, step = 1e-3, tolerance = 1e-4, smallest_step = 1e-10, largest_step = 0,
            spectral_radius = 0.5, newton_tolerance = 1e-10, seconds_between_checkpoints = 60;
     unsigned int n_stages = 3, output_every = 1, n_pictures = 100, max_iterations = 50;
-    std::string  control = "fixed", inconsistent = "project";
+    std::string  control = "fixed", inconsistent = "project", integrator = "family";
     bool         second_estimate = false;
 
   private:

@@ -1,0 +1,255 @@
+#include <samara/solvers/newton.h>
+#include <samara/time/rival_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace rivals
+  {
+    void
+    move(State &state, const unsigned int node, const Vector6 &z)
+    {
+      const Vector3 v = z.head<3>(), w = z.tail<3>();
+      const double  angle = w.norm(), square = angle * angle;
+      const double  a = angle > 1e-3 ? (1 - std::cos(angle)) / square : 0.5 - square / 24,
+                   b  = angle > 1e-3 ? (angle - std::sin(angle)) / (square * angle) : 1. / 6 - square / 120;
+      Eigen::Map<Vector3> x(&state.q[12 * node]);
+      Eigen::Map<Matrix3> D(&state.q[12 * node + 3]);
+      x += D * (v + a * w.cross(v) + b * w.cross(w.cross(v)));
+      D = renormalised(D * rotation_of_vector(w));
+    }
+
+
+
+    Vector6
+    change_of_exponent(const Vector6 &z, const Vector6 &zeta)
+    {
+      // Bernoulli's numbers, 1, 1/2, 1/12
+      const Matrix6 A     = ad(z);
+      const Vector6 once  = A * zeta;
+      const Vector6 twice = A * once;
+      return zeta + 0.5 * once + twice / 12;
+    }
+
+
+
+    void
+    add_to_node(SparseMatrix &A, const Layout &layout, const unsigned int node, const Matrix6 &block)
+    {
+      const int first = layout.of_node(node);
+      for (int j = 0; j < 6; ++j)
+        {
+          const int position = A.pattern->position(first, first + j);
+          for (int i = 0; i < 6; ++i)
+            A.values[position + i] += block(i, j);
+        }
+    }
+
+
+
+    std::vector<double>
+    constraint_rates(const System &system, const State &state)
+    {
+      std::vector<double> rates(system.layout.n_multipliers, 0.);
+      for (const auto *c : system.layout.constraining)
+        c->constraint_rates(state.point(), rates.data());
+      for (const auto i : system.dropped_multipliers())
+        rates[i] = 0;
+      for (const auto i : system.released_multipliers())
+        rates[i] = 0;
+      return rates;
+    }
+
+
+
+    std::vector<bool>
+    active_multipliers(const System &system)
+    {
+      std::vector<bool> is_active(system.layout.n_multipliers, true);
+      for (const auto i : system.released_multipliers())
+        is_active[i] = false;
+      for (const auto i : system.dropped_multipliers())
+        is_active[i] = false;
+      return is_active;
+    }
+
+
+
+    std::vector<bool>
+    nonholonomic_multipliers(const System &system)
+    {
+      std::vector<bool> is_nonholonomic(system.layout.n_multipliers, false);
+      for (const auto i : system.layout.nonholonomic)
+        is_nonholonomic[i] = true;
+      return is_nonholonomic;
+    }
+
+
+
+    bool
+    is_corner(const System &system, const double time, const double width)
+    {
+      return std::any_of(system.model.contributions.begin(), system.model.contributions.end(), [&](const auto &c) {
+        return c->next_corner(time - width, time + width) < time + width;
+      });
+    }
+
+
+
+    Measure::Measure(const System &system)
+      : length(model_length(system.model))
+      , system(system)
+    {}
+
+
+
+    double
+    Measure::largest(const std::vector<double> &y, const std::vector<double> &rates) const
+    {
+      double size = 0;
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        {
+          const Eigen::Map<const Vector3> v(&y[6 * node]), w(&y[6 * node + 3]);
+          const double                    s = v.norm() / length + w.norm();
+          if (!std::isfinite(s))
+            return s;
+          size = std::max(size, s);
+        }
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        size = std::max(size, std::abs(rates[i]) / (system.model.coordinate_units[i] == "m" ? length : 1.));
+      return size;
+    }
+
+
+
+    namespace
+    {
+      /** The potential counts, not a quadrature, of what has one at this state. */
+      bool
+      has_potential(const Contribution &c, const State &state)
+      {
+        if (c.potential_energy(state.point()) != 0.)
+          return true;
+        State shifted = state; // a potential may happen to vanish here
+        for (unsigned int i = 0; i < shifted.q.size(); i += 12)
+          for (unsigned int j = 0; j < 3; ++j)
+            shifted.q[i + j] += 1. + j;
+        return c.potential_energy(shifted.point()) != 0.;
+      }
+
+      double
+      potential_energy(const System &system, const State &state)
+      {
+        double sum = 0;
+        for (const auto &c : system.model.contributions)
+          sum += c->potential_energy(state.point());
+        return sum;
+      }
+    } // namespace
+
+
+
+    Powers
+    powers(const System &system, const State &state)
+    {
+      const Layout             &layout = system.layout;
+      Powers                    result;
+      const std::vector<double> zeros(std::max(layout.n_strains, layout.n_multipliers), 0.);
+      std::vector<double>       force(system.size() + 6, 0.), rates(layout.n_strains), stress(layout.n_strains);
+      Point<double>             point = state.point();
+      point.multipliers               = zeros.data();
+      point.stress                    = zeros.data();
+      for (const auto &c : system.model.contributions)
+        {
+          if (c->has_loads() && !has_potential(*c, state))
+            c->residual(point, force.data());
+          if (c->has_damping())
+            {
+              c->strain_rates(state.point(), rates.data() + c->first_strain);
+              c->stresses(zeros.data(), rates.data() + c->first_strain, stress.data() + c->first_strain);
+              result.viscous += c->power(stress.data() + c->first_strain, rates.data() + c->first_strain);
+            }
+        }
+      for (unsigned int i = 0; i < 6 * (layout.n_nodes - 1); ++i)
+        result.loads -= force[i] * state.y[6 + i];
+      for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+        result.loads -= force[layout.of_coordinate(i)] * state.rates[i];
+
+      // a constraint does the work −λ·Gy = λ·∂g/∂t
+      const std::vector<bool> is_active = active_multipliers(system);
+      std::vector<double>     time_rates(layout.n_multipliers, 0.);
+      for (const auto *c : layout.constraining)
+        c->constraint_time_rates(state.point(), time_rates.data());
+      for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+        if (is_active[i])
+          result.drives += state.multipliers[i] * time_rates[i];
+      return result;
+    }
+
+
+
+    void
+    account(const System &system, const State &before, const State &after, const Powers &work, StepResult &result)
+    {
+      const auto start = system.energy(before), end = system.energy(after);
+      result.work_of_loads  = work.loads + potential_energy(system, before) - potential_energy(system, after);
+      result.work_of_drives = work.drives;
+      result.viscous_loss   = work.viscous;
+      result.dissipated     = start.kinetic + start.strain - end.kinetic - end.strain + result.work_of_loads +
+                          result.work_of_drives - result.viscous_loss;
+    }
+
+
+
+    void
+    account(const System &system, const State &before, const State &after, StepResult &result)
+    {
+      const double h = after.time - before.time;
+      const Powers a = powers(system, before), b = powers(system, after);
+      account(system,
+              before,
+              after,
+              {0.5 * h * (a.loads + b.loads), 0.5 * h * (a.drives + b.drives), 0.5 * h * (a.viscous + b.viscous)},
+              result);
+    }
+
+
+
+    namespace
+    {
+      std::shared_ptr<const Pattern>
+      doubled(const Pattern &single)
+      {
+        auto      pattern = std::make_shared<Pattern>();
+        const int n       = single.size();
+        pattern->column_start.push_back(0);
+        for (int j = 0; j < 2 * n; ++j)
+          {
+            for (int shift : {0, n})
+              for (int k = single.column_start[j % n]; k < single.column_start[j % n + 1]; ++k)
+                pattern->rows.push_back(single.rows[k] + shift);
+            pattern->column_start.push_back(pattern->rows.size());
+          }
+        return pattern;
+      }
+    } // namespace
+
+
+
+    PairMatrix::PairMatrix(const std::shared_ptr<const Pattern> &pattern)
+      : single(pattern)
+      , matrix(doubled(*pattern))
+      , solver(make_klu(matrix.pattern))
+    {}
+
+
+
+    void
+    PairMatrix::clear()
+    {
+      matrix.clear();
+    }
+  } // namespace rivals
+} // namespace samara
