@@ -3,6 +3,7 @@
 
 #include <samara/solvers/linear.h>
 #include <samara/time/integrator.h>
+#include <samara/time/projection.h>
 #include <samara/time/tableau.h>
 
 namespace samara
@@ -140,8 +141,12 @@ namespace samara
     double force_of(const Layout::Correction &correction, double h) const;
     double solve(double h);
     void   correct_stresses();
-    void   account(const State &state, double h, StepResult &result);
-    void   finish(State &state, double h);
+    /** Those of the state, made to obey the constraints. */
+    const std::vector<double>  &admissible_velocities(const State &state);
+    std::unique_ptr<Projection> projection; ///< for these
+    State                       admissible;
+    void                        account(const State &state, double h, StepResult &result);
+    void                        finish(State &state, double h);
   };
 } // namespace samara
 
