@@ -134,7 +134,8 @@ namespace samara
     void evaluate_constraints(const State &state, double h);
     /** Work that the residuals of the last evaluation would add to the energy. */
     double energy_error(double h) const;
-    double change_of_force = 0; ///< of multipliers by the last correction, relative to the largest
+    double change_of_force          = 0,
+           previous_change_of_force = 0; ///< of multipliers by corrections, relative to the largest
     /** Violation of constraints, at the end or by velocities over the step. */
     double largest_gap(double h) const;
     /** λ̄ ρ, the force of a correction per rate. */
