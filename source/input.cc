@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/input.h>
+#include <samara/solvers/linear.h>
 
 #include <algorithm>
 #include <cctype>
@@ -28,6 +29,10 @@ namespace samara
             redundant,
             "What to do with constraints that say what others say already.",
             dealii::Patterns::Selection("refuse|drop"));
+    prm.add("Linear solver",
+            linear_solver,
+            "Library that factorises matrices; KLU is the fastest for beams and mechanisms.",
+            dealii::Patterns::Selection("KLU|UMFPACK|MUMPS"));
     Parameters &output = prm.subsection("Output");
     output.add("Probes", probes, "Numbers to record: body.point.displacement y, joint.rotation, ...");
     output.add("Pictures", pictures, "Whether to write files for ParaView.");
@@ -119,6 +124,7 @@ namespace samara
       root.ignore_subsection(subsection_of_analysis(kind));
     root.parse(outline, quantities, complaints);
     drop_redundant = redundant == "drop";
+    use_library(library_by_name(linear_solver));
 
     read_objects(catalogue, outline, quantities, complaints);
     read_analyses(catalogue, outline, quantities, complaints);

@@ -42,7 +42,7 @@ namespace samara
     Parameters               root;
     std::vector<std::string> analysis_names;
     std::vector<std::string> subsections; ///< of each contribution: "Bodies", ...
-    std::string              redundant = "refuse";
+    std::string              redundant = "refuse", linear_solver = "KLU";
 
     void read_objects(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);
     void read_analyses(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);

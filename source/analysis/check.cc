@@ -21,6 +21,48 @@ namespace samara
       system.tangent(state, K);
       return K;
     }
+
+    /** Up to this many constraints dense elimination takes less than a second. */
+    constexpr int few_constraints = 300;
+
+    /** More free motions are not counted: the search works with as many full vectors. */
+    constexpr int most_free_motions = 32;
+
+    /**
+     * Whether sparse elimination of [I Gᵀ; G 0], the columns of Gᵀ normalised, finds no small pivot: then no constraint
+     * repeats others. The cost is proportional to the size, that of the dense search is cubic.
+     */
+    bool
+    is_certainly_independent(const System &system, SparseMatrix K)
+    {
+      const int           n = system.layout.of_multiplier(0);
+      const Pattern      &p = *K.pattern;
+      std::vector<double> scale(p.size(), 0.);
+      for (int j = n; j < p.size(); ++j)
+        {
+          for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+            scale[j] += p.rows[k] < n ? K.values[k] * K.values[k] : 0.;
+          if (!(scale[j] > 0))
+            return false;
+          scale[j] = 1 / std::sqrt(scale[j]);
+        }
+      for (int j = 0; j < p.size(); ++j)
+        for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+          {
+            const int i = p.rows[k];
+            K.values[k] = (i < n) != (j < n) ? K.values[k] * scale[std::max(i, j)] : i == j && i < n ? 1. : 0.;
+          }
+      try
+        {
+          const auto solver = make_solver(K.pattern, Library::klu);
+          solver->factorize(K);
+          return solver->reciprocal_condition() > 1e-8;
+        }
+      catch (const SingularMatrix &)
+        {
+          return false;
+        }
+    }
   } // namespace
 
 
@@ -29,10 +71,12 @@ namespace samara
   find_redundant(const System &system, ModelCheck &check)
   {
     const int n = system.layout.of_multiplier(0), m = system.layout.n_multipliers;
-    if (m == 0 || m > 2000)
+    if (m == 0)
       return;
-    const SparseMatrix K  = reference_tangent(system, true);
-    Eigen::MatrixXd    Gt = Eigen::MatrixXd::Zero(n, m);
+    const SparseMatrix K = reference_tangent(system, true);
+    if (m > few_constraints && (is_certainly_independent(system, K) || m > 2000))
+      return;
+    Eigen::MatrixXd Gt = Eigen::MatrixXd::Zero(n, m);
     for (int j = 0; j < m; ++j)
       {
         const int column = system.layout.of_multiplier(j);
@@ -95,7 +139,7 @@ namespace samara
             G_scale(j) += K.values[k] * K.values[k] / D(K.pattern->rows[k]);
         G_scale(j) = G_scale(j) > 0 ? 1. / std::sqrt(G_scale(j)) : 0.;
       }
-    const auto solver = make_klu(layout.pattern);
+    const auto solver = make_solver(layout.pattern);
     solver->factorize(K);
 
     // inverse iteration on a block of vectors; those that strain nothing stay, all others fade or are told by their energy
@@ -152,7 +196,8 @@ namespace samara
         for (int j = 0; j < block; ++j)
           if (strain_energy(Z.col(j)) < 1e-14 && std::abs(ritz.eigenvalues()(j)) < 1e-8)
             zero.push_back(j);
-        if (static_cast<int>(zero.size()) == block && block < n)
+        const bool are_all = static_cast<int>(zero.size()) < block || block == n;
+        if (!are_all && block < most_free_motions)
           continue;
 
         check.n_free_motions = zero.size();
@@ -171,6 +216,8 @@ namespace samara
                 text += (text.empty() ? "" : ", ") + sorted[k].second;
             check.free_motions.push_back(text);
           }
+        if (!are_all)
+          check.free_motions.push_back("others, which are not counted");
         return;
       }
   }

@@ -59,7 +59,7 @@ namespace samara
   void
   StaticAnalysis::start(Context &context)
   {
-    solver = make_klu(context.system.layout.pattern);
+    solver = make_solver(context.system.layout.pattern);
     if (context.folder.empty())
       return;
     history = std::make_unique<History>(context.folder, "static", columns_of(context, "load factor", "1"));

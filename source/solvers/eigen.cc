@@ -60,7 +60,7 @@ namespace samara
         , shift(shift)
         , M(M)
         , C(C)
-        , solver(make_klu(K.pattern))
+        , solver(make_solver(K.pattern))
         , b(K.pattern->size())
         , map(static_cast<int>(2 * n), 0, communicator)
       {

@@ -48,7 +48,7 @@ namespace samara
           small[i]         = 1e-7 * (diagonal > 0 ? diagonal : std::max(1e-6 * largest, 1.));
           diagonal += small[i];
         }
-      const auto solver = make_klu(system.layout.pattern);
+      const auto solver = make_solver(system.layout.pattern);
       solver->factorize(K);
 
       std::vector<double> held(system.size(), 0.), y(system.size(), 0.);

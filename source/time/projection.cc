@@ -44,7 +44,7 @@ namespace samara
     system.mass(M);
     std::tie(pattern, kept) = entries_of_saddle(*system.layout.pattern, system.layout);
     saddle                  = std::make_unique<SparseMatrix>(pattern);
-    solver                  = make_klu(pattern);
+    solver                  = make_solver(pattern);
   }
 
 

@@ -36,7 +36,7 @@ namespace samara
     , settings(settings)
     , measure(system)
     , projection(system)
-    , solver(make_klu(system.layout.pattern))
+    , solver(make_solver(system.layout.pattern))
     , M(system.layout.pattern)
     , C(system.layout.pattern)
     , K(system.layout.pattern)

@@ -241,7 +241,7 @@ namespace samara
     PairMatrix::PairMatrix(const std::shared_ptr<const Pattern> &pattern)
       : single(pattern)
       , matrix(doubled(*pattern))
-      , solver(make_klu(matrix.pattern))
+      , solver(make_solver(matrix.pattern))
     {}
 
 

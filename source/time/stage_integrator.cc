@@ -41,9 +41,9 @@ namespace samara
       {
         factors.emplace_back();
         if (eigenvalue.mu.imag() == 0.)
-          factors.back().real = make_klu(layout.pattern);
+          factors.back().real = make_solver(layout.pattern);
         else
-          factors.back().complex = make_complex_klu(layout.pattern);
+          factors.back().complex = make_complex_solver(layout.pattern);
       }
     const int n_kinematic = layout.of_multiplier(0);
     for (int j = 0; j < layout.pattern->size(); ++j)

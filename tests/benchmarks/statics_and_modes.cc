@@ -64,7 +64,7 @@ namespace
     report("  strain, stress and residual per quadrature point", 1e6 * t_r / n_points, "us");
     report("  tangent with assembly per quadrature point", 1e6 * t_K / n_points, "us");
     report("  together", 1e6 * (t_r + t_K) / n_points, "us", "<= 1 us");
-    const auto solver = make_klu(system.layout.pattern);
+    const auto solver = make_solver(system.layout.pattern);
     solver->factorize(K);
     report("  refactorisation (KLU)", 1e3 * median_time(20, [&]() { solver->factorize(K); }), "ms");
     std::vector<double> b(r);

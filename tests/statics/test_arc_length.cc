@@ -282,7 +282,7 @@ TEST(ArcLength, StepsHaveTheLengthThatIsAskedFor)
 {
   Scene         scene(lees_frame);
   const System &system = scene.system;
-  const auto    solver = make_klu(system.layout.pattern);
+  const auto    solver = make_solver(system.layout.pattern);
   ArcLength     method(system, *solver);
   PathPoint     from, to;
   from.state        = system.reference();

@@ -28,7 +28,7 @@ namespace
       state.factor = 0; // without the geometric stiffness of the loads
       SparseMatrix K(system.layout.pattern);
       system.tangent(state, K);
-      const auto solver = make_klu(system.layout.pattern);
+      const auto solver = make_solver(system.layout.pattern);
       solver->factorize(K);
       solver->solve(r.data());
       for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)

@@ -23,7 +23,7 @@ namespace samara
 
 
 
-  /** Solves A x = b for matrices of one pattern; what depends on the pattern alone is done once, in the constructor. */
+  /** Solves A x = b for matrices of one pattern; what depends on the pattern alone is done once. */
   class LinearSolver
   {
   public:
@@ -55,10 +55,30 @@ namespace samara
     virtual void solve(std::complex<double> *b) const                       = 0;
   };
 
-  std::unique_ptr<ComplexSolver> make_complex_klu(const std::shared_ptr<const Pattern> &pattern);
 
-  /** KLU of SuiteSparse: left-looking LU for matrices as sparse as those of chains of bodies. */
-  std::unique_ptr<LinearSolver> make_klu(const std::shared_ptr<const Pattern> &pattern);
+
+  /**
+   * The libraries to choose from. KLU of SuiteSparse: left-looking LU for matrices as sparse as those of chains of
+   * bodies. UMFPACK, of SuiteSparse too: fronts of dense matrices, for larger fill-in. MUMPS: a tree of such fronts.
+   */
+  enum class Library
+  {
+    klu,
+    umfpack,
+    mumps
+  };
+
+  /** The names users choose by: "KLU", "UMFPACK", "MUMPS". */
+  Library library_by_name(const std::string &name);
+
+  /** The library of all solvers that are made from now on; one for the whole process, which computes one model. */
+  void    use_library(Library library);
+  Library library_in_use();
+
+  std::unique_ptr<LinearSolver>  make_solver(const std::shared_ptr<const Pattern> &pattern,
+                                             Library                               library = library_in_use());
+  std::unique_ptr<ComplexSolver> make_complex_solver(const std::shared_ptr<const Pattern> &pattern,
+                                                     Library                               library = library_in_use());
 } // namespace samara
 
 #endif
