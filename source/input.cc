@@ -58,9 +58,9 @@ namespace samara
                 const auto *const type = object.entry("Type");
                 if (type == nullptr || type->where != of_override || !group.kinds.contains(type->value))
                   continue;
-                const auto contribution = group.kinds.make(type->value);
-                const auto is_unknown   = [&](const Outline &alone, const std::string &name, const std::string &what) {
+                const auto is_unknown = [&](const Outline &alone, const std::string &name, const std::string &what) {
                   Parameters parameters(object.name);
+                  const auto contribution = group.kinds.make(type->value);
                   contribution->add_parameters(parameters);
                   Complaints found;
                   parameters.parse(alone, Quantities(), found);

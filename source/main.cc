@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <iostream>
 
 #ifndef SAMARA_VERSION
@@ -19,14 +20,16 @@ main(int argc, char **argv)
   CLI::App        app{"Samara: flexible multibody dynamics. Usage: samara model.prm"};
   app.set_help_flag();
   app.add_option("model", options.model, "Input file");
-  app.add_option("--set", options.overrides, "Override an entry: \"Bodies/shaft 1/Degree = 4\"")->allow_extra_args(false);
+  app.add_option("--set", options.overrides, "Override an entry: \"Bodies/shaft 1/Degree = 4\"")
+    ->allow_extra_args(false);
   app.add_option("--output", options.output, "Folder of the results; default results/<name of the model>");
   app.add_flag("--check", options.check, "Read and assemble the model, say what it is, and stop");
   app.add_flag("--restart", options.restart, "Go on from the checkpoint in the folder of the results");
-  app.add_option("-j,--jobs", options.jobs, "Of a study: how many members run side by side")->check(CLI::Range(1, 1024));
+  app.add_option("-j,--jobs", options.jobs, "Of a study: how many members run side by side")
+    ->check(CLI::Range(1, 1024));
   app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
   app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
-  auto *const help    = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");
+  auto *const help = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");
   help->expected(0, 1);
   auto *const version = app.add_flag("--version", "Print the version");
   try
@@ -47,6 +50,7 @@ main(int argc, char **argv)
     {
       // one thread and no MPI, which would want to start a daemon and complains where it cannot
       dealii::MultithreadInfo::set_thread_limit(1);
+      std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
       samara::Log log(std::cout, options.quiet);
       samara::run(options, log);
       return samara::success;
@@ -65,6 +69,11 @@ main(int argc, char **argv)
     {
       std::cerr << stop.what() << '\n';
       return samara::interrupted;
+    }
+  catch (const samara::CannotWrite &error)
+    {
+      std::cerr << "samara: " << error.what() << '\n';
+      return samara::internal_error;
     }
   catch (const std::exception &error)
     {

@@ -254,6 +254,7 @@ namespace samara
     budget.viscous    = n.at("damper loss");
     budget.dissipated = n.at("numerical dissipation");
     budget.start      = n.at("energy at start");
+    n_rows            = n.at("rows");
     state             = checkpoint.state;
     if (control == "adaptive")
       stepper.next_step = checkpoint.step;
@@ -277,6 +278,7 @@ namespace samara
                               {"damper loss", budget.viscous},
                               {"numerical dissipation", budget.dissipated},
                               {"energy at start", budget.start},
+                              {"rows", n_rows},
                               {"reference energy", stepper.controller ? stepper.controller->E_ref : 0.}};
     samara::write_checkpoint(checkpoint_file(context), checkpoint);
   }
@@ -416,6 +418,7 @@ namespace samara
     report          = {};
     budget          = {};
     State state     = context.state;
+    n_rows          = 0;
     if (context.restart)
       restore(context, state, stepper);
     else
@@ -465,7 +468,7 @@ namespace samara
 
     if (!context.restart)
       record(context, state, projection, output);
-    unsigned long n_grid = std::lround((state.time - start_time) / step), n_factorizations = 0, n_rows = 0;
+    unsigned long n_grid = std::lround((state.time - start_time) / step), n_factorizations = 0;
     State         before;
     try
       {
@@ -510,7 +513,7 @@ namespace samara
               {
                 ++n_grid;
                 ++n_rows;
-                if (n_rows % output_every == 0 || state.time >= end_time - 1e-12 * (end_time - start_time))
+                if (std::lround(n_rows) % output_every == 0 || state.time >= end_time - 1e-12 * (end_time - start_time))
                   record(context, state, projection, output);
               }
             if (seconds_since(last_progress) > (context.log.is_terminal() ? 0.3 : 10.))

@@ -1,3 +1,4 @@
+#include <samara/base/errors.h>
 #include <samara/output/file.h>
 
 #include <fcntl.h>
@@ -18,7 +19,7 @@ namespace samara
     fail(const std::string &file, const int error)
     {
       const std::string reason = error != 0 ? ": " + std::generic_category().message(error) : "";
-      throw std::runtime_error("cannot write " + file + reason + ".");
+      throw CannotWrite("cannot write " + file + reason + ".");
     }
 
 

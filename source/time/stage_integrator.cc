@@ -139,7 +139,7 @@ namespace samara
     n_iterations += result.iterations;
     judge_factors(result.iterations);
     // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
-    if (change_of_force > 1e-3)
+    if (change_of_force > 1e-3 && change_of_force > 0.3 * previous_change_of_force)
       factored_step = 0;
     if (!converged)
       {
@@ -456,7 +456,8 @@ namespace samara
 
     // corrections are measured against the largest velocity, or one that would matter over the step
     double size = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
-    change_of_force = 0;
+    previous_change_of_force = change_of_force;
+    change_of_force          = 0;
     for (unsigned int k = 0; k < s; ++k)
       {
         Stage &stage = stages[k];

@@ -72,23 +72,52 @@ namespace samara
       }
 
     // D = h² α/(2(2s−1)) |Σ b p (ẏ, ė)|² in the norm of the energy
-    double                square  = 0;
     const Eigen::VectorXd weights = tableau.w.transpose() * tableau.b.cwiseProduct(tableau.p) / h;
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const Eigen::Map<const Vector6> y_start(&state.y[6 * node]);
-        Vector6                         v = Vector6::Zero();
-        for (unsigned int k = 0; k < s; ++k)
-          v += weights(k) * (Eigen::Map<const Vector6>(&stages[k].y[6 * node]) - y_start);
-        square += v.dot(system.model.nodes[node].inertia * v);
-      }
+    const auto            kinetic = [&](const std::vector<double> &start) {
+      double square = 0;
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        {
+          const Eigen::Map<const Vector6> y_start(&start[6 * node]);
+          Vector6                         v = Vector6::Zero();
+          for (unsigned int k = 0; k < s; ++k)
+            v += weights(k) * (Eigen::Map<const Vector6>(&stages[k].y[6 * node]) - y_start);
+          square += v.dot(system.model.nodes[node].inertia * v);
+        }
+      return square;
+    };
+    double square = 0;
     std::fill(strain_increment.begin(), strain_increment.end(), 0.);
     for (unsigned int k = 0; k < s; ++k)
       for (unsigned int i = 0; i < n_strains; ++i)
         strain_increment[i] += tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
     for (const auto &c : system.model.contributions)
       square += 2 * c->strain_energy(strain_increment.data() + c->first_strain);
-    result.indicator  = h * h / (2 * (2. * s - 1)) * square;
-    result.dissipated = tableau.alpha * result.indicator;
+    const double factor = h * h / (2 * (2. * s - 1)), raw = square + kinetic(state.y);
+    result.dissipated = tableau.alpha * factor * raw;
+    result.indicator  = factor * (wants_indicator ? square + kinetic(admissible_velocities(state)) : raw);
+  }
+
+
+
+  const std::vector<double> &
+  StageIntegrator::admissible_velocities(const State &state)
+  {
+    // The velocities at the end of a step violate constraints by O(h^s), those of stages do not: from one to the other
+    // is a jump, however small the step. It says nothing of its accuracy.
+    admissible = state;
+    if (system.layout.n_multipliers > 0)
+      {
+        if (!projection)
+          projection = std::make_unique<Projection>(system);
+        try
+          {
+            projection->velocities(admissible);
+          }
+        catch (const SingularMatrix &)
+          {
+            // something without mass moves freely: left as it is
+          }
+      }
+    return admissible.y;
   }
 } // namespace samara

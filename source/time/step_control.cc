@@ -116,11 +116,13 @@ namespace samara
   StepController::decide(const double indicator, const double h)
   {
     // nothing dissipated: nothing to resolve, whatever the reference
-    const double zeta  = indicator == 0 ? 0. : indicator / E_ref;
-    const double ratio = std::clamp(settings.safety * std::sqrt(Y_target / relation.inverse(zeta)),
+    const double zeta   = indicator == 0 ? 0. : indicator / E_ref;
+    const double wanted = settings.safety * std::sqrt(Y_target / relation.inverse(zeta));
+    const double ratio  = std::clamp(wanted,
                                     settings.least_ratio,
-                                    hold > 0 ? 1. : settings.largest_ratio);
-    const bool   good  = zeta <= settings.reject_factor * zeta_target;
+                                    hold > 0 ? 1. : std::min(settings.largest_ratio, 1.2 * std::max(1., last_ratio)));
+    last_ratio          = wanted;
+    const bool good     = zeta <= settings.reject_factor * zeta_target;
 
     Decision decision;
     decision.accept = good || h <= settings.smallest_step;

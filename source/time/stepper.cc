@@ -27,6 +27,7 @@ namespace samara
       throw InputError(
         "steps are adapted by the energy that the integrator family dissipates; other integrators have none");
     controller.emplace(*integrator.family(), settings);
+    integrator.wants_indicator = true;
   }
 
 

@@ -132,3 +132,14 @@ TEST(Input, AnalysesInTheOrderOfTheFile)
   EXPECT_NE(dynamic_cast<ModalAnalysis *>(scene.input.analyses[0].get()), nullptr);
   EXPECT_NE(dynamic_cast<StaticAnalysis *>(scene.input.analyses[1].get()), nullptr);
 }
+
+
+
+// An override of the kind of a joint: what the file says of the motions that the new kind has, too, is kept.
+TEST(Input, OverrideOfTheKindOfAJoint)
+{
+  const Scene scene("prm/benchmarks/dynamics/simple_pendulum.prm",
+                    {"Joints/hinge/rotation/Damper = 0.5", "Joints/hinge/Type = cylindrical"});
+  EXPECT_NE(used(scene).find("set Type = cylindrical"), std::string::npos);
+  EXPECT_NE(used(scene).find("Damper = 0.5"), std::string::npos);
+}

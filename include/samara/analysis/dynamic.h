@@ -68,6 +68,7 @@ namespace samara
 
   private:
     struct Output;
+    double n_rows = 0; ///< steps on the grid since the start; of each of <Output every> a row is written
 
     std::unique_ptr<Integrator> make_integrator(const System &system, double tolerance) const;
     void                        prepare(Context &context, State &state) const;

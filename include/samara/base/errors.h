@@ -43,6 +43,15 @@ namespace samara
 
 
 
+  /** A file of the results cannot be written: a full disk, a folder of somebody else. */
+  class CannotWrite : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+
+
   /** Collects what is wrong with the input in the order in which it was found. */
   class Complaints
   {

@@ -44,7 +44,11 @@ namespace samara
     Vec6<Number>
     twist(const Number *y) const
     {
-      return twist_transfer(arm, rotation) * Eigen::Map<const Vec6<Number>>(y + 6 * node);
+      const Eigen::Map<const Vec3<Number>> v(y + 6 * node), w(y + 6 * node + 3);
+      const Vec3<Number>                   r = arm.template cast<Number>();
+      Vec6<Number>                         result;
+      result << rotation.transpose() * (v + cross(Vec3<Number>(w), r)), rotation.transpose() * w;
+      return result;
     }
 
     /** A frame at @p r with axes @p Q, both seen in this frame. */

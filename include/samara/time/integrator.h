@@ -10,10 +10,10 @@ namespace samara
   /** What a step did. Energies in J over the step. */
   struct StepResult
   {
-    bool         converged     = false;
-    unsigned int iterations    = 0;
-    double       dissipated    = 0; ///< numerically, D ≥ 0
-    double       indicator     = 0; ///< D/α, also for α = 0: how much there would be to dissipate
+    bool         converged  = false;
+    unsigned int iterations = 0;
+    double       dissipated = 0; ///< numerically, D ≥ 0
+    double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate; see wants_indicator
     double       work_of_loads = 0, viscous_loss = 0;
     double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
     double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
@@ -47,6 +47,10 @@ namespace samara
     {
       return nullptr;
     }
+
+    /** Whether StepResult::indicator decides on something: then velocities at the start are made to obey constraints
+     * for it. */
+    bool wants_indicator = false;
 
     unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0; ///< for reports
   };

@@ -3,6 +3,7 @@
 
 #include <samara/solvers/linear.h>
 #include <samara/time/integrator.h>
+#include <samara/time/projection.h>
 #include <samara/time/tableau.h>
 
 namespace samara
@@ -133,15 +134,20 @@ namespace samara
     void evaluate_constraints(const State &state, double h);
     /** Work that the residuals of the last evaluation would add to the energy. */
     double energy_error(double h) const;
-    double change_of_force = 0; ///< of multipliers by the last correction, relative to the largest
+    double change_of_force          = 0,
+           previous_change_of_force = 0; ///< of multipliers by corrections, relative to the largest
     /** Violation of constraints, at the end or by velocities over the step. */
     double largest_gap(double h) const;
     /** λ̄ ρ, the force of a correction per rate. */
     double force_of(const Layout::Correction &correction, double h) const;
     double solve(double h);
     void   correct_stresses();
-    void   account(const State &state, double h, StepResult &result);
-    void   finish(State &state, double h);
+    /** Those of the state, made to obey the constraints. */
+    const std::vector<double>  &admissible_velocities(const State &state);
+    std::unique_ptr<Projection> projection; ///< for these
+    State                       admissible;
+    void                        account(const State &state, double h, StepResult &result);
+    void                        finish(State &state, double h);
   };
 } // namespace samara
 

@@ -103,8 +103,9 @@ namespace samara
      * @param indicator D/α = h²/(2(2s−1)) |Σ b_k p_k F_k|², which is there for α = 0, too.
      * @param h         the step that was made. After one cut short to meet a time, go on with the step proposed before.
      *
-     * The step after a rejection is not made longer, nor are `patience` steps after a failure. At the smallest step
-     * everything is accepted.
+     * A step in which an oscillation turns around has an indicator near zero: it alone makes the next one longer by a
+     * fifth at most. The step after a rejection is not made longer, nor are `patience` steps after a failure. At the
+     * smallest step everything is accepted.
      */
     Decision decide(double indicator, double h);
 
@@ -124,7 +125,8 @@ namespace samara
 
   private:
     const Settings settings;
-    unsigned int   hold = 0; ///< for so many steps no growth
+    unsigned int   hold = 0;                                       ///< for so many steps no growth
+    double last_ratio   = std::numeric_limits<double>::infinity(); ///< of the step the last one asked for to itself
   };
 } // namespace samara
 
