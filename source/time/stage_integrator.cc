@@ -141,17 +141,35 @@ namespace samara
     // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
     if (change_of_force > 1e-3 && change_of_force > 0.3 * previous_change_of_force)
       factored_step = 0;
+    if (converged)
+      {
+        account(state, h, result);
+        converged = has_sources(result, h);
+      }
     if (!converged)
       {
         forget_history();
         return result;
       }
     result.converged = true;
-    account(state, h, result);
     remember(state, h);
     finish(state, h);
     ++n_steps;
     return result;
+  }
+
+
+
+  bool
+  StageIntegrator::has_sources(const StepResult &result, const double h) const
+  {
+    // what moves by a thousandth of the model a step is round-off of something at rest
+    double mass = 0;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      mass += system.model.nodes[node].inertia(0, 0);
+    const double nothing = 0.5 * mass * std::pow(1e-3 * length / h, 2);
+    return kinetic_energy <
+           10 * (energy_scale + std::abs(result.work_of_loads) + std::abs(result.work_of_drives)) + nothing;
   }
 
 
@@ -187,7 +205,8 @@ namespace samara
           {
             const double rate  = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
             const double error = energy_error(h), scale = std::max(energy_scale, kinetic_energy);
-            if (last * rate / (1 - rate) < tolerance && error < tolerance * scale)
+            if (last * rate / (1 - rate) < tolerance && error < tolerance * scale &&
+                largest_gap(h) < std::max(1e-9, 10 * tolerance) * length)
               return true;
             // what is left may be more than what was before, if factors are old: then it grows, slowly, from round-off
             if (n_stagnant > 2 && last < 1e-9)

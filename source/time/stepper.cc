@@ -1,4 +1,5 @@
 #include <samara/base/errors.h>
+#include <samara/solvers/linear.h>
 #include <samara/time/stepper.h>
 
 #include <algorithm>
@@ -85,7 +86,15 @@ namespace samara
   Stepper::attempt(const State &state, double &h, Advance &result)
   {
     trial       = state;
-    result.step = integrator.step(trial, h);
+    result.step = {};
+    try
+      {
+        result.step = integrator.step(trial, h);
+      }
+    catch (const SingularMatrix &)
+      {
+        // gone astray: no solution
+      }
     if (result.step.converged)
       return true;
     ++result.n_failed;
@@ -228,10 +237,15 @@ namespace samara
         switch_values(trial, end_values);
         find_event(state, h, result);
         // leaving the wrong way right at the start: the switch was set by round-off
-        for (unsigned int i = 0; i < end_values.size() && result.n_events == 0 && n_changes_here < 3; ++i)
-          if (!agrees(i, end_values, state) && starts_wrong(i, state))
+        for (unsigned int i = 0;
+             i < end_values.size() && result.n_events == 0 && h / 2 > smallest_step && n_changes_here < 40;
+             ++i)
+          if (!agrees(i, end_values, state) && std::abs(end_values[i]) > 1e-9 && starts_wrong(i, state))
             {
+              // or neither way is right, for a contact that begins here is over at the end: then half the step
               state.switches[i] = !state.switches[i];
+              if (n_changes_here > 0)
+                next_step = n_changes_here % 2 == 1 ? h / 2 : h;
               ++n_changes_here;
               integrator.step_back();
               const Advance again = advance(state, end);

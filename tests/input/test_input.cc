@@ -138,8 +138,7 @@ TEST(Input, AnalysesInTheOrderOfTheFile)
 // An override of the kind of a joint: what the file says of the motions that the new kind has, too, is kept.
 TEST(Input, OverrideOfTheKindOfAJoint)
 {
-  const Scene scene("prm/benchmarks/dynamics/simple_pendulum.prm",
-                    {"Joints/hinge/rotation/Damper = 0.5", "Joints/hinge/Type = cylindrical"});
+  const Scene scene("prm/benchmarks/swept_tip_dynamics.prm", {"Joints/root/Type = cylindrical"});
   EXPECT_NE(used(scene).find("set Type = cylindrical"), std::string::npos);
-  EXPECT_NE(used(scene).find("Damper = 0.5"), std::string::npos);
+  EXPECT_NE(used(scene).find("set Prescribed = 78.5"), std::string::npos);
 }

@@ -142,6 +142,11 @@ namespace samara
     double force_of(const Layout::Correction &correction, double h) const;
     double solve(double h);
     void   correct_stresses();
+    /**
+     * Whether the kinetic energy comes from somewhere. In singular positions, all equations are satisfied by velocities
+     * as large as one likes: no solution, whatever Newton's method says.
+     */
+    bool has_sources(const StepResult &result, double h) const;
     /** Those of the state, made to obey the constraints. */
     const std::vector<double>  &admissible_velocities(const State &state);
     std::unique_ptr<Projection> projection; ///< for these
