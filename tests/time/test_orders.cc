@@ -2,7 +2,7 @@
 // section forces as they are reported; momentum and moment of momentum of what nothing acts on.
 //
 // Reference: the scheme itself with s = 3, ρ∞ = 1 and 128 steps, compared at four times. Of the orders from one step
-// size to half of it, as far as round-off lets them be seen, the best is within 0.15 (order 6: 0.2), and none is
+// size to half of it, as far as round-off lets them be seen, the best is within 0.15, and none is
 // much less than it should be: where the leading term is not yet all there is, orders may be higher, or lower by the
 // next term. (With ρ∞ = 0.2 instead of ½ that is the case earlier.)
 
@@ -55,20 +55,16 @@ namespace
     for (const double order : o)
       if (std::abs(order - expected) < std::abs(nearest - expected))
         nearest = order;
-    EXPECT_NEAR(nearest, expected, expected < 6 ? 0.15 : 0.2) << errors[0] << ", " << errors[1];
+    EXPECT_NEAR(nearest, expected, 0.15) << errors[0] << ", " << errors[1];
     for (const double order : orders(errors, 20 * floor))
-      EXPECT_GT(order, expected - 0.6);
+      EXPECT_GT(order, expected - 1);
   }
 
   /** What is reported: places, projected velocities, reactions, section forces, each at T/4, T/2, 3T/4 and T. */
   using Report = std::map<std::string, std::vector<double>>;
 
   Report
-  reported(const MovingSystem &what,
-           const System       &system,
-           const State        &start,
-           const Tableau      &tableau,
-           const unsigned int  n)
+  reported(const System &system, const State &start, const Tableau &tableau, const unsigned int n, const double T)
   {
     StageIntegrator integrator(system, tableau, 1e-14);
     Projection      projection(system);
@@ -76,7 +72,7 @@ namespace
     Report          report;
     for (unsigned int i = 0; i < 4; ++i)
       {
-        const Record r = run(system, state, integrator, what.T / n, n / 4, true);
+        const Record r = run(system, state, integrator, T / n, n / 4, true);
         EXPECT_EQ(r.n_steps, n / 4);
         state     = r.state;
         State end = state;
@@ -98,14 +94,19 @@ TEST(Orders, OfWhatIsReported)
   for_all_systems([&](const MovingSystem &what, const System &system, const State &start) {
     if (what.T == 0)
       return;
-    const Report exact = reported(what, system, start, Tableau(3, 1.), 128);
+    // the same error a little later is farther above round-off
+    const double later    = what.name.find("crank") == 0 ? 1.5 * what.T : what.T;
+    const Report at_T     = reported(system, start, Tableau(3, 1.), 128, what.T),
+                 at_later = reported(system, start, Tableau(3, 1.), 128, later);
     for (const unsigned int s : {1, 2, 3})
       for (const double rho : {1., 0.2, 0.})
         {
           const Tableau                              tableau(s, rho);
+          const bool                                 is_later = order_of(tableau) == 6;
+          const Report                              &exact    = is_later ? at_later : at_T;
           std::map<std::string, std::vector<double>> errors;
           for (const unsigned int n : numbers_of_steps(tableau))
-            for (const auto &[name, values] : reported(what, system, start, tableau, n))
+            for (const auto &[name, values] : reported(system, start, tableau, n, is_later ? later : what.T))
               errors[name].push_back(distance(values, exact.at(name)));
           for (const auto &[name, e] : errors)
             {
