@@ -102,7 +102,8 @@ namespace samara
     StepResult result;
     state.held = false;
     system.strains(state, e_start);
-    energy_scale = system.energy(state).kinetic + system.energy(state).strain;
+    const auto energy = system.energy(state);
+    energy_scale      = energy.kinetic + energy.strain;
     predict(state, h);
     bool converged = false;
     if (frozen.switches != state.switches)
@@ -163,13 +164,14 @@ namespace samara
   bool
   StageIntegrator::has_sources(const StepResult &result, const double h) const
   {
+    const double sources = 10 * (energy_scale + std::abs(result.work_of_loads) + std::abs(result.work_of_drives));
+    if (kinetic_energy < sources)
+      return true;
     // what moves by a thousandth of the model a step is round-off of something at rest
     double mass = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       mass += system.model.nodes[node].inertia(0, 0);
-    const double nothing = 0.5 * mass * std::pow(1e-3 * length / h, 2);
-    return kinetic_energy <
-           10 * (energy_scale + std::abs(result.work_of_loads) + std::abs(result.work_of_drives)) + nothing;
+    return kinetic_energy < sources + 0.5 * mass * std::pow(1e-3 * length / h, 2);
   }
 
 
@@ -354,198 +356,6 @@ namespace samara
       }
     previous_step = h;
     offset        = 1;
-  }
-
-
-
-  void
-  StageIntegrator::freeze(const State &state, const double h)
-  {
-    // the mean of the stages; places and triads half a step after the start
-    frozen      = state;
-    frozen.time = state.time + 0.5 * h;
-    for (auto *const values : {&frozen.y, &frozen.rates, &frozen.multipliers, &frozen.stress})
-      std::fill(values->begin(), values->end(), 0.);
-    const auto add = [](const double b, const std::vector<double> &from, std::vector<double> &to) {
-      for (unsigned int i = 0; i < to.size(); ++i)
-        to[i] += b * from[i];
-    };
-    for (unsigned int k = 0; k < tableau.s; ++k)
-      {
-        add(tableau.b(k), stages[k].y, frozen.y);
-        add(tableau.b(k), stages[k].rates, frozen.rates);
-        add(tableau.b(k), stages[k].multipliers, frozen.multipliers);
-        add(tableau.b(k), stages[k].stress, frozen.stress);
-      }
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), spin(&frozen.y[6 * node + 3]);
-        Eigen::Map<Matrix3>             D(&frozen.q[12 * node + 3]);
-        const Vector3                   half_turn = 0.5 * h * spin;
-        Eigen::Map<Vector3>(&frozen.q[12 * node]) += 0.5 * h * (D * cayley<double>(0.5 * half_turn) * v);
-        D = (D * cayley<double>(half_turn)).eval();
-      }
-    add(0.5 * h, frozen.rates, frozen.coordinates);
-  }
-
-
-
-  void
-  StageIntegrator::factorize(const double h)
-  {
-    system.damping(frozen, C);
-    system.tangent(frozen, K);
-    Point<double> point = frozen.point();
-    point.multipliers   = no_multipliers.data();
-    for (const auto &strains : frozen_strains)
-      if (strains)
-        strains->renew(point);
-    const unsigned int n = K.values.size() - 1;
-    matrix.resize(n);
-    for (unsigned int j = 0; j < factors.size(); ++j)
-      {
-        const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
-        ++n_factorizations;
-        if (factors[j].real)
-          {
-            const double hr = hm.real();
-            for (unsigned int i = 0; i < n; ++i)
-              real_matrix.values[i] =
-                is_constraint_entry[i] ? K.values[i] : M.values[i] + hr * (C.values[i] + hr * K.values[i]);
-            factors[j].real->factorize(real_matrix);
-          }
-        else
-          {
-            for (unsigned int i = 0; i < n; ++i)
-              matrix[i] = is_constraint_entry[i] ? K.values[i] : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
-            factors[j].complex->factorize(matrix);
-          }
-      }
-    factored_step        = h;
-    n_steps_with_factors = 0;
-    extra_iterations     = 0;
-  }
-
-
-
-  double
-  StageIntegrator::solve(const double h)
-  {
-    const Layout      &layout = system.layout;
-    const unsigned int n = system.size(), n_kinematic = layout.of_multiplier(0), s = tableau.s;
-    for (unsigned int k = 0; k < s; ++k)
-      for (auto *const increments : {&dy[k], &dz[k], &dz_rate[k]})
-        std::fill(increments->begin(), increments->end(), 0.);
-
-    for (unsigned int j = 0; j < factors.size(); ++j)
-      {
-        const auto                &eigenvalue = tableau.eigenvalues[j];
-        const std::complex<double> hm         = h * eigenvalue.mu;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            std::complex<double> r = 0;
-            for (unsigned int k = 0; k < s; ++k)
-              r += eigenvalue.left(k) * stages[k].residual[i];
-            x[i] = i < n_kinematic ? -hm * hm * r : -hm * r;
-          }
-        if (factors[j].real)
-          {
-            for (unsigned int i = 0; i < n; ++i)
-              x_real[i] = x[i].real();
-            factors[j].real->solve(x_real.data());
-            std::copy(x_real.begin(), x_real.end(), x.begin());
-          }
-        else
-          factors[j].complex->solve(x.data());
-
-        // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
-        const double twice = factors[j].real ? 1. : 2.;
-        for (unsigned int k = 0; k < s; ++k)
-          {
-            const std::complex<double> right = twice * eigenvalue.right(k), rate = right / hm, force = rate / hm;
-            for (unsigned int i = 0; i < n_kinematic; ++i)
-              {
-                dz[k][i] += (right * x[i]).real();
-                dz_rate[k][i] += (rate * x[i]).real();
-              }
-            for (unsigned int i = n_kinematic; i < n; ++i)
-              dy[k][i] += (force * x[i]).real();
-          }
-      }
-
-    // corrections are measured against the largest velocity, or one that would matter over the step
-    double size = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
-    previous_change_of_force = change_of_force;
-    change_of_force          = 0;
-    for (unsigned int k = 0; k < s; ++k)
-      {
-        Stage &stage = stages[k];
-        for (unsigned int node = 1; node < layout.n_nodes; ++node)
-          {
-            // to twists: δy = ζ̇ + ad_y ζ
-            const int                       i = layout.of_node(node);
-            const Eigen::Map<const Vector6> zeta(&dz[k][i]), rate(&dz_rate[k][i]);
-            const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), w(&frozen.y[6 * node + 3]);
-            const Vector3                   d_v = rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
-                          d_w                   = rate.tail<3>() + w.cross(zeta.tail<3>());
-            Eigen::Map<Vector3> y_v(&stage.y[6 * node]), y_w(&stage.y[6 * node + 3]);
-            y_v += d_v;
-            y_w += d_w;
-            const double change = d_v.norm() / length + d_w.norm();
-            if (!std::isfinite(change))
-              return change;
-            size  = std::max(size, change);
-            scale = std::max({scale, y_v.norm() / length, y_w.norm()});
-          }
-        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-          {
-            const double d = dz_rate[k][layout.of_coordinate(i)],
-                         l = system.model.coordinate_units[i] == "m" ? length : 1.;
-            stage.rates[i] += d;
-            size  = std::max(size, std::abs(d) / l);
-            scale = std::max(scale, std::abs(stage.rates[i]) / l);
-          }
-        for (unsigned int i = 0; i < layout.n_multipliers; ++i)
-          {
-            const double d = dy[k][layout.of_multiplier(i)];
-            stage.multipliers[i] += d;
-            change_of_force = std::max(change_of_force, std::abs(d));
-            largest_force   = std::max(largest_force, std::abs(stage.multipliers[i]));
-          }
-      }
-    if (largest_force > 0)
-      change_of_force /= largest_force;
-    return size / scale;
-  }
-
-
-
-  void
-  StageIntegrator::correct_stresses()
-  {
-    // δσ = (what the configuration has more) + C B ζ + C_d B ζ̇, B as in the matrices
-    const Layout &layout  = system.layout;
-    const auto    strains = [&](const std::vector<double> &z, std::vector<double> &e) {
-      std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
-      for (unsigned int i = 0; i < frozen_strains.size(); ++i)
-        if (frozen_strains[i])
-          frozen_strains[i]->strains(twists.data(),
-                                     z.data() + layout.of_coordinate(0),
-                                     e.data() + system.model.contributions[i]->first_strain);
-    };
-    for (unsigned int k = 0; k < tableau.s; ++k)
-      {
-        Stage &stage = stages[k];
-        strains(dz[k], strain_increment);
-        if (has_damping)
-          strains(dz_rate[k], rate_increment);
-        for (const auto &c : system.model.contributions)
-          c->stresses(strain_increment.data() + c->first_strain,
-                      rate_increment.data() + c->first_strain,
-                      stress_increment.data() + c->first_strain);
-        for (unsigned int i = 0; i < layout.n_strains; ++i)
-          stage.stress[i] += stage.excess[i] + stress_increment[i];
-      }
   }
 
 

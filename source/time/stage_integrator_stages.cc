@@ -51,24 +51,24 @@ namespace samara
       else
         {
           // transposed: (−Ω~)ᵀ = Ω~
-          constexpr int n = 3 * s;
-          double        A[n][n + 3];
+          constexpr int n     = 3 * s;
+          const auto    block = [&](const int k, const int l) -> Matrix3 {
+            return h * t.a(k, l) * skew(spin[l]) + (k == l ? 1. : 0.) * Matrix3::Identity();
+          };
+          double A[n][n + 3];
           for (int k = 0; k < s; ++k)
-            for (int l = 0; l < s; ++l)
-              {
-                const Matrix3 block = h * t.a(k, l) * skew(spin[l]);
-                for (int i = 0; i < 3; ++i)
-                  for (int j = 0; j < 3; ++j)
-                    A[3 * k + i][3 * l + j] = block(i, j) + (k == l && i == j);
-              }
-          for (int k = 0; k < s; ++k)
-            for (int i = 0; i < 3; ++i)
-              for (int j = 0; j < 3; ++j)
-                A[3 * k + i][n + j] = D_start(j, i);
-          Eigen::Matrix<double, n, n> copy;
-          for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-              copy(i, j) = A[i][j];
+            {
+              for (int l = 0; l < s; ++l)
+                {
+                  const Matrix3 a_kl = block(k, l);
+                  for (int i = 0; i < 3; ++i)
+                    for (int j = 0; j < 3; ++j)
+                      A[3 * k + i][3 * l + j] = a_kl(i, j);
+                }
+              for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                  A[3 * k + i][n + j] = D_start(j, i);
+            }
           if (eliminate<n, 3>(A))
             for (int k = 0; k < s; ++k)
               for (int i = 0; i < 3; ++i)
@@ -76,8 +76,12 @@ namespace samara
                   D[k](j, i) = A[3 * k + i][n + j];
           else
             {
+              Eigen::Matrix<double, n, n> matrix;
+              for (int k = 0; k < s; ++k)
+                for (int l = 0; l < s; ++l)
+                  matrix.template block<3, 3>(3 * k, 3 * l) = block(k, l);
               const Eigen::Matrix<double, n, 3> solution =
-                copy.partialPivLu().solve(D_start.transpose().template replicate<s, 1>().eval());
+                matrix.partialPivLu().solve(D_start.transpose().template replicate<s, 1>().eval());
               for (int k = 0; k < s; ++k)
                 D[k] = solution.template middleRows<3>(3 * k).transpose();
             }
