@@ -494,7 +494,7 @@ namespace samara
     const dealii::Point<1> xi((s - cells[i].start) / (cells[i].end - cells[i].start));
 
     const ElementTable<1>                  &t = *elements[i].table;
-    std::vector<kernel::NodeValues<double>> nodes;
+    kernel::NodeValues<double> nodes[most_nodes];
     gather(i, state.q.data(), nodes);
     // one for each degree, made when first used
     static thread_local std::map<unsigned int, dealii::FE_Q<1>> elements_of_degree;

@@ -1,5 +1,7 @@
 #include <samara/cosserat/cosserat.h>
 
+#include <algorithm>
+
 namespace samara
 {
   template <int dim>
@@ -46,9 +48,9 @@ namespace samara
         points.push_back(point);
       }
 
-    std::vector<Vec6<double>> tied(dim * t.n_tying);
-    for (unsigned int k = 0; k < tied.size(); ++k)
-      tied[k] = kernel::strain(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)));
+    Vec6<double> tied[most_tied];
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      tied[k] = kernel::strain(kernel::interpolate(nodes.data(), t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
     std::vector<double> e(n * t.n_points);
     to_points(elements.size() - 1, tied, e.data());
     for (unsigned int g = 0; g < t.n_points; ++g)
@@ -71,6 +73,47 @@ namespace samara
         if (!is_rigid)
           layout.couple(element.block, element.frames);
       }
+    make_batches();
+    is_viscous = std::any_of(materials.begin(), materials.end(), [](const Material &material) {
+      return !material.viscosity.isZero(0.);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::make_batches()
+  {
+    batches.clear();
+    single_elements.clear();
+    constexpr unsigned int most = Lanes<double>::size;
+    for (unsigned int i = 0, end = 0; i < n_elements(); i = end)
+      {
+        while (end < n_elements() && end < i + most && elements[end].table == elements[i].table)
+          ++end;
+        batches.push_back(make_batch(i, end - i, most));
+      }
+    for (unsigned int i = 0; i < n_elements(); ++i)
+      single_elements.push_back(make_batch(i, 1, 1));
+  }
+
+
+
+  template <int dim>
+  typename Cosserat<dim>::Batch
+  Cosserat<dim>::make_batch(const unsigned int first, const unsigned int size, const unsigned int n_lanes) const
+  {
+    Batch batch{first, size, {}, {}};
+    for (unsigned int a = 0; a < elements[first].frames.size(); ++a)
+      for (unsigned int l = 0; l < n_lanes; ++l)
+        {
+          const Frame &frame = elements[first + std::min(l, size - 1)].frames[a];
+          batch.nodes.push_back(frame.node);
+          if (l < size && !frame.is_node())
+            batch.arms.push_back({a, l});
+        }
+    return batch;
   }
 
 
@@ -98,24 +141,15 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::gather(const unsigned int                       element,
-                        const Number                            *q,
-                        std::vector<kernel::NodeValues<Number>> &nodes) const
+  Cosserat<dim>::gather(const unsigned int element, const Number *q, kernel::NodeValues<Number> *nodes) const
   {
     const Element &el = elements[element];
-    nodes.resize(el.frames.size());
-    for (unsigned int a = 0; a < el.frames.size(); ++a)
-      if (el.all_nodes)
-        {
-          const Number *const node = q + 12 * el.frames[a].node;
-          nodes[a].x               = Eigen::Map<const Vec3<Number>>(node);
-          nodes[a].D               = Eigen::Map<const Mat3<Number>>(node + 3);
-        }
-      else
-        {
-          nodes[a].x = el.frames[a].position(q);
-          nodes[a].D = el.frames[a].triad(q);
-        }
+    if (el.all_nodes)
+      for (unsigned int a = 0; a < el.frames.size(); ++a)
+        std::copy_n(q + 12 * el.frames[a].node, 12, nodes[a].x.data());
+    else
+      for (unsigned int a = 0; a < el.frames.size(); ++a)
+        nodes[a] = {el.frames[a].position(q), el.frames[a].triad(q)};
   }
 
 
@@ -123,7 +157,7 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::to_points(const unsigned int element, const std::vector<Vec6<Number>> &tied, Number *e) const
+  Cosserat<dim>::to_points(const unsigned int element, const Vec6<Number> *tied, Number *e) const
   {
     const ElementTable<dim> &t = *elements[element].table;
     for (unsigned int g = 0; g < t.n_points; ++g)
@@ -149,10 +183,11 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::to_tying(const unsigned int element, const Number *stress, std::vector<Vec6<Number>> &tied) const
+  Cosserat<dim>::to_tying(const unsigned int element, const Number *stress, Vec6<Number> *tied) const
   {
     const ElementTable<dim> &t = *elements[element].table;
-    tied.assign(dim * t.n_tying, Vec6<Number>::Zero());
+    if constexpr (dim > 1)
+      std::fill_n(tied, dim * t.n_tying, Vec6<Number>::Zero());
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
         const IntegrationPoint             &point = points[elements[element].first_point + g];
@@ -169,25 +204,150 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Call @p f with the number of nodes of an element as a constant if it is a beam of degree 1 to 5, else with 0. */
+    template <int dim, typename Function>
+    void
+    with_size(const unsigned int n_nodes, const Function &f)
+    {
+      switch (dim == 1 ? n_nodes : 0)
+        {
+          case 2:
+            return f(std::integral_constant<int, 2>());
+          case 3:
+            return f(std::integral_constant<int, 3>());
+          case 4:
+            return f(std::integral_constant<int, 4>());
+          case 5:
+            return f(std::integral_constant<int, 5>());
+          case 6:
+            return f(std::integral_constant<int, 6>());
+          default:
+            return f(std::integral_constant<int, 0>());
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  template <typename Number, typename Function>
+  void
+  Cosserat<dim>::for_batches(const Function &f) const
+  {
+    for (const Batch &batch : Lanes<Number>::size > 1 ? batches : single_elements)
+      with_size<dim>(elements[batch.first].table->n_nodes, [&](const auto N) { f(batch, N); });
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::gather_lanes(const Batch                                      &batch,
+                              const Number                                     *q,
+                              kernel::NodeValues<typename Lanes<Number>::type> *nodes) const
+  {
+    constexpr unsigned int     size = Lanes<Number>::size;
+    kernel::NodeValues<Number> of_frames[size];
+    auto                       arm = batch.arms.begin();
+    for (unsigned int a = 0; size * a < batch.nodes.size(); ++a)
+      {
+        std::array<const Number *, size> from;
+        for (unsigned int l = 0; l < size; ++l)
+          from[l] = q + 12 * batch.nodes[size * a + l];
+        for (; arm != batch.arms.end() && arm->a == a; ++arm)
+          {
+            const Frame &frame   = elements[batch.first + arm->lane].frames[a];
+            of_frames[arm->lane] = {frame.position(q), frame.triad(q)};
+            from[arm->lane]      = of_frames[arm->lane].x.data();
+          }
+        Lanes<Number>::load(12, from, nodes[a].x.data());
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::batch_to_points(const Batch &batch, const Vec6<typename Lanes<Number>::type> *tied, Number *e) const
+  {
+    const unsigned int n_tied = dim * elements[batch.first].table->n_tying;
+    std::array<std::array<Vec6<Number>, most_tied>, Lanes<Number>::size> of_lane;
+    std::array<Number *, Lanes<Number>::size>                            to;
+    for (unsigned int k = 0; k < n_tied; ++k)
+      {
+        for (unsigned int l = 0; l < to.size(); ++l)
+          to[l] = of_lane[l][k].data();
+        Lanes<Number>::store(6, tied[k].data(), to);
+      }
+    for (unsigned int l = 0; l < batch.size; ++l)
+      to_points(batch.first + l, of_lane[l].data(), e + n * elements[batch.first + l].first_point);
+  }
+
+
+
+  template <int dim>
+  template <int N, typename Number>
+  void
+  Cosserat<dim>::batch_strains(const Batch &batch, const Point<Number> &point, Number *e) const
+  {
+    using Lane                 = typename Lanes<Number>::type;
+    const ElementTable<dim> &t = *elements[batch.first].table;
+    kernel::NodeValues<Lane> nodes[N > 0 ? N : most_nodes];
+    Vec6<Lane>               tied[most_tied];
+    gather_lanes(batch, point.q, nodes);
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      tied[k] = kernel::strain(kernel::interpolate<N>(nodes, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
+    batch_to_points(batch, tied, e);
+  }
+
+
+
   template <int dim>
   template <typename Number>
   void
   Cosserat<dim>::strains_at(const Point<Number> &point, Number *e) const
   {
-    static thread_local std::vector<kernel::NodeValues<Number>> nodes;
-    static thread_local std::vector<Vec6<Number>>               tied;
-    for (unsigned int i = 0; i < n_elements(); ++i)
+    for_batches<Number>([&](const Batch &batch, const auto N) { batch_strains<N>(batch, point, e); });
+    for (unsigned int g = 0; g < points.size(); ++g)
+      Eigen::Map<Eigen::Matrix<Number, n, 1>>(e + n * g) -= points[g].reference;
+  }
+
+
+
+  template <int dim>
+  template <int N>
+  void
+  Cosserat<dim>::batch_strain_rates(const Batch &batch, const Point<double> &point, double *rates) const
+  {
+    using Lane                            = Lanes<double>::type;
+    constexpr unsigned int           size = Lanes<double>::size;
+    const ElementTable<dim>         &t    = *elements[batch.first].table;
+    kernel::NodeValues<Lane>         nodes[N > 0 ? N : most_nodes], velocities[N > 0 ? N : most_nodes];
+    std::array<const double *, size> from;
+    Vector6                          of_frames[size];
+    Vec6<Lane>                       twist, tied[most_tied];
+    auto                             arm = batch.arms.begin();
+    gather_lanes(batch, point.q, nodes);
+    for (unsigned int a = 0; a < t.n_nodes; ++a)
       {
-        const ElementTable<dim> &t = *elements[i].table;
-        tied.resize(dim * t.n_tying);
-        gather(i, point.q, nodes);
-        for (unsigned int k = 0; k < tied.size(); ++k)
-          tied[k] = kernel::strain(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)));
-        Number *const e_i = e + n * elements[i].first_point;
-        to_points(i, tied, e_i);
-        for (unsigned int g = 0; g < t.n_points; ++g)
-          Eigen::Map<Eigen::Matrix<Number, n, 1>>(e_i + n * g) -= points[elements[i].first_point + g].reference;
+        for (unsigned int l = 0; l < size; ++l)
+          from[l] = point.y + 6 * batch.nodes[size * a + l];
+        for (; arm != batch.arms.end() && arm->a == a; ++arm)
+          {
+            of_frames[arm->lane] = elements[batch.first + arm->lane].frames[a].twist(point.y);
+            from[arm->lane]      = of_frames[arm->lane].data();
+          }
+        Lanes<double>::load(6, from, twist.data());
+        velocities[a] = kernel::node_rates(nodes[a].D, twist);
       }
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      tied[k] = kernel::strain_rate(kernel::interpolate<N>(nodes, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)),
+                                    kernel::interpolate<N>(velocities, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
+    batch_to_points(batch, tied, rates);
   }
 
 
@@ -196,26 +356,7 @@ namespace samara
   void
   Cosserat<dim>::strain_rates(const Point<double> &point, double *rates) const
   {
-    static thread_local std::vector<kernel::NodeValues<double>> nodes, velocities;
-    static thread_local std::vector<Vec6<double>>               tied;
-    for (unsigned int i = 0; i < n_elements(); ++i)
-      {
-        const ElementTable<dim> &t = *elements[i].table;
-        tied.resize(dim * t.n_tying);
-        velocities.resize(t.n_nodes);
-        gather(i, point.q, nodes);
-        for (unsigned int a = 0; a < t.n_nodes; ++a)
-          {
-            const Vector6 y = elements[i].all_nodes ?
-                                Vector6(Eigen::Map<const Vector6>(point.y + 6 * elements[i].frames[a].node)) :
-                                elements[i].frames[a].twist(point.y);
-            velocities[a]   = {nodes[a].D * y.head<3>(), nodes[a].D * skew(y.tail<3>())};
-          }
-        for (unsigned int k = 0; k < tied.size(); ++k)
-          tied[k] = kernel::strain_rate(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)),
-                                        kernel::interpolate(velocities, &t.N(k, 0), &t.dN(k, 0)));
-        to_points(i, tied, rates + n * elements[i].first_point);
-      }
+    for_batches<double>([&](const Batch &batch, const auto N) { batch_strain_rates<N>(batch, point, rates); });
   }
 
 
@@ -228,10 +369,11 @@ namespace samara
     using Vector = Eigen::Matrix<Number, n, 1>;
     for (unsigned int g = 0; g < points.size(); ++g)
       {
-        const Material &material = materials[points[g].material];
-        Eigen::Map<Vector>(stress + n * g) =
-          material.stiffness.template cast<Number>() * Eigen::Map<const Vector>(e + n * g) +
-          material.viscosity.template cast<Number>() * Eigen::Map<const Vector>(rates + n * g);
+        const Material    &material = materials[points[g].material];
+        Eigen::Map<Vector> s(stress + n * g);
+        s.noalias() = material.stiffness.template cast<Number>() * Eigen::Map<const Vector>(e + n * g);
+        if (is_viscous)
+          s.noalias() += material.viscosity.template cast<Number>() * Eigen::Map<const Vector>(rates + n * g);
       }
   }
 
@@ -241,10 +383,7 @@ namespace samara
   bool
   Cosserat<dim>::has_damping() const
   {
-    for (const auto &material : materials)
-      if (!material.viscosity.isZero(0.))
-        return !is_rigid;
-    return false;
+    return is_viscous && !is_rigid;
   }
 
 
@@ -277,38 +416,63 @@ namespace samara
 
 
   template <int dim>
+  template <int N, typename Number>
+  void
+  Cosserat<dim>::batch_residual(const Batch                                     &batch,
+                                const Point<Number>                             &point,
+                                const std::array<Number *, Lanes<Number>::size> &local) const
+  {
+    using Lane                       = typename Lanes<Number>::type;
+    constexpr unsigned int   size    = Lanes<Number>::size;
+    const ElementTable<dim> &t       = *elements[batch.first].table;
+    const unsigned int       n_nodes = N > 0 ? N : t.n_nodes;
+
+    std::array<std::array<Vec6<Number>, most_tied>, size> tied;
+    for (unsigned int l = 0; l < batch.size; ++l)
+      to_tying(batch.first + l,
+               point.stress + this->first_strain + n * elements[batch.first + l].first_point,
+               tied[l].data());
+
+    kernel::NodeValues<Lane> nodes[N > 0 ? N : most_nodes], forces[N > 0 ? N : most_nodes];
+    gather_lanes(batch, point.q, nodes);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      forces[a] = {Vec3<Lane>::Zero(), Mat3<Lane>::Zero()};
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      {
+        std::array<const Number *, size> from;
+        for (unsigned int l = 0; l < size; ++l)
+          from[l] = tied[std::min(l, batch.size - 1)][k].data();
+        Vec6<Lane> s;
+        Lanes<Number>::load(6, from, s.data());
+        const auto force = kernel::force(kernel::interpolate<N>(nodes, n_nodes, &t.N(k, 0), &t.dN(k, 0)), s);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          kernel::add_to_node(force, t.N(k, a), t.dN(k, a), forces[a]);
+      }
+    Lane result[6 * (N > 0 ? N : most_nodes)];
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      Eigen::Map<Vec6<Lane>>{result + 6 *a} = kernel::node_forces(nodes[a].D, forces[a]);
+    Lanes<Number>::store(6 * n_nodes, result, local);
+  }
+
+
+
+  template <int dim>
   template <typename Number>
   void
   Cosserat<dim>::residual_at(const Point<Number> &point, Number *r) const
   {
-    static thread_local std::vector<kernel::NodeValues<Number>>  nodes;
-    static thread_local std::vector<Vec6<Number>>                tied;
-    static thread_local std::vector<kernel::PointValues<Number>> forces;
-    static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
-    const Number                                                *stress = point.stress + this->first_strain;
-    for (unsigned int i = 0; i < n_elements(); ++i)
-      {
-        const ElementTable<dim> &t = *elements[i].table;
-        local.resize(6 * t.n_nodes);
-        forces.resize(dim * t.n_tying);
-        gather(i, point.q, nodes);
-        to_tying(i, stress + n * elements[i].first_point, tied);
-        for (unsigned int k = 0; k < tied.size(); ++k)
-          forces[k] = kernel::force(kernel::interpolate(nodes, &t.N(k, 0), &t.dN(k, 0)), tied[k]);
-        for (unsigned int a = 0; a < t.n_nodes; ++a)
-          {
-            Vec3<Number> f = Vec3<Number>::Zero();
-            Mat3<Number> F = Mat3<Number>::Zero();
-            for (unsigned int k = 0; k < tied.size(); ++k)
-              {
-                f += t.dN(k, a) * forces[k].dx;
-                F += t.N(k, a) * forces[k].d + t.dN(k, a) * forces[k].dd;
-              }
-            local.template segment<3>(6 * a)     = nodes[a].D.transpose() * f;
-            local.template segment<3>(6 * a + 3) = Number(2) * axial_of_product(nodes[a].D, F);
-          }
-        elements[i].block.add(local, r);
-      }
+    static thread_local std::array<Eigen::Matrix<Number, Eigen::Dynamic, 1>, Lanes<Number>::size> local;
+    for_batches<Number>([&](const Batch &batch, const auto N) {
+      std::array<Number *, Lanes<Number>::size> to;
+      for (unsigned int l = 0; l < to.size(); ++l)
+        {
+          local[l].resize(6 * elements[batch.first].table->n_nodes);
+          to[l] = local[l].data();
+        }
+      batch_residual<N>(batch, point, to);
+      for (unsigned int l = 0; l < batch.size; ++l)
+        elements[batch.first + l].block.add(local[l], r);
+    });
   }
 
 
@@ -332,7 +496,7 @@ namespace samara
         }
     }
 
-    /** K += Bᵀ A; beams of degree 1 to 4 have 12 to 30 columns, shells more. */
+    /** K += Bᵀ A; beams of degree 1 to 5 have 12 to 36 columns, shells more. */
     void
     add_transpose_product(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
     {
@@ -346,6 +510,8 @@ namespace samara
             return add_transpose_product_of<24>(B, A, K);
           case 30:
             return add_transpose_product_of<30>(B, A, K);
+          case 36:
+            return add_transpose_product_of<36>(B, A, K);
           default:
             K.noalias() += B.transpose() * A;
         }
@@ -360,10 +526,9 @@ namespace samara
   {
     const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
-    gather(element, q, s.nodes);
-    s.at.resize(dim * t.n_tying);
-    for (unsigned int k = 0; k < s.at.size(); ++k)
-      s.at[k] = kernel::interpolate(s.nodes, &t.N(k, 0), &t.dN(k, 0));
+    gather(element, q, s.nodes.data());
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      s.at[k] = kernel::interpolate(s.nodes.data(), t.n_nodes, &t.N(k, 0), &t.dN(k, 0));
   }
 
 
@@ -518,9 +683,7 @@ namespace samara
 
   template <int dim>
   void
-  Cosserat<dim>::add_geometric(const unsigned int               element,
-                               const std::vector<Vec6<double>> &tied,
-                               Eigen::MatrixXd                 &K) const
+  Cosserat<dim>::add_geometric(const unsigned int element, const Vec6<double> *tied, Eigen::MatrixXd &K) const
   {
     const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
@@ -528,7 +691,7 @@ namespace samara
     s.n.assign(N * N, Vector3::Zero());
     s.m.assign(N * N, Vector3::Zero());
     s.forces.assign(N, {Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()});
-    for (unsigned int k = 0; k < tied.size(); ++k)
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       {
         const auto    force = kernel::force(s.at[k], tied[k]);
         const Vector3 n_k = tied[k].template head<3>(), m_k = tied[k].template tail<3>();
@@ -570,10 +733,10 @@ namespace samara
       {
         const ElementTable<dim> &t = *elements[i].table;
         interpolate_element(i, point.q);
-        to_tying(i, stress + n * elements[i].first_point, s.tied);
+        to_tying(i, stress + n * elements[i].first_point, s.tied.data());
         s.K.setZero(6 * t.n_nodes, 6 * t.n_nodes);
         add_material(i, &Material::stiffness, s.K);
-        add_geometric(i, s.tied, s.K);
+        add_geometric(i, s.tied.data(), s.K);
         elements[i].block.add(s.K, K);
       }
   }
@@ -584,6 +747,8 @@ namespace samara
   void
   Cosserat<dim>::damping(const Point<double> &point, SparseMatrix &C) const
   {
+    if (!has_damping())
+      return;
     Scratch &s = scratch();
     for (unsigned int i = 0; i < n_elements(); ++i)
       {

@@ -67,6 +67,7 @@ namespace samara
       MatrixN stiffness, viscosity;
     };
     std::vector<Material> materials;
+    bool                  is_viscous = false; ///< any of them, known once connected
 
     /** Of the elements that are added next: elements of one body may have different degrees. */
     std::shared_ptr<const ElementTable<dim>> table;
@@ -81,7 +82,10 @@ namespace samara
 
     /** Positions and triads of an element's nodes in a state. */
     template <typename Number>
-    void gather(unsigned int element, const Number *q, std::vector<kernel::NodeValues<Number>> &nodes) const;
+    void gather(unsigned int element, const Number *q, kernel::NodeValues<Number> *nodes) const;
+
+    /** No element has more nodes. */
+    static constexpr unsigned int most_nodes = dim == 1 ? 7 : 49;
 
     struct Element
     {
@@ -112,13 +116,57 @@ namespace samara
     };
     std::vector<IntegrationPoint> points;
 
+    static constexpr unsigned int most_tied = dim == 1 ? most_nodes - 1 : 2 * most_nodes;
+
     /** Strains of an element at its integration points from those at the tying points. */
     template <typename Number>
-    void to_points(unsigned int element, const std::vector<Vec6<Number>> &tied, Number *e) const;
+    void to_points(unsigned int element, const Vec6<Number> *tied, Number *e) const;
 
     /** Section forces at the tying points, weights included, from stresses at the integration points. */
     template <typename Number>
-    void to_tying(unsigned int element, const Number *stress, std::vector<Vec6<Number>> &tied) const;
+    void to_tying(unsigned int element, const Number *stress, Vec6<Number> *tied) const;
+
+    /** Elements side by side, of one kind, that are computed at once. */
+    struct Batch
+    {
+      unsigned int              first, size;
+      std::vector<unsigned int> nodes; ///< of all lanes at each node of an element; the last element fills up
+
+      /** A frame of an element that is not the node itself. */
+      struct Arm
+      {
+        unsigned int a, lane;
+      };
+      std::vector<Arm> arms;
+    };
+    Batch              make_batch(unsigned int first, unsigned int size, unsigned int n_lanes) const;
+    std::vector<Batch> batches, single_elements; ///< of doubles, of other numbers
+    void               make_batches();
+
+    /** Call f(batch, number of nodes) for all batches; of one element each where lanes hold one number. */
+    template <typename Number, typename Function>
+    void for_batches(const Function &f) const;
+
+    /** Positions and triads of the nodes of a batch. */
+    template <typename Number>
+    void
+    gather_lanes(const Batch &batch, const Number *q, kernel::NodeValues<typename Lanes<Number>::type> *nodes) const;
+
+    /** @name One batch; @p N is its number of nodes an element if that is known when compiling, else 0. @{ */
+    template <int N, typename Number>
+    void batch_strains(const Batch &batch, const Point<Number> &point, Number *e) const;
+    template <int N>
+    void batch_strain_rates(const Batch &batch, const Point<double> &point, double *rates) const;
+    /** @p local: the residual of each element, 6 a node. */
+    template <int N, typename Number>
+    void batch_residual(const Batch                                     &batch,
+                        const Point<Number>                             &point,
+                        const std::array<Number *, Lanes<Number>::size> &local) const;
+
+    /** Strains of the elements of a batch at their integration points from those at the tying points. */
+    template <typename Number>
+    void batch_to_points(const Batch &batch, const Vec6<typename Lanes<Number>::type> *tied, Number *e) const;
+    /** @} */
 
     /** Positions and triads of an element's nodes, and what is interpolated from them at the tying points, into
      * scratch(). */
@@ -131,14 +179,14 @@ namespace samara
     class StoredStrains;
 
     void add_material(unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const;
-    void add_geometric(unsigned int element, const std::vector<Vec6<double>> &tied, Eigen::MatrixXd &K) const;
+    void add_geometric(unsigned int element, const Vec6<double> *tied, Eigen::MatrixXd &K) const;
 
     /** Work space of one element, kept so that the loop over elements allocates nothing. */
     struct Scratch
     {
-      std::vector<kernel::NodeValues<double>>                                nodes;
-      std::vector<kernel::PointValues<double>>                               at;
-      std::vector<Vec6<double>>                                              tied;
+      std::array<kernel::NodeValues<double>, most_nodes>                     nodes;
+      std::array<kernel::PointValues<double>, most_tied>                     at;
+      std::array<Vec6<double>, most_tied>                                    tied;
       std::vector<kernel::PointValues<double>>                               forces; // on the nodes
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> B_tied, B, CB;
       Eigen::MatrixXd                                                        K;

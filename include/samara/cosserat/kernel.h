@@ -1,6 +1,7 @@
 #ifndef samara_cosserat_kernel_h
 #define samara_cosserat_kernel_h
 
+#include <samara/base/lanes.h>
 #include <samara/rotation/rotation.h>
 
 #include <vector>
@@ -35,34 +36,76 @@ namespace samara
     template <typename Number>
     struct PointValues
     {
-      Vec3<Number> dx; ///< x'
+      Vec3<Number> dx;    ///< x'
       Mat3<Number> d, dd; ///< directors and their derivatives, as columns
     };
 
 
 
-    template <typename Number>
+    /** Values at a point from those of @p n_nodes nodes; @p N is that number if it is known when compiling, else 0. */
+    template <int N = 0, typename Number>
     PointValues<Number>
-    interpolate(const std::vector<NodeValues<Number>> &nodes, const double *N, const double *dN)
+    interpolate(const NodeValues<Number> *nodes, const unsigned int n_nodes, const double *shape, const double *slope)
     {
-      // x and the directors side by side, as the compiler likes it
-      static_assert(sizeof(NodeValues<Number>) == 12 * sizeof(Number), "no gaps");
-      Number value[12] = {}, derivative[12] = {};
-      for (unsigned int a = 0; a < nodes.size(); ++a)
-        {
-          const Number *const node = nodes[a].x.data();
-          const double        N_a = N[a], dN_a = dN[a];
-          for (unsigned int i = 0; i < 12; ++i)
-            {
-              value[i] += N_a * node[i];
-              derivative[i] += dN_a * node[i];
-            }
-        }
+      const unsigned int  n = N > 0 ? N : n_nodes;
       PointValues<Number> p;
-      p.dx = Eigen::Map<const Vec3<Number>>(derivative);
-      p.d  = Eigen::Map<const Mat3<Number>>(value + 3);
-      p.dd = Eigen::Map<const Mat3<Number>>(derivative + 3);
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          p.dx(i) = slope[0] * nodes[0].x(i);
+          for (unsigned int a = 1; a < n; ++a)
+            p.dx(i) += slope[a] * nodes[a].x(i);
+        }
+      for (unsigned int i = 0; i < 9; ++i)
+        {
+          Number d = shape[0] * nodes[0].D.data()[i], dd = slope[0] * nodes[0].D.data()[i];
+          for (unsigned int a = 1; a < n; ++a)
+            {
+              d += shape[a] * nodes[a].D.data()[i];
+              dd += slope[a] * nodes[a].D.data()[i];
+            }
+          p.d.data()[i]  = d;
+          p.dd.data()[i] = dd;
+        }
       return p;
+    }
+
+
+
+    /** Velocities of a node's position and directors from its twist (v, Ω): D v and D Ω~. */
+    template <typename Number>
+    NodeValues<Number>
+    node_rates(const Mat3<Number> &D, const Vec6<Number> &y)
+    {
+      NodeValues<Number> rates;
+      for (int i = 0; i < 3; ++i)
+        {
+          rates.x(i)    = D(i, 0) * y(0) + D(i, 1) * y(1) + D(i, 2) * y(2);
+          rates.D(i, 0) = D(i, 1) * y(5) - D(i, 2) * y(4);
+          rates.D(i, 1) = D(i, 2) * y(3) - D(i, 0) * y(5);
+          rates.D(i, 2) = D(i, 0) * y(4) - D(i, 1) * y(3);
+        }
+      return rates;
+    }
+
+
+
+    /** Force and moment on a node in its own frame, (Dᵀ f, 2 axial(Dᵀ F)), from forces conjugate to x and directors. */
+    template <typename Number>
+    Vec6<Number>
+    node_forces(const Mat3<Number> &D, const NodeValues<Number> &forces_on)
+    {
+      const Vec3<Number> &f       = forces_on.x;
+      const Mat3<Number> &F       = forces_on.D;
+      const auto          product = [&](const int i, const int j) {
+        return D(0, i) * F(0, j) + D(1, i) * F(1, j) + D(2, i) * F(2, j);
+      };
+      Vec6<Number> forces;
+      for (int i = 0; i < 3; ++i)
+        forces(i) = D(0, i) * f(0) + D(1, i) * f(1) + D(2, i) * f(2);
+      forces(3) = product(2, 1) - product(1, 2);
+      forces(4) = product(0, 2) - product(2, 0);
+      forces(5) = product(1, 0) - product(0, 1);
+      return forces;
     }
 
 
@@ -72,8 +115,15 @@ namespace samara
     Vec6<Number>
     strain(const PointValues<Number> &p)
     {
+      const auto product = [](const Mat3<Number> &A, const int i, const auto &b) {
+        return A(0, i) * b(0) + A(1, i) * b(1) + A(2, i) * b(2);
+      };
       Vec6<Number> e;
-      e << p.d.transpose() * p.dx, axial_of_product(p.d, p.dd);
+      for (int i = 0; i < 3; ++i)
+        e(i) = product(p.d, i, p.dx);
+      e(3) = Number(0.5) * (product(p.d, 2, p.dd.col(1)) - product(p.d, 1, p.dd.col(2)));
+      e(4) = Number(0.5) * (product(p.d, 0, p.dd.col(2)) - product(p.d, 2, p.dd.col(0)));
+      e(5) = Number(0.5) * (product(p.d, 1, p.dd.col(0)) - product(p.d, 0, p.dd.col(1)));
       return e;
     }
 
@@ -84,8 +134,18 @@ namespace samara
     Vec6<Number>
     strain_rate(const PointValues<Number> &p, const PointValues<Number> &v)
     {
+      const auto product = [](const Mat3<Number> &A, const int i, const auto &b) {
+        return A(0, i) * b(0) + A(1, i) * b(1) + A(2, i) * b(2);
+      };
+      const auto rate = [&](const int i, const int j) {
+        return product(v.d, i, p.dd.col(j)) + product(p.d, i, v.dd.col(j));
+      };
       Vec6<Number> e;
-      e << v.d.transpose() * p.dx + p.d.transpose() * v.dx, axial_of_product(v.d, p.dd) + axial_of_product(p.d, v.dd);
+      for (int i = 0; i < 3; ++i)
+        e(i) = product(v.d, i, p.dx) + product(p.d, i, v.dx);
+      e(3) = Number(0.5) * (rate(2, 1) - rate(1, 2));
+      e(4) = Number(0.5) * (rate(0, 2) - rate(2, 0));
+      e(5) = Number(0.5) * (rate(1, 0) - rate(0, 1));
       return e;
     }
 
@@ -96,9 +156,33 @@ namespace samara
     PointValues<Number>
     force(const PointValues<Number> &p, const Vec6<Number> &s)
     {
-      const Vec3<Number> n = s.template head<3>(), m = s.template tail<3>();
-      const Mat3<Number> m_skew = Number(0.5) * skew(m);
-      return {p.d * n, p.dx * n.transpose() - p.dd * m_skew, p.d * m_skew};
+      const Vec3<Number> n = s.template head<3>(), m = Number(0.5) * s.template tail<3>();
+      // a row of A m~ is that row of A crossed with m
+      PointValues<Number> f;
+      for (int i = 0; i < 3; ++i)
+        {
+          f.dx(i)    = p.d(i, 0) * n(0) + p.d(i, 1) * n(1) + p.d(i, 2) * n(2);
+          f.d(i, 0)  = p.dx(i) * n(0) - (p.dd(i, 1) * m(2) - p.dd(i, 2) * m(1));
+          f.d(i, 1)  = p.dx(i) * n(1) - (p.dd(i, 2) * m(0) - p.dd(i, 0) * m(2));
+          f.d(i, 2)  = p.dx(i) * n(2) - (p.dd(i, 0) * m(1) - p.dd(i, 1) * m(0));
+          f.dd(i, 0) = p.d(i, 1) * m(2) - p.d(i, 2) * m(1);
+          f.dd(i, 1) = p.d(i, 2) * m(0) - p.d(i, 0) * m(2);
+          f.dd(i, 2) = p.d(i, 0) * m(1) - p.d(i, 1) * m(0);
+        }
+      return f;
+    }
+
+
+
+    /** What a point's @p force is at a node with these values of its shape function, added. */
+    template <typename Number>
+    void
+    add_to_node(const PointValues<Number> &force, const double shape, const double slope, NodeValues<Number> &node)
+    {
+      for (int i = 0; i < 3; ++i)
+        node.x(i) += slope * force.dx(i);
+      for (int i = 0; i < 9; ++i)
+        node.D.data()[i] += shape * force.d.data()[i] + slope * force.dd.data()[i];
     }
 
 
@@ -108,7 +192,7 @@ namespace samara
     void
     strain_matrix(const PointValues<double> &p, const Matrix3 &D, const double N, const double dN, Block &&B)
     {
-      const Matrix3 P       = transpose_times(D, p.d), P_prime = transpose_times(D, p.dd);
+      const Matrix3 P = transpose_times(D, p.d), P_prime = transpose_times(D, p.dd);
       const Vector3 w       = N * (D.transpose() * p.dx);
       const double  half_tr = 0.5 * (N * P_prime.trace() - dN * P.trace());
       for (int i = 0; i < 3; ++i)

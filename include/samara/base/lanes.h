@@ -1,0 +1,146 @@
+#ifndef samara_base_lanes_h
+#define samara_base_lanes_h
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace samara
+{
+  /**
+   * Four numbers that are computed with at once, by the vector instructions there are. (deal.II's VectorizedArray has
+   * as many as the library was compiled for: one, in Debian's package.)
+   */
+  struct FourDoubles
+  {
+    typedef double Vector __attribute__((vector_size(32)));
+    Vector         values;
+
+    FourDoubles() = default;
+    FourDoubles(const double a)
+      : values{a, a, a, a}
+    {}
+    explicit FourDoubles(const Vector &values)
+      : values(values)
+    {}
+
+    FourDoubles &
+    operator+=(const FourDoubles &b)
+    {
+      values += b.values;
+      return *this;
+    }
+    friend FourDoubles
+    operator+(const FourDoubles &a, const FourDoubles &b)
+    {
+      return FourDoubles(a.values + b.values);
+    }
+    friend FourDoubles
+    operator-(const FourDoubles &a, const FourDoubles &b)
+    {
+      return FourDoubles(a.values - b.values);
+    }
+    friend FourDoubles
+    operator*(const FourDoubles &a, const FourDoubles &b)
+    {
+      return FourDoubles(a.values * b.values);
+    }
+  };
+
+
+
+  /** Formulas written for a number are valid for lanes of it: four doubles, one of any other kind. */
+  template <typename Number>
+  struct Lanes
+  {
+    using type                         = Number;
+    static constexpr unsigned int size = 1;
+
+    /** Lane l of out[i] becomes in[l][i], for i < n. */
+    static void
+    load(const unsigned int n, const std::array<const Number *, size> &in, type *out)
+    {
+      std::copy_n(in[0], n, out);
+    }
+
+    /** out[l][i] becomes lane l of in[i], for i < n. */
+    static void
+    store(const unsigned int n, const type *in, const std::array<Number *, size> &out)
+    {
+      std::copy_n(in, n, out[0]);
+    }
+  };
+
+
+
+  template <>
+  struct Lanes<double>
+  {
+    using type                         = FourDoubles;
+    static constexpr unsigned int size = 4;
+
+    static void
+    load(const unsigned int n, const std::array<const double *, size> &in, type *out)
+    {
+      unsigned int i = 0;
+      for (; i + 4 <= n; i += 4)
+        {
+          type rows[4];
+          for (unsigned int l = 0; l < 4; ++l)
+            std::memcpy(&rows[l], in[l] + i, sizeof(type));
+          transpose(rows, out + i);
+        }
+      for (; i < n; ++i)
+        out[i] = type(type::Vector{in[0][i], in[1][i], in[2][i], in[3][i]});
+    }
+
+    static void
+    store(const unsigned int n, const type *in, const std::array<double *, size> &out)
+    {
+      unsigned int i = 0;
+      for (; i + 4 <= n; i += 4)
+        {
+          type rows[4];
+          transpose(in + i, rows);
+          for (unsigned int l = 0; l < 4; ++l)
+            std::memcpy(out[l] + i, &rows[l], sizeof(type));
+        }
+      for (; i < n; ++i)
+        for (unsigned int l = 0; l < 4; ++l)
+          out[l][i] = in[i].values[l];
+    }
+
+  private:
+    static void
+    transpose(const type *in, type *out)
+    {
+      const auto low01  = __builtin_shufflevector(in[0].values, in[1].values, 0, 4, 2, 6);
+      const auto high01 = __builtin_shufflevector(in[0].values, in[1].values, 1, 5, 3, 7);
+      const auto low23  = __builtin_shufflevector(in[2].values, in[3].values, 0, 4, 2, 6);
+      const auto high23 = __builtin_shufflevector(in[2].values, in[3].values, 1, 5, 3, 7);
+      out[0].values     = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+      out[1].values     = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+      out[2].values     = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+      out[3].values     = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+    }
+  };
+} // namespace samara
+
+
+
+namespace Eigen
+{
+  /** Matrices of lanes. */
+  template <>
+  struct NumTraits<samara::FourDoubles> : GenericNumTraits<double>
+  {
+    using Real       = samara::FourDoubles;
+    using NonInteger = Real;
+    using Nested     = Real;
+    using Literal    = double;
+  };
+} // namespace Eigen
+
+#endif
