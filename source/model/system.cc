@@ -45,13 +45,23 @@ namespace samara
   void
   System::stresses(const State &state, std::vector<double> &stress) const
   {
-    thread_local std::vector<double> e, rates;
+    thread_local std::vector<double> e;
     strains(state, e);
+    stresses(state, e, stress);
+  }
+
+
+
+  void
+  System::stresses(const State &state, const std::vector<double> &e, std::vector<double> &stress) const
+  {
+    thread_local std::vector<double> rates;
     rates.assign(layout.n_strains, 0.);
     stress.resize(layout.n_strains);
     for (const auto &c : model.contributions)
       {
-        c->strain_rates(state.point(), rates.data() + c->first_strain);
+        if (c->has_damping())
+          c->strain_rates(state.point(), rates.data() + c->first_strain);
         c->stresses(e.data() + c->first_strain, rates.data() + c->first_strain, stress.data() + c->first_strain);
       }
   }
@@ -235,9 +245,17 @@ namespace samara
   System::Energy
   System::energy(const State &state) const
   {
-    Energy              energy{0, 0};
-    std::vector<double> e;
+    thread_local std::vector<double> e;
     strains(state, e);
+    return energy(state, e);
+  }
+
+
+
+  System::Energy
+  System::energy(const State &state, const std::vector<double> &e) const
+  {
+    Energy energy{0, 0};
     for (const auto &c : model.contributions)
       energy.strain += c->strain_energy(e.data() + c->first_strain);
     for (unsigned int node = 0; node < layout.n_nodes; ++node)

@@ -68,8 +68,10 @@ namespace samara
     e.resize(layout.n_strains);
     mean_rates.resize(layout.n_multipliers);
     twists.assign(6 * layout.n_nodes, 0.);
-    for (auto *const increments : {&dy, &dz, &dz_rate})
-      increments->assign(tableau.s, std::vector<double>(n));
+    for (auto *const increments : {&dz, &dz_rate})
+      increments->assign(tableau.s, std::vector<double>(layout.of_multiplier(0)));
+    d_lambda.assign(tableau.s, std::vector<double>(layout.n_multipliers));
+    extrapolated.resize(6 * layout.n_nodes);
     for (auto *const strains : {&strain_increment, &rate_increment, &stress_increment})
       strains->assign(layout.n_strains, 0.);
     previous.assign(tableau.s + 1, std::vector<double>(6 * layout.n_nodes + layout.n_coordinates));
@@ -101,8 +103,14 @@ namespace samara
   {
     StepResult result;
     state.held = false;
-    system.strains(state, e_start);
-    const auto energy = system.energy(state);
+    // where the last step ended, strains are known
+    if (!e_end.empty() && state.q == final_q && state.coordinates == final_coordinates &&
+        state.switches == switches_at_end)
+      std::swap(e_start, e_end);
+    else
+      system.strains(state, e_start);
+    e_end.clear();
+    const auto energy = system.energy(state, e_start);
     energy_scale      = energy.kinetic + energy.strain;
     predict(state, h);
     bool converged = false;
@@ -335,14 +343,12 @@ namespace samara
         // would extrapolation have been nearer than the velocities at the start?
         const Stage &last  = stages.back();
         double       error = 0, change = 0;
-        dy[0].resize(n_y);
-        extrapolate(offset + tableau.c(tableau.s - 1) * h / previous_step, dy[0], x_rates);
+        extrapolate(offset + tableau.c(tableau.s - 1) * h / previous_step, extrapolated, x_rates);
         for (unsigned int i = 0; i < n_y; ++i)
           {
-            error += std::pow(dy[0][i] - last.y[i], 2);
+            error += std::pow(extrapolated[i] - last.y[i], 2);
             change += std::pow(state.y[i] - last.y[i], 2);
           }
-        dy[0].resize(system.size());
         extrapolates = error < change;
       }
     else
@@ -374,13 +380,13 @@ namespace samara
     };
     advance(state.y, &Stage::y);
     advance(state.rates, &Stage::rates);
-    state.q           = final_q;
-    state.coordinates = final_coordinates;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
-        Eigen::Map<Matrix3> D(&state.q[12 * node + 3]);
+        Eigen::Map<Matrix3> D(&final_q[12 * node + 3]);
         D = renormalised(D); // against round-off only
       }
+    state.q           = final_q;
+    state.coordinates = final_coordinates;
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       {
         state.multipliers[i] = 0;
@@ -388,6 +394,8 @@ namespace samara
           state.multipliers[i] += tableau.b(k) * stages[k].multipliers[i];
       }
     state.time += h;
-    system.stresses(state, state.stress);
+    system.strains(state, e_end);
+    switches_at_end = state.switches;
+    system.stresses(state, e_end, state.stress);
   }
 } // namespace samara

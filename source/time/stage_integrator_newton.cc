@@ -1,5 +1,6 @@
 // The matrices of Newton's method, and its corrections.
 
+#include <samara/solvers/triangular.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -83,43 +84,67 @@ namespace samara
     const Layout      &layout = system.layout;
     const unsigned int n = system.size(), n_kinematic = layout.of_multiplier(0), s = tableau.s;
     for (unsigned int k = 0; k < s; ++k)
-      for (auto *const increments : {&dy[k], &dz[k], &dz_rate[k]})
+      for (auto *const increments : {&dz[k], &dz_rate[k], &d_lambda[k]})
         std::fill(increments->begin(), increments->end(), 0.);
 
     for (unsigned int j = 0; j < factors.size(); ++j)
       {
         const auto                &eigenvalue = tableau.eigenvalues[j];
         const std::complex<double> hm         = h * eigenvalue.mu;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            std::complex<double> r = 0;
-            for (unsigned int k = 0; k < s; ++k)
-              r += eigenvalue.left(k) * stages[k].residual[i];
-            x[i] = i < n_kinematic ? -hm * hm * r : -hm * r;
-          }
         if (factors[j].real)
           {
-            for (unsigned int i = 0; i < n; ++i)
-              x_real[i] = x[i].real();
+            const double of_motion = -hm.real() * hm.real(), of_constraints = -hm.real();
+            std::fill(x_real.begin(), x_real.end(), 0.);
+            for (unsigned int k = 0; k < s; ++k)
+              {
+                const double  left = eigenvalue.left(k).real();
+                const double *r    = stages[k].residual.data();
+                for (unsigned int i = 0; i < n_kinematic; ++i)
+                  x_real[i] += of_motion * left * r[i];
+                for (unsigned int i = n_kinematic; i < n; ++i)
+                  x_real[i] += of_constraints * left * r[i];
+              }
             factors[j].real->solve(x_real.data());
-            std::copy(x_real.begin(), x_real.end(), x.begin());
           }
         else
-          factors[j].complex->solve(x.data());
+          {
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                double real = 0, imag = 0;
+                for (unsigned int k = 0; k < s; ++k)
+                  {
+                    real += eigenvalue.left(k).real() * stages[k].residual[i];
+                    imag += eigenvalue.left(k).imag() * stages[k].residual[i];
+                  }
+                x[i] = product(i < n_kinematic ? -hm * hm : -hm, std::complex<double>(real, imag));
+              }
+            factors[j].complex->solve(x.data());
+          }
 
         // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
-        const double twice = factors[j].real ? 1. : 2.;
         for (unsigned int k = 0; k < s; ++k)
-          {
-            const std::complex<double> right = twice * eigenvalue.right(k), rate = right / hm, force = rate / hm;
-            for (unsigned int i = 0; i < n_kinematic; ++i)
-              {
-                dz[k][i] += (right * x[i]).real();
-                dz_rate[k][i] += (rate * x[i]).real();
-              }
-            for (unsigned int i = n_kinematic; i < n; ++i)
-              dy[k][i] += (force * x[i]).real();
-          }
+          if (factors[j].real)
+            {
+              const double right = eigenvalue.right(k).real(), rate = right / hm.real(), force = rate / hm.real();
+              for (unsigned int i = 0; i < n_kinematic; ++i)
+                {
+                  dz[k][i] += right * x_real[i];
+                  dz_rate[k][i] += rate * x_real[i];
+                }
+              for (unsigned int i = n_kinematic; i < n; ++i)
+                d_lambda[k][i - n_kinematic] += force * x_real[i];
+            }
+          else
+            {
+              const std::complex<double> right = 2. * eigenvalue.right(k), rate = right / hm, force = rate / hm;
+              for (unsigned int i = 0; i < n_kinematic; ++i)
+                {
+                  dz[k][i] += product(right, x[i]).real();
+                  dz_rate[k][i] += product(rate, x[i]).real();
+                }
+              for (unsigned int i = n_kinematic; i < n; ++i)
+                d_lambda[k][i - n_kinematic] += product(force, x[i]).real();
+            }
       }
 
     // corrections are measured against the largest velocity, or one that would matter over the step
@@ -156,7 +181,7 @@ namespace samara
           }
         for (unsigned int i = 0; i < layout.n_multipliers; ++i)
           {
-            const double d = dy[k][layout.of_multiplier(i)];
+            const double d = d_lambda[k][i];
             stage.multipliers[i] += d;
             change_of_force = std::max(change_of_force, std::abs(d));
             largest_force   = std::max(largest_force, std::abs(stage.multipliers[i]));

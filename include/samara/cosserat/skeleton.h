@@ -35,6 +35,11 @@ namespace samara
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   damping(const Point<double> &point, SparseMatrix &C) const override;
     double strain_energy(const double *e) const override;
+    bool
+    has_damping() const override
+    {
+      return relaxation_time != 0;
+    }
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;

@@ -118,6 +118,8 @@ namespace samara
 
     /** σ = C e(q) + C_d B y for the state's own configuration and velocities, without changing the state. */
     void stresses(const State &state, std::vector<double> &stress) const;
+    /** The same with the strains of the state, where they are known. */
+    void stresses(const State &state, const std::vector<double> &e, std::vector<double> &stress) const;
 
     /**
      * Forces and constraints, r = Bᵀσ + Gᵀλ − loads − ad*_y(M y), g, with the stress given; the last six entries are the
@@ -164,6 +166,8 @@ namespace samara
       double kinetic, strain;
     };
     Energy energy(const State &state) const;
+    /** The same with the strains of the state, where they are known. */
+    Energy energy(const State &state, const std::vector<double> &e) const;
 
     /** Total mass [kg], centre of mass [m], inertia about it [kg m²] in a configuration. */
     struct MassProperties

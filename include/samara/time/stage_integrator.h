@@ -105,6 +105,8 @@ namespace samara
     bool                                        has_damping = false;
 
     std::vector<double> e_start, final_q, final_coordinates, constraints_at_start, constraints_at_end;
+    std::vector<double> e_end; ///< strains where the last step ended; empty: not known
+    std::vector<char>   switches_at_end;
 
     /** Velocities at the start and the stages of the last step, and whether extrapolating them was a good start. */
     std::vector<std::vector<double>> previous;
@@ -117,7 +119,8 @@ namespace samara
     SparseMatrix                      real_matrix;
     Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
     std::vector<double>               x_real, x_rates, e, mean_rates, no_multipliers, time_rates, force;
-    std::vector<std::vector<double>>  dy, dz, dz_rate; ///< increments of the stages
+    std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
+    std::vector<double>               extrapolated;
     std::vector<double>               twists, strain_increment, rate_increment, stress_increment;
 
     /** Newton's method with the factors there are; gives up if corrections shrink by less than the factor @p slow. */
