@@ -270,6 +270,29 @@ namespace samara
 
 
   template <int dim>
+  void
+  Cosserat<dim>::gather_twists(const Batch &batch, const double *y, Vec6<Lanes<double>::type> *twists) const
+  {
+    constexpr unsigned int size = Lanes<double>::size;
+    Vector6                of_frames[size];
+    auto                   arm = batch.arms.begin();
+    for (unsigned int a = 0; size * a < batch.nodes.size(); ++a)
+      {
+        std::array<const double *, size> from;
+        for (unsigned int l = 0; l < size; ++l)
+          from[l] = y + 6 * batch.nodes[size * a + l];
+        for (; arm != batch.arms.end() && arm->a == a; ++arm)
+          {
+            of_frames[arm->lane] = elements[batch.first + arm->lane].frames[a].twist(y);
+            from[arm->lane]      = of_frames[arm->lane].data();
+          }
+        Lanes<double>::load(6, from, twists[a].data());
+      }
+  }
+
+
+
+  template <int dim>
   template <typename Number>
   void
   Cosserat<dim>::batch_to_points(const Batch &batch, const Vec6<typename Lanes<Number>::type> *tied, Number *e) const
@@ -323,27 +346,14 @@ namespace samara
   void
   Cosserat<dim>::batch_strain_rates(const Batch &batch, const Point<double> &point, double *rates) const
   {
-    using Lane                            = Lanes<double>::type;
-    constexpr unsigned int           size = Lanes<double>::size;
-    const ElementTable<dim>         &t    = *elements[batch.first].table;
-    kernel::NodeValues<Lane>         nodes[N > 0 ? N : most_nodes], velocities[N > 0 ? N : most_nodes];
-    std::array<const double *, size> from;
-    Vector6                          of_frames[size];
-    Vec6<Lane>                       twist, tied[most_tied];
-    auto                             arm = batch.arms.begin();
+    using Lane                 = Lanes<double>::type;
+    const ElementTable<dim> &t = *elements[batch.first].table;
+    kernel::NodeValues<Lane> nodes[N > 0 ? N : most_nodes], velocities[N > 0 ? N : most_nodes];
+    Vec6<Lane>               twists[N > 0 ? N : most_nodes], tied[most_tied];
     gather_lanes(batch, point.q, nodes);
+    gather_twists(batch, point.y, twists);
     for (unsigned int a = 0; a < t.n_nodes; ++a)
-      {
-        for (unsigned int l = 0; l < size; ++l)
-          from[l] = point.y + 6 * batch.nodes[size * a + l];
-        for (; arm != batch.arms.end() && arm->a == a; ++arm)
-          {
-            of_frames[arm->lane] = elements[batch.first + arm->lane].frames[a].twist(point.y);
-            from[arm->lane]      = of_frames[arm->lane].data();
-          }
-        Lanes<double>::load(6, from, twist.data());
-        velocities[a] = kernel::node_rates(nodes[a].D, twist);
-      }
+      velocities[a] = kernel::node_rates(nodes[a].D, twists[a]);
     for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       tied[k] = kernel::strain_rate(kernel::interpolate<N>(nodes, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)),
                                     kernel::interpolate<N>(velocities, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
@@ -565,7 +575,7 @@ namespace samara
 
 
 
-  /** B of all elements, row by row. */
+  /** B of all elements, four of them side by side. */
   template <int dim>
   class Cosserat<dim>::StoredStrains : public LinearStrains
   {
@@ -573,79 +583,147 @@ namespace samara
     explicit StoredStrains(const Cosserat &body)
       : body(body)
     {
-      int most_columns = 0, most_rows = 0;
-      for (const auto &element : body.elements)
+      for (const auto &batch : body.batches)
         {
-          most_rows    = std::max(most_rows, rows_of(element));
-          most_columns = std::max(most_columns, columns_of(element));
+          first.push_back(B.size());
+          B.resize(B.size() + table_of(batch).n_points * table_of(batch).n_nodes);
         }
-      B.resize(n * body.points.size(), most_columns);
-      z.resize(most_columns);
-      weighted.resize(most_rows);
     }
 
     void
     renew(const Point<double> &point) override
     {
-      for (unsigned int i = 0; i < body.n_elements(); ++i)
-        {
-          body.interpolate_element(i, point.q);
-          body.strain_matrix(i, part(B, body.elements[i]));
-        }
+      RowMajor &of_element = body.scratch().B;
+      for (unsigned int i = 0; i < first.size(); ++i)
+        for (unsigned int l = 0; l < body.batches[i].size; ++l)
+          {
+            const ElementTable<dim> &t = table_of(body.batches[i]);
+            of_element.resize(n * t.n_points, 6 * t.n_nodes);
+            body.interpolate_element(body.batches[i].first + l, point.q);
+            body.strain_matrix(body.batches[i].first + l, of_element);
+            for (unsigned int g = 0; g < t.n_points; ++g)
+              for (unsigned int a = 0; a < t.n_nodes; ++a)
+                B[first[i] + g * t.n_nodes + a].set(l, of_element.template block<n, 6>(n * g, 6 * a));
+          }
     }
 
     void
     strains(const double *y, const double *, double *e) const override
     {
-      for (unsigned int i = 0; i < body.n_elements(); ++i)
+      Vec6<Lane> twists[most_nodes];
+      for (unsigned int i = 0; i < first.size(); ++i)
         {
-          const Element &element = body.elements[i];
-          for (unsigned int a = 0; a < element.frames.size(); ++a)
-            if (element.all_nodes)
-              z.template segment<6>(6 * a) = Eigen::Map<const Vector6>(y + 6 * element.frames[a].node);
-            else
-              z.template segment<6>(6 * a) = element.frames[a].twist(y);
-          Eigen::Map<Eigen::VectorXd>(e + n * element.first_point, rows_of(element)).noalias() =
-            part(B, element) * z.head(columns_of(element));
+          const Batch             &batch = body.batches[i];
+          const ElementTable<dim> &t     = table_of(batch);
+          body.gather_twists(batch, y, twists);
+          for (unsigned int g = 0; g < t.n_points; ++g)
+            {
+              Eigen::Matrix<Lane, n, 1> sum = Eigen::Matrix<Lane, n, 1>::Zero();
+              for (unsigned int a = 0; a < t.n_nodes; ++a)
+                B[first[i] + g * t.n_nodes + a].add_strains(twists[a], sum);
+              double                  not_wanted[n];
+              std::array<double *, 4> to;
+              for (unsigned int l = 0; l < to.size(); ++l)
+                to[l] = l < batch.size ? e + n * (body.elements[batch.first + l].first_point + g) : not_wanted;
+              Lanes<double>::store(n, sum.data(), to);
+            }
         }
     }
 
     void
     add_forces(const double *stress, double *r) const override
     {
-      for (unsigned int i = 0; i < body.n_elements(); ++i)
+      for (unsigned int i = 0; i < first.size(); ++i)
         {
-          const Element &element = body.elements[i];
-          for (unsigned int g = element.first_point; g < element.first_point + element.table->n_points; ++g)
-            weighted.template segment<n>(n * (g - element.first_point)) =
-              body.points[g].weight * Eigen::Map<const VectorN>(stress + n * g);
-          local.noalias() = part(B, element).transpose() * weighted.head(rows_of(element));
-          element.block.add(local, r);
+          const Batch             &batch = body.batches[i];
+          const ElementTable<dim> &t     = table_of(batch);
+          Vec6<Lane>               forces[most_nodes];
+          for (unsigned int a = 0; a < t.n_nodes; ++a)
+            forces[a].setZero();
+          for (unsigned int g = 0; g < t.n_points; ++g)
+            {
+              VectorN                       weighted[4];
+              std::array<const double *, 4> from;
+              for (unsigned int l = 0; l < 4; ++l)
+                {
+                  const unsigned int point = body.elements[batch.first + std::min(l, batch.size - 1)].first_point + g;
+                  weighted[l]              = body.points[point].weight * Eigen::Map<const VectorN>(stress + n * point);
+                  from[l]                  = weighted[l].data();
+                }
+              Eigen::Matrix<Lane, n, 1> s;
+              Lanes<double>::load(n, from, s.data());
+              for (unsigned int a = 0; a < t.n_nodes; ++a)
+                B[first[i] + g * t.n_nodes + a].add_forces(s, forces[a]);
+            }
+          std::array<double *, 4> to;
+          for (unsigned int l = 0; l < 4; ++l)
+            {
+              local[l].resize(6 * t.n_nodes);
+              to[l] = local[l].data();
+            }
+          Lanes<double>::store(6 * t.n_nodes, forces[0].data(), to);
+          for (unsigned int l = 0; l < batch.size; ++l)
+            body.elements[batch.first + l].block.add(local[l], r);
         }
     }
 
   private:
-    const Cosserat         &body;
-    RowMajor                B; ///< of elements with fewer nodes, the first columns
-    mutable Eigen::VectorXd z, weighted, local;
+    using Lane = Lanes<double>::type;
 
-    static int
-    rows_of(const Element &element)
+    /** B of one node at one point: displacements do not change curvatures, which leaves three quarters. */
+    struct NodeMatrix
     {
-      return n * element.table->n_points;
-    }
+      Lane values[dim][3][9] = {};
 
-    static int
-    columns_of(const Element &element)
-    {
-      return 6 * element.table->n_nodes;
-    }
+      void
+      set(const unsigned int lane, const Eigen::Matrix<double, n, 6> &B_node)
+      {
+        for (unsigned int alpha = 0; alpha < dim; ++alpha)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              for (unsigned int j = 0; j < 6; ++j)
+                values[alpha][i][j].values[lane] = B_node(6 * alpha + i, j);
+              for (unsigned int j = 0; j < 3; ++j)
+                values[alpha][i][6 + j].values[lane] = B_node(6 * alpha + 3 + i, 3 + j);
+            }
+      }
 
-    template <typename Matrix>
-    static auto
-    part(Matrix &all, const Element &element)
+      void
+      add_strains(const Vec6<Lane> &z, Eigen::Matrix<Lane, n, 1> &e) const
+      {
+        for (unsigned int alpha = 0; alpha < dim; ++alpha)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              const Lane *const b = values[alpha][i];
+              e(6 * alpha + i) += b[0] * z(0) + b[1] * z(1) + b[2] * z(2) + b[3] * z(3) + b[4] * z(4) + b[5] * z(5);
+              e(6 * alpha + 3 + i) += b[6] * z(3) + b[7] * z(4) + b[8] * z(5);
+            }
+      }
+
+      void
+      add_forces(const Eigen::Matrix<Lane, n, 1> &s, Vec6<Lane> &f) const
+      {
+        for (unsigned int alpha = 0; alpha < dim; ++alpha)
+          for (unsigned int j = 0; j < 3; ++j)
+            {
+              const auto &b = values[alpha];
+              const Lane *N = &s(6 * alpha), *const M = N + 3;
+              f(j) += b[0][j] * N[0] + b[1][j] * N[1] + b[2][j] * N[2];
+              f(3 + j) += b[0][3 + j] * N[0] + b[1][3 + j] * N[1] + b[2][3 + j] * N[2] + b[0][6 + j] * M[0] +
+                          b[1][6 + j] * M[1] + b[2][6 + j] * M[2];
+            }
+      }
+    };
+
+    const Cosserat                        &body;
+    std::vector<NodeMatrix>                B;     ///< by batches, points, nodes
+    std::vector<unsigned int>              first; ///< of each batch
+    mutable std::array<Eigen::VectorXd, 4> local;
+
+    const ElementTable<dim> &
+    table_of(const Batch &batch) const
     {
-      return all.block(n * element.first_point, 0, rows_of(element), columns_of(element));
+      return *body.elements[batch.first].table;
     }
   };
 

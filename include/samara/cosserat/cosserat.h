@@ -152,6 +152,9 @@ namespace samara
     void
     gather_lanes(const Batch &batch, const Number *q, kernel::NodeValues<typename Lanes<Number>::type> *nodes) const;
 
+    /** The nodes' twists, in their own frames. */
+    void gather_twists(const Batch &batch, const double *y, Vec6<Lanes<double>::type> *twists) const;
+
     /** @name One batch; @p N is its number of nodes an element if that is known when compiling, else 0. @{ */
     template <int N, typename Number>
     void batch_strains(const Batch &batch, const Point<Number> &point, Number *e) const;
