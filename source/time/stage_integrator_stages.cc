@@ -1,5 +1,6 @@
 // The stages of a step: where they are, and how far their equations are from being satisfied.
 
+#include <samara/base/lanes.h>
 #include <samara/time/stage_integrator.h>
 
 #include <cmath>
@@ -8,19 +9,21 @@ namespace samara
 {
   namespace
   {
+    using Lane = Lanes<double>::type;
+
     /**
      * Solve A X = B by elimination without pivoting, all in place; A has a dominant diagonal for steps that have a
-     * solution. False if a pivot is small all the same.
+     * solution. False if a pivot is small or negative all the same.
      */
     template <int n, int m>
     bool
-    eliminate(double (&A)[n][n + m])
+    eliminate(Lane (&A)[n][n + m])
     {
       for (int i = 0; i < n; ++i)
         {
-          if (!(std::abs(A[i][i]) > 0.1))
+          if (!(A[i][i].smallest() > 0.1))
             return false;
-          const double inverse = 1 / A[i][i];
+          const Lane inverse = Lane(1) / A[i][i];
           for (int k = i + 1; k < n + m; ++k)
             A[i][k] *= inverse;
           for (int j = i + 1; j < n; ++j)
@@ -36,58 +39,160 @@ namespace samara
 
 
 
-    /** Stage triads: [D_1 … D_s] (I − h W) = [D_i … D_i], W with the blocks a_kl Ω~_l. */
+    /** The same for one lane, with pivoting. */
+    template <int n, int m>
+    void
+    eliminate_with_pivots(Lane (&A)[n][n + m], const int lane)
+    {
+      Eigen::Matrix<double, n, n> matrix;
+      Eigen::Matrix<double, n, m> right;
+      for (int i = 0; i < n; ++i)
+        for (int k = 0; k < n + m; ++k)
+          (k < n ? matrix(i, k) : right(i, k - n)) = A[i][k].values[lane];
+      const Eigen::Matrix<double, n, m> solution = matrix.partialPivLu().solve(right);
+      for (int i = 0; i < n; ++i)
+        for (int k = 0; k < m; ++k)
+          A[i][n + k].values[lane] = solution(i, k);
+    }
+
+
+
+    /** Stage triads of four nodes: [D_1 … D_s] (I − h W) = [D_i … D_i], W with the blocks a_kl Ω~_l. */
     template <int s>
     void
-    stage_triads(const Tableau &t, const double h, const Vector3 *spin, const Matrix3 &D_start, Matrix3 *D)
+    stage_triads(const Tableau &t, const double h, const Vec3<Lane> *spin, const Mat3<Lane> &D_start, Mat3<Lane> *D)
     {
       if constexpr (s == 1)
         {
-          // D (I − r~) = D_i with r = h a Ω, in closed form
-          const Vector3 r       = h * t.a(0, 0) * spin[0];
-          const Matrix3 inverse = (Matrix3::Identity() + skew(r) + r * r.transpose()) / (1 + r.squaredNorm());
-          D[0].noalias()        = D_start * inverse;
+          // D (I − r~) = D_i with r = h a Ω, in closed form: D = D_i (I + r~ + r rᵀ)/(1 + |r|²)
+          const Vec3<Lane> r      = Lane(h * t.a(0, 0)) * spin[0];
+          const Lane       factor = Lane(1) / (Lane(1) + r(0) * r(0) + r(1) * r(1) + r(2) * r(2));
+          for (int i = 0; i < 3; ++i)
+            {
+              const Lane a = D_start(i, 0), b = D_start(i, 1), c = D_start(i, 2),
+                         along = a * r(0) + b * r(1) + c * r(2);
+              D[0](i, 0)       = factor * (a + b * r(2) - c * r(1) + along * r(0));
+              D[0](i, 1)       = factor * (b + c * r(0) - a * r(2) + along * r(1));
+              D[0](i, 2)       = factor * (c + a * r(1) - b * r(0) + along * r(2));
+            }
         }
       else
         {
           // transposed: (−Ω~)ᵀ = Ω~
-          constexpr int n     = 3 * s;
-          const auto    block = [&](const int k, const int l) -> Matrix3 {
-            return h * t.a(k, l) * skew(spin[l]) + (k == l ? 1. : 0.) * Matrix3::Identity();
-          };
-          double A[n][n + 3];
-          for (int k = 0; k < s; ++k)
-            {
+          constexpr int n    = 3 * s;
+          const auto    fill = [&](Lane(&A)[n][n + 3]) {
+            for (int k = 0; k < s; ++k)
               for (int l = 0; l < s; ++l)
                 {
-                  const Matrix3 a_kl = block(k, l);
+                  const Vec3<Lane> r           = Lane(h * t.a(k, l)) * spin[l];
+                  const Lane       unit        = k == l ? 1. : 0.;
+                  const Lane       block[3][3] = {{unit, -r(2), r(1)}, {r(2), unit, -r(0)}, {-r(1), r(0), unit}};
                   for (int i = 0; i < 3; ++i)
                     for (int j = 0; j < 3; ++j)
-                      A[3 * k + i][3 * l + j] = a_kl(i, j);
+                      A[3 * k + i][3 * l + j] = block[i][j];
                 }
-              for (int i = 0; i < 3; ++i)
-                for (int j = 0; j < 3; ++j)
-                  A[3 * k + i][n + j] = D_start(j, i);
-            }
-          if (eliminate<n, 3>(A))
             for (int k = 0; k < s; ++k)
               for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j)
-                  D[k](j, i) = A[3 * k + i][n + j];
-          else
+                  A[3 * k + i][n + j] = D_start(j, i);
+          };
+          Lane A[n][n + 3];
+          fill(A);
+          if (!eliminate<n, 3>(A))
             {
-              Eigen::Matrix<double, n, n> matrix;
-              for (int k = 0; k < s; ++k)
-                for (int l = 0; l < s; ++l)
-                  matrix.template block<3, 3>(3 * k, 3 * l) = block(k, l);
-              const Eigen::Matrix<double, n, 3> solution =
-                matrix.partialPivLu().solve(D_start.transpose().template replicate<s, 1>().eval());
-              for (int k = 0; k < s; ++k)
-                D[k] = solution.template middleRows<3>(3 * k).transpose();
+              fill(A);
+              for (int lane = 0; lane < 4; ++lane)
+                eliminate_with_pivots<n, 3>(A, lane);
             }
+          for (int k = 0; k < s; ++k)
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j)
+                D[k](j, i) = A[3 * k + i][n + j];
         }
     }
+
+
+
+    /** The product of a matrix and a vector, added. */
+    void
+    add_product(const Mat3<Lane> &A, const Lane &factor, const Vec3<Lane> &v, Vec3<Lane> &sum)
+    {
+      for (int i = 0; i < 3; ++i)
+        sum(i) += factor * (A(i, 0) * v(0) + A(i, 1) * v(1) + A(i, 2) * v(2));
+    }
   } // namespace
+
+
+
+  template <int s>
+  void
+  StageIntegrator::move_nodes(const State &state, const double h)
+  {
+    // four nodes at once; the last one fills up
+    const unsigned int n_nodes = system.layout.n_nodes;
+    for (unsigned int first = 1; first < n_nodes; first += 4)
+      {
+        std::array<unsigned int, 4>   nodes;
+        std::array<const double *, 4> from;
+        std::array<double *, 4>       to;
+        double                        not_wanted[12];
+        for (unsigned int l = 0; l < 4; ++l)
+          nodes[l] = std::min(first + l, n_nodes - 1);
+        const auto load = [&](const unsigned int n, const std::vector<double> &values, Lane *lanes) {
+          for (unsigned int l = 0; l < 4; ++l)
+            from[l] = values.data() + n * nodes[l];
+          Lanes<double>::load(n, from, lanes);
+        };
+        const auto store = [&](const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) {
+          Lane lanes[12];
+          std::copy_n(x.data(), 3, lanes);
+          std::copy_n(D.data(), 9, lanes + 3);
+          for (unsigned int l = 0; l < 4; ++l)
+            to[l] = first + l < n_nodes ? q.data() + 12 * nodes[l] : not_wanted;
+          Lanes<double>::store(12, lanes, to);
+        };
+
+        Lane start[12], y[s][6];
+        load(12, state.q, start);
+        const Vec3<Lane> x_start = Eigen::Map<const Vec3<Lane>>(start);
+        const Mat3<Lane> D_start = Eigen::Map<const Mat3<Lane>>(start + 3);
+        Vec3<Lane>       spin[s], velocity[s];
+        Mat3<Lane>       D[s];
+        for (int k = 0; k < s; ++k)
+          {
+            load(6, stages[k].y, y[k]);
+            spin[k] = Eigen::Map<const Vec3<Lane>>(y[k] + 3);
+          }
+        stage_triads<s>(tableau, h, spin, D_start, D);
+
+        Vec3<Lane> x_final = x_start;
+        Mat3<Lane> D_final = D_start;
+        for (int k = 0; k < s; ++k)
+          {
+            const Lane hb = h * tableau.b(k);
+            velocity[k].setZero();
+            add_product(D[k], Lane(1), Eigen::Map<const Vec3<Lane>>(y[k]), velocity[k]);
+            for (int i = 0; i < 3; ++i)
+              {
+                x_final(i) += hb * velocity[k](i);
+                // a row of D Ω~ is that row of D crossed with Ω
+                const Lane a = hb * D[k](i, 0), b = hb * D[k](i, 1), c = hb * D[k](i, 2);
+                D_final(i, 0) += b * spin[k](2) - c * spin[k](1);
+                D_final(i, 1) += c * spin[k](0) - a * spin[k](2);
+                D_final(i, 2) += a * spin[k](1) - b * spin[k](0);
+              }
+          }
+        for (int k = 0; k < s; ++k)
+          {
+            Vec3<Lane> x = x_start;
+            for (int l = 0; l < s; ++l)
+              for (int i = 0; i < 3; ++i)
+                x(i) += Lane(h * tableau.a(k, l)) * velocity[l](i);
+            store(x, D[k], stages[k].q);
+          }
+        store(x_final, D_final, final_q);
+      }
+  }
 
 
 
@@ -97,42 +202,23 @@ namespace samara
     const unsigned int s = tableau.s;
     for (auto &stage : stages)
       {
-        stage.q           = state.q;
+        stage.q.resize(state.q.size());
+        std::copy_n(state.q.begin(), 12, stage.q.begin()); // the ground
         stage.coordinates = state.coordinates;
       }
-    final_q           = state.q;
+    final_q.resize(state.q.size());
+    std::copy_n(state.q.begin(), 12, final_q.begin());
     final_coordinates = state.coordinates;
-    Vector3 spin[3], velocity[3];
-    Matrix3 D[3];
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+    switch (s)
       {
-        const Matrix3 D_start = state.triad(node);
-        for (unsigned int k = 0; k < s; ++k)
-          spin[k] = Eigen::Map<const Vector3>(&stages[k].y[6 * node + 3]);
-        switch (s)
-          {
-            case 1:
-              stage_triads<1>(tableau, h, spin, D_start, D);
-              break;
-            case 2:
-              stage_triads<2>(tableau, h, spin, D_start, D);
-              break;
-            default:
-              stage_triads<3>(tableau, h, spin, D_start, D);
-          }
-        for (unsigned int k = 0; k < s; ++k)
-          velocity[k] = D[k] * Eigen::Map<const Vector3>(&stages[k].y[6 * node]);
-        Eigen::Map<Vector3> x_final(&final_q[12 * node]);
-        Eigen::Map<Matrix3> D_final(&final_q[12 * node + 3]);
-        for (unsigned int k = 0; k < s; ++k)
-          {
-            Eigen::Map<Vector3> x(&stages[k].q[12 * node]);
-            for (unsigned int l = 0; l < s; ++l)
-              x += h * tableau.a(k, l) * velocity[l];
-            Eigen::Map<Matrix3>(&stages[k].q[12 * node + 3]) = D[k];
-            x_final += h * tableau.b(k) * velocity[k];
-            D_final += h * tableau.b(k) * D[k] * skew(spin[k]);
-          }
+        case 1:
+          move_nodes<1>(state, h);
+          break;
+        case 2:
+          move_nodes<2>(state, h);
+          break;
+        default:
+          move_nodes<3>(state, h);
       }
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
       for (unsigned int k = 0; k < s; ++k)

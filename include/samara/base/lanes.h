@@ -32,6 +32,23 @@ namespace samara
       values += b.values;
       return *this;
     }
+    FourDoubles &
+    operator-=(const FourDoubles &b)
+    {
+      values -= b.values;
+      return *this;
+    }
+    FourDoubles &
+    operator*=(const FourDoubles &b)
+    {
+      values *= b.values;
+      return *this;
+    }
+    FourDoubles
+    operator-() const
+    {
+      return FourDoubles(-values);
+    }
     friend FourDoubles
     operator+(const FourDoubles &a, const FourDoubles &b)
     {
@@ -46,6 +63,17 @@ namespace samara
     operator*(const FourDoubles &a, const FourDoubles &b)
     {
       return FourDoubles(a.values * b.values);
+    }
+    friend FourDoubles
+    operator/(const FourDoubles &a, const FourDoubles &b)
+    {
+      return FourDoubles(a.values / b.values);
+    }
+
+    double
+    smallest() const
+    {
+      return std::min({values[0], values[1], values[2], values[3]});
     }
   };
 

@@ -132,6 +132,8 @@ namespace samara
     void freeze(const State &state, double h);
     void factorize(double h);
     void move_stages(const State &state, double h);
+    template <int s>
+    void move_nodes(const State &state, double h);
     void evaluate(const State &state, double h);
     void evaluate_stresses(double h);
     void evaluate_constraints(const State &state, double h);
