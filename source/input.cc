@@ -1,4 +1,5 @@
 #include <samara/base/text.h>
+#include <samara/base/threads.h>
 #include <samara/input.h>
 #include <samara/solvers/linear.h>
 
@@ -33,6 +34,10 @@ namespace samara
             linear_solver,
             "Library that factorises matrices; KLU is the fastest for beams and mechanisms.",
             dealii::Patterns::Selection("KLU|UMFPACK|MUMPS"));
+    prm.add("Threads",
+            threads,
+            "Most threads for loops over elements, used where a body has so many that it helps; 0: one a processor.",
+            dealii::Patterns::Integer(0, 1024));
     Parameters &output = prm.subsection("Output");
     output.add("Probes", probes, "Numbers to record: body.point.displacement y, joint.rotation, ...");
     output.add("Pictures", pictures, "Whether to write files for ParaView.");
@@ -125,6 +130,7 @@ namespace samara
     root.parse(outline, quantities, complaints);
     drop_redundant = redundant == "drop";
     use_library(library_by_name(linear_solver));
+    set_threads(threads);
 
     read_objects(catalogue, outline, quantities, complaints);
     read_analyses(catalogue, outline, quantities, complaints);

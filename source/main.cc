@@ -1,8 +1,7 @@
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/threads.h>
 #include <samara/program.h>
-
-#include <deal.II/base/multithread_info.h>
 
 #include <CLI/CLI.hpp>
 
@@ -48,8 +47,8 @@ main(int argc, char **argv)
 
   try
     {
-      // one thread and no MPI, which would want to start a daemon and complains where it cannot
-      dealii::MultithreadInfo::set_thread_limit(1);
+      // no MPI, which would want to start a daemon and complains where it cannot; one thread, until the model says more
+      samara::set_threads(1);
       std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
       samara::Log log(std::cout, options.quiet);
       samara::run(options, log);

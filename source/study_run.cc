@@ -90,7 +90,8 @@ namespace samara
     std::vector<std::string>
     command_of(const StudyMember &member, const std::string &program)
     {
-      std::vector<std::string> command = {program, member.model, "--output", member.folder};
+      // times of members are compared, and members run side by side
+      std::vector<std::string> command = {program, member.model, "--output", member.folder, "--set", "Threads = 1"};
       for (const auto &override : member.override_texts())
         command.insert(command.end(), {"--set", override});
       return command;
@@ -102,7 +103,7 @@ namespace samara
     std::string
     command_text(const StudyMember &member)
     {
-      std::string text = "samara '" + member.model + '\'';
+      std::string text = "samara '" + member.model + "' --set 'Threads = 1'";
       for (const auto &override : member.override_texts())
         text += " --set '" + override + '\'';
       return text + '\n';

@@ -43,6 +43,7 @@ namespace samara
     std::vector<std::string> analysis_names;
     std::vector<std::string> subsections; ///< of each contribution: "Bodies", ...
     std::string              redundant = "refuse", linear_solver = "KLU";
+    unsigned int             threads = 0;
 
     void read_objects(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);
     void read_analyses(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);

@@ -1,5 +1,6 @@
 // The matrices of Newton's method, and its corrections.
 
+#include <samara/base/threads.h>
 #include <samara/solvers/triangular.h>
 #include <samara/time/stage_integrator.h>
 
@@ -41,6 +42,21 @@ namespace samara
 
 
   void
+  StageIntegrator::for_factors(const std::function<void(unsigned int)> &f) const
+  {
+    // at most one real and one complex
+    constexpr unsigned int worth_threads = 2000;
+    parallel_for(factors.size(),
+                 system.size() < worth_threads ? factors.size() + 1 : 2,
+                 [&](const unsigned int begin, const unsigned int end) {
+                   for (unsigned int j = begin; j < end; ++j)
+                     f(j);
+                 });
+  }
+
+
+
+  void
   StageIntegrator::factorize(const double h)
   {
     system.damping(frozen, C);
@@ -52,25 +68,24 @@ namespace samara
         strains->renew(point);
     const unsigned int n = K.values.size() - 1;
     matrix.resize(n);
-    for (unsigned int j = 0; j < factors.size(); ++j)
-      {
-        const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
-        ++n_factorizations;
-        if (factors[j].real)
-          {
-            const double hr = hm.real();
-            for (unsigned int i = 0; i < n; ++i)
-              real_matrix.values[i] =
-                is_constraint_entry[i] ? K.values[i] : M.values[i] + hr * (C.values[i] + hr * K.values[i]);
-            factors[j].real->factorize(real_matrix);
-          }
-        else
-          {
-            for (unsigned int i = 0; i < n; ++i)
-              matrix[i] = is_constraint_entry[i] ? K.values[i] : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
-            factors[j].complex->factorize(matrix);
-          }
-      }
+    n_factorizations += factors.size();
+    for_factors([&](const unsigned int j) {
+      const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
+      if (factors[j].real)
+        {
+          const double hr = hm.real();
+          for (unsigned int i = 0; i < n; ++i)
+            real_matrix.values[i] =
+              is_constraint_entry[i] ? K.values[i] : M.values[i] + hr * (C.values[i] + hr * K.values[i]);
+          factors[j].real->factorize(real_matrix);
+        }
+      else
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            matrix[i] = is_constraint_entry[i] ? K.values[i] : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
+          factors[j].complex->factorize(matrix);
+        }
+    });
     factored_step        = h;
     n_steps_with_factors = 0;
     extra_iterations     = 0;
@@ -87,41 +102,45 @@ namespace samara
       for (auto *const increments : {&dz[k], &dz_rate[k], &d_lambda[k]})
         std::fill(increments->begin(), increments->end(), 0.);
 
+    for_factors([&](const unsigned int j) {
+      const auto                &eigenvalue = tableau.eigenvalues[j];
+      const std::complex<double> hm         = h * eigenvalue.mu;
+      if (factors[j].real)
+        {
+          const double of_motion = -hm.real() * hm.real(), of_constraints = -hm.real();
+          std::fill(x_real.begin(), x_real.end(), 0.);
+          for (unsigned int k = 0; k < s; ++k)
+            {
+              const double  left = eigenvalue.left(k).real();
+              const double *r    = stages[k].residual.data();
+              for (unsigned int i = 0; i < n_kinematic; ++i)
+                x_real[i] += of_motion * left * r[i];
+              for (unsigned int i = n_kinematic; i < n; ++i)
+                x_real[i] += of_constraints * left * r[i];
+            }
+          factors[j].real->solve(x_real.data());
+        }
+      else
+        {
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              double real = 0, imag = 0;
+              for (unsigned int k = 0; k < s; ++k)
+                {
+                  real += eigenvalue.left(k).real() * stages[k].residual[i];
+                  imag += eigenvalue.left(k).imag() * stages[k].residual[i];
+                }
+              x[i] = product(i < n_kinematic ? -hm * hm : -hm, std::complex<double>(real, imag));
+            }
+          factors[j].complex->solve(x.data());
+        }
+    });
+
+    // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
     for (unsigned int j = 0; j < factors.size(); ++j)
       {
         const auto                &eigenvalue = tableau.eigenvalues[j];
         const std::complex<double> hm         = h * eigenvalue.mu;
-        if (factors[j].real)
-          {
-            const double of_motion = -hm.real() * hm.real(), of_constraints = -hm.real();
-            std::fill(x_real.begin(), x_real.end(), 0.);
-            for (unsigned int k = 0; k < s; ++k)
-              {
-                const double  left = eigenvalue.left(k).real();
-                const double *r    = stages[k].residual.data();
-                for (unsigned int i = 0; i < n_kinematic; ++i)
-                  x_real[i] += of_motion * left * r[i];
-                for (unsigned int i = n_kinematic; i < n; ++i)
-                  x_real[i] += of_constraints * left * r[i];
-              }
-            factors[j].real->solve(x_real.data());
-          }
-        else
-          {
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                double real = 0, imag = 0;
-                for (unsigned int k = 0; k < s; ++k)
-                  {
-                    real += eigenvalue.left(k).real() * stages[k].residual[i];
-                    imag += eigenvalue.left(k).imag() * stages[k].residual[i];
-                  }
-                x[i] = product(i < n_kinematic ? -hm * hm : -hm, std::complex<double>(real, imag));
-              }
-            factors[j].complex->solve(x.data());
-          }
-
-        // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
         for (unsigned int k = 0; k < s; ++k)
           if (factors[j].real)
             {

@@ -1,9 +1,11 @@
 // The stages of a step: where they are, and how far their equations are from being satisfied.
 
 #include <samara/base/lanes.h>
+#include <samara/base/threads.h>
 #include <samara/time/stage_integrator.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace samara
 {
@@ -130,68 +132,70 @@ namespace samara
   {
     // four nodes at once; the last one fills up
     const unsigned int n_nodes = system.layout.n_nodes;
-    for (unsigned int first = 1; first < n_nodes; first += 4)
-      {
-        std::array<unsigned int, 4>   nodes;
-        std::array<const double *, 4> from;
-        std::array<double *, 4>       to;
-        double                        not_wanted[12];
-        for (unsigned int l = 0; l < 4; ++l)
-          nodes[l] = std::min(first + l, n_nodes - 1);
-        const auto load = [&](const unsigned int n, const std::vector<double> &values, Lane *lanes) {
+    parallel_for((n_nodes + 2) / 4, worth_threads, [&](const unsigned int begin, const unsigned int end) {
+      for (unsigned int first = 1 + 4 * begin; first < std::min(1 + 4 * end, n_nodes); first += 4)
+        {
+          std::array<unsigned int, 4>   nodes;
+          std::array<const double *, 4> from;
+          std::array<double *, 4>       to;
+          double                        not_wanted[12];
           for (unsigned int l = 0; l < 4; ++l)
-            from[l] = values.data() + n * nodes[l];
-          Lanes<double>::load(n, from, lanes);
-        };
-        const auto store = [&](const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) {
-          Lane lanes[12];
-          std::copy_n(x.data(), 3, lanes);
-          std::copy_n(D.data(), 9, lanes + 3);
-          for (unsigned int l = 0; l < 4; ++l)
-            to[l] = first + l < n_nodes ? q.data() + 12 * nodes[l] : not_wanted;
-          Lanes<double>::store(12, lanes, to);
-        };
+            nodes[l] = std::min(first + l, n_nodes - 1);
+          const auto load = [&](const unsigned int n, const std::vector<double> &values, Lane *lanes) {
+            for (unsigned int l = 0; l < 4; ++l)
+              from[l] = values.data() + n * nodes[l];
+            Lanes<double>::load(n, from, lanes);
+          };
+          const auto store = [&](const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) {
+            Lane lanes[12];
+            std::copy_n(x.data(), 3, lanes);
+            std::copy_n(D.data(), 9, lanes + 3);
+            for (unsigned int l = 0; l < 4; ++l)
+              to[l] = first + l < n_nodes ? q.data() + 12 * nodes[l] : not_wanted;
+            Lanes<double>::store(12, lanes, to);
+          };
 
-        Lane start[12], y[s][6];
-        load(12, state.q, start);
-        const Vec3<Lane> x_start = Eigen::Map<const Vec3<Lane>>(start);
-        const Mat3<Lane> D_start = Eigen::Map<const Mat3<Lane>>(start + 3);
-        Vec3<Lane>       spin[s], velocity[s];
-        Mat3<Lane>       D[s];
-        for (int k = 0; k < s; ++k)
-          {
-            load(6, stages[k].y, y[k]);
-            spin[k] = Eigen::Map<const Vec3<Lane>>(y[k] + 3);
-          }
-        stage_triads<s>(tableau, h, spin, D_start, D);
+          Lane start[12], y[s][6];
+          load(12, state.q, start);
+          const Vec3<Lane> x_start = Eigen::Map<const Vec3<Lane>>(start);
+          const Mat3<Lane> D_start = Eigen::Map<const Mat3<Lane>>(start + 3);
+          Vec3<Lane>       spin[s], velocity[s];
+          Mat3<Lane>       D[s];
+          for (int k = 0; k < s; ++k)
+            {
+              load(6, stages[k].y, y[k]);
+              spin[k] = Eigen::Map<const Vec3<Lane>>(y[k] + 3);
+            }
+          stage_triads<s>(tableau, h, spin, D_start, D);
 
-        Vec3<Lane> x_final = x_start;
-        Mat3<Lane> D_final = D_start;
-        for (int k = 0; k < s; ++k)
-          {
-            const Lane hb = h * tableau.b(k);
-            velocity[k].setZero();
-            add_product(D[k], Lane(1), Eigen::Map<const Vec3<Lane>>(y[k]), velocity[k]);
-            for (int i = 0; i < 3; ++i)
-              {
-                x_final(i) += hb * velocity[k](i);
-                // a row of D Ω~ is that row of D crossed with Ω
-                const Lane a = hb * D[k](i, 0), b = hb * D[k](i, 1), c = hb * D[k](i, 2);
-                D_final(i, 0) += b * spin[k](2) - c * spin[k](1);
-                D_final(i, 1) += c * spin[k](0) - a * spin[k](2);
-                D_final(i, 2) += a * spin[k](1) - b * spin[k](0);
-              }
-          }
-        for (int k = 0; k < s; ++k)
-          {
-            Vec3<Lane> x = x_start;
-            for (int l = 0; l < s; ++l)
+          Vec3<Lane> x_final = x_start;
+          Mat3<Lane> D_final = D_start;
+          for (int k = 0; k < s; ++k)
+            {
+              const Lane hb = h * tableau.b(k);
+              velocity[k].setZero();
+              add_product(D[k], Lane(1), Eigen::Map<const Vec3<Lane>>(y[k]), velocity[k]);
               for (int i = 0; i < 3; ++i)
-                x(i) += Lane(h * tableau.a(k, l)) * velocity[l](i);
-            store(x, D[k], stages[k].q);
-          }
-        store(x_final, D_final, final_q);
-      }
+                {
+                  x_final(i) += hb * velocity[k](i);
+                  // a row of D Ω~ is that row of D crossed with Ω
+                  const Lane a = hb * D[k](i, 0), b = hb * D[k](i, 1), c = hb * D[k](i, 2);
+                  D_final(i, 0) += b * spin[k](2) - c * spin[k](1);
+                  D_final(i, 1) += c * spin[k](0) - a * spin[k](2);
+                  D_final(i, 2) += a * spin[k](1) - b * spin[k](0);
+                }
+            }
+          for (int k = 0; k < s; ++k)
+            {
+              Vec3<Lane> x = x_start;
+              for (int l = 0; l < s; ++l)
+                for (int i = 0; i < 3; ++i)
+                  x(i) += Lane(h * tableau.a(k, l)) * velocity[l](i);
+              store(x, D[k], stages[k].q);
+            }
+          store(x_final, D_final, final_q);
+        }
+    });
   }
 
 
@@ -331,6 +335,33 @@ namespace samara
 
 
 
+  double
+  StageIntegrator::add_inertia(const unsigned int k, const State &state, const double h)
+  {
+    Stage                           &stage   = stages[k];
+    const unsigned int               n_nodes = system.layout.n_nodes - 1;
+    thread_local std::vector<double> energies;
+    energies.resize(n_nodes);
+    double *const energy = energies.data();
+    parallel_for(n_nodes, 4 * worth_threads, [&](const unsigned int begin, const unsigned int end) {
+      for (unsigned int node = 1 + begin; node < 1 + end; ++node)
+        {
+          const Matrix6                  &inertia = system.model.nodes[node].inertia;
+          const Eigen::Map<const Vector6> y(&stage.y[6 * node]), y_start(&state.y[6 * node]);
+          Vector6                         acceleration = Vector6::Zero();
+          for (unsigned int l = 0; l < tableau.s; ++l)
+            acceleration += tableau.w(k, l) / h * (Eigen::Map<const Vector6>(&stages[l].y[6 * node]) - y_start);
+          const Vector6 momentum = inertia * y;
+          energy[node - 1]       = 0.5 * momentum.dot(y);
+          Eigen::Map<Vector6>(&stage.residual[system.layout.of_node(node)]) +=
+            inertia * acceleration - ad_star<double>(y, momentum);
+        }
+    });
+    return std::accumulate(energies.begin(), energies.end(), 0.);
+  }
+
+
+
   void
   StageIntegrator::evaluate(const State &state, const double h)
   {
@@ -348,18 +379,7 @@ namespace samara
             if (frozen_strains[i])
               frozen_strains[i]->add_forces(stage.excess.data() + c.first_strain, stage.residual.data());
           }
-        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-          {
-            const Matrix6                  &inertia = system.model.nodes[node].inertia;
-            const Eigen::Map<const Vector6> y(&stage.y[6 * node]), y_start(&state.y[6 * node]);
-            Vector6                         acceleration = Vector6::Zero();
-            for (unsigned int l = 0; l < tableau.s; ++l)
-              acceleration += tableau.w(k, l) / h * (Eigen::Map<const Vector6>(&stages[l].y[6 * node]) - y_start);
-            const Vector6 momentum = inertia * y;
-            kinetic_energy += 0.5 * tableau.b(k) * momentum.dot(y);
-            Eigen::Map<Vector6>(&stage.residual[system.layout.of_node(node)]) +=
-              inertia * acceleration - ad_star<double>(y, momentum);
-          }
+        kinetic_energy += tableau.b(k) * add_inertia(k, state, h);
       }
     evaluate_constraints(state, h);
   }

@@ -10,6 +10,8 @@
 
 namespace samara
 {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
   /**
    * Finite elements of a Cosserat continuum of dimension @p dim: a beam (1) or a shell (2). A position and a triad at
    * every point, 6 dim strains, a 6×6 inertia. Energy ½ ∫ eᵀ C e with a symmetric positive definite C; inertia lumped
@@ -147,6 +149,20 @@ namespace samara
     template <typename Number, typename Function>
     void for_batches(const Function &f) const;
 
+    /** Call f(i, number of nodes, residual of each element) for all batches i and add what comes out to the global @p
+     * r. */
+    template <typename Number, typename Function>
+    void add_batches(const Function &f, Number *r) const;
+
+    /** Call f(i, matrix) for all elements i, interpolated, and add the matrices to @p A. */
+    template <typename Function>
+    void add_matrices(SparseMatrix &A, const Function &f, const Point<double> &point) const;
+
+    unsigned int most_nodes_of_element = 0;
+
+    /** From this many batches on threads are faster (doc/benchmarks/sizes.md). */
+    static constexpr unsigned int worth_threads = 100;
+
     /** Positions and triads of the nodes of a batch. */
     template <typename Number>
     void
@@ -176,8 +192,7 @@ namespace samara
     void interpolate_element(unsigned int element, const double *q) const;
 
     /** B of an element at its integration points from what is in scratch(), rows of 6 dim. */
-    template <typename Matrix>
-    void strain_matrix(unsigned int element, Matrix &&B) const;
+    void strain_matrix(unsigned int element, RowMajor &B) const;
 
     class StoredStrains;
 
@@ -187,13 +202,12 @@ namespace samara
     /** Work space of one element, kept so that the loop over elements allocates nothing. */
     struct Scratch
     {
-      std::array<kernel::NodeValues<double>, most_nodes>                     nodes;
-      std::array<kernel::PointValues<double>, most_tied>                     at;
-      std::array<Vec6<double>, most_tied>                                    tied;
-      std::vector<kernel::PointValues<double>>                               forces; // on the nodes
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> B_tied, B, CB;
-      Eigen::MatrixXd                                                        K;
-      std::vector<Vector3> n, m; // sums over the points for pairs of nodes
+      std::array<kernel::NodeValues<double>, most_nodes> nodes;
+      std::array<kernel::PointValues<double>, most_tied> at;
+      std::array<Vec6<double>, most_tied>                tied;
+      std::vector<kernel::PointValues<double>>           forces; // on the nodes
+      RowMajor                                           B_tied, B, CB;
+      std::vector<Vector3>                               n, m; // sums over the points for pairs of nodes
     };
     static Scratch &scratch();
   };

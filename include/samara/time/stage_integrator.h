@@ -136,7 +136,11 @@ namespace samara
     void move_nodes(const State &state, double h);
     void evaluate(const State &state, double h);
     void evaluate_stresses(double h);
-    void evaluate_constraints(const State &state, double h);
+    /** Add the inertial forces of stage @p k to its residual; returns its kinetic energy. */
+    double add_inertia(unsigned int k, const State &state, double h);
+    /** From this many groups of four nodes on threads are faster. */
+    static constexpr unsigned int worth_threads = 200;
+    void                          evaluate_constraints(const State &state, double h);
     /** Work that the residuals of the last evaluation would add to the energy. */
     double energy_error(double h) const;
     double change_of_force          = 0,
@@ -146,7 +150,9 @@ namespace samara
     /** λ̄ ρ, the force of a correction per rate. */
     double force_of(const Layout::Correction &correction, double h) const;
     double solve(double h);
-    void   correct_stresses();
+    /** Call f(j) for the factors j, side by side if they are large. */
+    void for_factors(const std::function<void(unsigned int)> &f) const;
+    void correct_stresses();
     /**
      * Whether the kinetic energy comes from somewhere. In singular positions, all equations are satisfied by velocities
      * as large as one likes: no solution, whatever Newton's method says.

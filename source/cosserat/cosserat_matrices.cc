@@ -1,0 +1,229 @@
+// B of elements, and the matrices made of it.
+
+#include <samara/base/threads.h>
+#include <samara/cosserat/cosserat.h>
+
+namespace samara
+{
+  namespace
+  {
+    /** K += Bᵀ A with the number of columns known: a column of K stays in registers. */
+    template <int n_columns>
+    void
+    add_transpose_product_of(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
+    {
+      using Column = Eigen::Matrix<double, n_columns, 1>;
+      for (int j = 0; j < n_columns; ++j)
+        {
+          Column sum = Eigen::Map<const Column>(K.col(j).data());
+          for (int i = 0; i < B.rows(); ++i)
+            sum += A(i, j) * Eigen::Map<const Column>(&B(i, 0));
+          Eigen::Map<Column>(K.col(j).data()) = sum;
+        }
+    }
+
+    /** K += Bᵀ A; beams of degree 1 to 5 have 12 to 36 columns, shells more. */
+    void
+    add_transpose_product(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
+    {
+      switch (B.cols())
+        {
+          case 12:
+            return add_transpose_product_of<12>(B, A, K);
+          case 18:
+            return add_transpose_product_of<18>(B, A, K);
+          case 24:
+            return add_transpose_product_of<24>(B, A, K);
+          case 30:
+            return add_transpose_product_of<30>(B, A, K);
+          case 36:
+            return add_transpose_product_of<36>(B, A, K);
+          default:
+            K.noalias() += B.transpose() * A;
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::interpolate_element(const unsigned int element, const double *q) const
+  {
+    const ElementTable<dim> &t = *elements[element].table;
+    Scratch                 &s = scratch();
+    gather(element, q, s.nodes.data());
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      s.at[k] = kernel::interpolate(s.nodes.data(), t.n_nodes, &t.N(k, 0), &t.dN(k, 0));
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::strain_matrix(const unsigned int element, RowMajor &B_element) const
+  {
+    const ElementTable<dim> &t = *elements[element].table;
+    Scratch                 &s = scratch();
+    s.B_tied.resize(6 * dim * t.n_tying, 6 * t.n_nodes);
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      for (unsigned int a = 0; a < t.n_nodes; ++a)
+        kernel::strain_matrix(
+          s.at[k], s.nodes[a].D, t.N(k, a), t.dN(k, a), s.B_tied.template block<6, 6>(6 * k, 6 * a));
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        const IntegrationPoint &point = points[elements[element].first_point + g];
+        auto                    B     = B_element.template middleRows<n>(n * g);
+        if constexpr (dim == 1)
+          B = point.T(0, 0) * s.B_tied.template middleRows<6>(6 * g);
+        else
+          {
+            B.setZero();
+            for (unsigned int alpha = 0; alpha < dim; ++alpha)
+              for (unsigned int k = 0; k < t.n_tying; ++k)
+                for (unsigned int beta = 0; beta < dim; ++beta)
+                  B.template middleRows<6>(6 * beta) += point.T(beta, alpha) * t.interpolation[alpha](g, k) *
+                                                        s.B_tied.template middleRows<6>(6 * (alpha * t.n_tying + k));
+          }
+      }
+  }
+
+
+
+  /** B of all elements, four of them side by side. */ template <int dim>
+  void
+  Cosserat<dim>::add_material(const unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const
+  {
+    const ElementTable<dim> &t = *elements[element].table;
+    Scratch                 &s = scratch();
+    s.B.resize(n * t.n_points, 6 * t.n_nodes);
+    s.CB.resize(n * t.n_points, 6 * t.n_nodes);
+    strain_matrix(element, s.B);
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      {
+        const IntegrationPoint &point = points[elements[element].first_point + g];
+        const MatrixN           C     = point.weight * (materials[point.material].*which);
+        auto                    CB    = s.CB.template middleRows<n>(n * g);
+        CB.noalias()                  = C.lazyProduct(s.B.template middleRows<n>(n * g));
+      }
+    add_transpose_product(s.B, s.CB, K);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::add_geometric(const unsigned int element, const Vec6<double> *tied, Eigen::MatrixXd &K) const
+  {
+    const ElementTable<dim> &t = *elements[element].table;
+    Scratch                 &s = scratch();
+    const unsigned int       N = t.n_nodes;
+    s.n.assign(N * N, Vector3::Zero());
+    s.m.assign(N * N, Vector3::Zero());
+    s.forces.assign(N, {Vector3::Zero(), Matrix3::Zero(), Matrix3::Zero()});
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      {
+        const auto    force = kernel::force(s.at[k], tied[k]);
+        const Vector3 n_k = tied[k].template head<3>(), m_k = tied[k].template tail<3>();
+        for (unsigned int a = 0; a < N; ++a)
+          {
+            const double N_a = t.N(k, a), dN_a = t.dN(k, a);
+            s.forces[a].dx += dN_a * force.dx;
+            s.forces[a].d += N_a * force.d + dN_a * force.dd;
+            for (unsigned int b = 0; b < N; ++b)
+              {
+                s.n[N * a + b] += dN_a * t.N(k, b) * n_k;
+                s.m[N * a + b] += (N_a * t.dN(k, b) - dN_a * t.N(k, b)) * m_k;
+              }
+          }
+      }
+    for (unsigned int a = 0; a < N; ++a)
+      {
+        const Matrix3 &D = s.nodes[a].D;
+        K.block<6, 6>(6 * a, 6 * a) +=
+          kernel::geometric_node(D.transpose() * s.forces[a].dx, transpose_times(D, s.forces[a].d));
+        for (unsigned int b = 0; b < N; ++b)
+          kernel::add_geometric_pair(transpose_times(D, s.nodes[b].D),
+                                     s.n[N * a + b],
+                                     s.n[N * b + a],
+                                     s.m[N * a + b],
+                                     K.block<6, 6>(6 * a, 6 * b));
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Function>
+  void
+  Cosserat<dim>::add_matrices(SparseMatrix &A, const Function &f, const Point<double> &point) const
+  {
+    // so many that their matrices stay in the cache until they are added, in order
+    const unsigned int                               at_once = n_elements() < 4 * worth_threads ? 1 : worth_threads;
+    static thread_local std::vector<Eigen::MatrixXd> values;
+    values.resize(std::max<std::size_t>(values.size(), at_once));
+    Eigen::MatrixXd *const first = values.data();
+    for (unsigned int start = 0; start < n_elements(); start += at_once)
+      {
+        const unsigned int n_now = std::min(at_once, n_elements() - start);
+        parallel_for(n_now, worth_threads, [&](const unsigned int begin, const unsigned int end) {
+          for (unsigned int i = begin; i < end; ++i)
+            {
+              const unsigned int n_columns = 6 * elements[start + i].table->n_nodes;
+              interpolate_element(start + i, point.q);
+              first[i].setZero(n_columns, n_columns);
+              f(start + i, first[i]);
+            }
+        });
+        for (unsigned int i = 0; i < n_now; ++i)
+          elements[start + i].block.add(first[i], A);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    const double *stress = point.stress + this->first_strain;
+    add_matrices(
+      K,
+      [&](const unsigned int i, Eigen::MatrixXd &K_element) {
+        Scratch &s = scratch();
+        to_tying(i, stress + n * elements[i].first_point, s.tied.data());
+        add_material(i, &Material::stiffness, K_element);
+        add_geometric(i, s.tied.data(), K_element);
+      },
+      point);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::damping(const Point<double> &point, SparseMatrix &C) const
+  {
+    if (!has_damping())
+      return;
+    add_matrices(
+      C,
+      [&](const unsigned int i, Eigen::MatrixXd &C_element) { add_material(i, &Material::viscosity, C_element); },
+      point);
+  }
+
+
+
+  template void Cosserat<1>::add_material(unsigned int, MatrixN Material::*, Eigen::MatrixXd &) const;
+  template void Cosserat<1>::add_geometric(unsigned int, const Vec6<double> *, Eigen::MatrixXd &) const;
+  template void Cosserat<1>::tangent(const Point<double> &, SparseMatrix &) const;
+  template void Cosserat<1>::damping(const Point<double> &, SparseMatrix &) const;
+  template void Cosserat<1>::interpolate_element(unsigned int, const double *) const;
+  template void Cosserat<1>::strain_matrix(unsigned int, RowMajor &) const;
+  template void Cosserat<2>::add_material(unsigned int, MatrixN Material::*, Eigen::MatrixXd &) const;
+  template void Cosserat<2>::add_geometric(unsigned int, const Vec6<double> *, Eigen::MatrixXd &) const;
+  template void Cosserat<2>::tangent(const Point<double> &, SparseMatrix &) const;
+  template void Cosserat<2>::damping(const Point<double> &, SparseMatrix &) const;
+  template void Cosserat<2>::interpolate_element(unsigned int, const double *) const;
+  template void Cosserat<2>::strain_matrix(unsigned int, RowMajor &) const;
+} // namespace samara
