@@ -51,7 +51,8 @@ namespace samara
     stress.resize(layout.n_strains);
     for (const auto &c : model.contributions)
       {
-        c->strain_rates(state.point(), rates.data() + c->first_strain);
+        if (c->has_damping())
+          c->strain_rates(state.point(), rates.data() + c->first_strain);
         c->stresses(e.data() + c->first_strain, rates.data() + c->first_strain, stress.data() + c->first_strain);
       }
   }
@@ -188,7 +189,8 @@ namespace samara
     std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
     Point<double> point = state.point();
     for (const auto &c : model.contributions)
-      c->strain_rates(point, rates.data() + c->first_strain);
+      if (c->has_damping())
+        c->strain_rates(point, rates.data() + c->first_strain);
     point.y     = twists.data();
     point.rates = z.data() + layout.of_coordinate(0);
     for (const auto &c : model.contributions)
