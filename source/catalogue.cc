@@ -4,6 +4,7 @@
 #include <samara/catalogue.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/joints/flexible_joint.h>
 #include <samara/joints/lower_pairs.h>
 #include <samara/joints/other_joints.h>
 #include <samara/joints/rolling.h>

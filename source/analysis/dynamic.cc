@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace samara
 {
@@ -434,7 +435,8 @@ namespace samara
     InterruptGuard interrupt;
     Projection     projection(system);
     Output         output(context, *this, begin);
-    const auto     clock_start   = Clock::now();
+    const auto     clock_start     = Clock::now();
+    const auto     processor_start = std::clock();
     auto           last_progress = clock_start, last_checkpoint = clock_start;
     double         largest_energy = 1e-300;
     const auto     seconds_since  = [](const Clock::time_point &t) {
@@ -458,12 +460,13 @@ namespace samara
       for (auto *const file : {output.history.get(), output.energies.get(), output.steps.get()})
         if (file != nullptr)
           file->finish();
-      report.seconds          = seconds_since(clock_start);
-      report.n_steps          = integrator.n_steps;
-      report.n_iterations     = integrator.n_iterations;
-      report.n_factorizations = integrator.n_factorizations;
-      context.state           = state;
-      context.is_equilibrium  = false;
+      report.seconds           = seconds_since(clock_start);
+      report.processor_seconds = double(std::clock() - processor_start) / CLOCKS_PER_SEC;
+      report.n_steps           = integrator.n_steps;
+      report.n_iterations      = integrator.n_iterations;
+      report.n_factorizations  = integrator.n_factorizations;
+      context.state            = state;
+      context.is_equilibrium   = false;
     };
 
     if (!context.restart)
@@ -555,8 +558,8 @@ namespace samara
               " without solution";
     if (report.n_events > 0)
       text += ", " + std::to_string(report.n_events) + " events";
-    text += "; " + format("%.3g", report.seconds) + " s; the energy budget closes to " +
-            format("%.1e", report.largest_balance);
+    text += "; " + format("%.3g", report.seconds) + " s, " + format("%.3g", report.processor_seconds) +
+            " s of the processor; the energy budget closes to " + format("%.1e", report.largest_balance);
     context.log.line(text);
   }
 } // namespace samara

@@ -149,6 +149,27 @@ namespace samara
 
 
 
+  bool
+  StaticAnalysis::is_beyond_limit(const Context      &context,
+                                  const State        &start,
+                                  std::optional<int> &sign_at_start,
+                                  const State        &found) const
+  {
+    // Newton's last tangent will not do: displacements below its tolerance may go with another stress
+    const int sign = stability_sign(context, found);
+    if (!sign_at_start)
+      {
+        // without constraints the unloaded model is stable, all eigenvalues positive, or free to move
+        if (!context.is_equilibrium && context.system.layout.n_multipliers == 0 && sign > 0)
+          return false;
+        sign_at_start = stability_sign(context, start);
+        stability_sign(context, found); // the solver keeps the matrix of the equilibrium
+      }
+    return *sign_at_start != 0 && sign != *sign_at_start;
+  }
+
+
+
   void
   StaticAnalysis::run(Context &context)
   {
@@ -197,13 +218,9 @@ namespace samara
       return result;
     };
 
-    int sign = 0;
-    if (stability_limits == "stop")
-      {
-        State here  = context.state;
-        here.factor = start_factor;
-        sign        = stability_sign(context, here);
-      }
+    std::optional<int> sign_at_start;
+    State              start = context.state;
+    start.factor             = start_factor;
 
     double fraction = 0, step = 1. / initial_steps;
     while (fraction < 1.)
@@ -215,7 +232,7 @@ namespace samara
         // it
         if (!result.converged && next == 1. && start_speeds != speeds && start_factor == 1.)
           result = attempt(system.reference(), next, trial);
-        if (result.converged && sign != 0 && stability_sign(context, trial) != sign)
+        if (result.converged && stability_limits == "stop" && is_beyond_limit(context, start, sign_at_start, trial))
           {
             result.converged = false;
             result.reason    = "a stability limit (limit point or bifurcation) is passed";

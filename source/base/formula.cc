@@ -255,7 +255,9 @@ namespace samara
 
   Formula::Formula(const std::string &text, const std::string &variable)
     : program(Compiler(text, variable).compile())
-  {}
+  {
+    find_switches();
+  }
 
 
 
@@ -311,15 +313,14 @@ namespace samara
 
 
 
-  std::vector<double>
-  Formula::pieces(const double x) const
+  void
+  Formula::pieces(const double x, std::vector<double> &result) const
   {
-    std::vector<double> result;
+    result.clear();
     run(x, [&](const Instruction &instruction, const Jet *const arguments) {
       if (instruction.piece != nullptr)
         result.push_back(instruction.piece(arguments, instruction.n_arguments));
     });
-    return result;
   }
 
 
@@ -328,21 +329,42 @@ namespace samara
   Formula::next_corner(const double from, const double to) const
   {
     const double none = std::numeric_limits<double>::infinity();
-    if (std::none_of(program.begin(), program.end(), [](const Instruction &i) { return i.piece != nullptr; }))
+    if (!has_pieces || (places_known && std::none_of(places.begin(), places.end(), [&](const Interval &place) {
+                          return place.begin <= to && place.end >= from;
+                        })))
       return none;
-    const auto here    = pieces(from);
-    const auto is_here = [&](const double x) { return pieces(x) == here; };
+    std::vector<double> here, there;
+    pieces(from, here);
+    const auto is_here = [&](const double x) {
+      pieces(x, there);
+      return there == here;
+    };
 
-    const unsigned int n_places = 64;
-    unsigned int       k        = 1;
-    const auto place = [&](const unsigned int k) { return k == n_places ? to : from + k * (to - from) / n_places; };
-    while (k <= n_places && is_here(place(k)))
-      ++k;
-    if (k > n_places)
+    double     left = from, right = to;
+    const auto is_here_up_to = [&](const double x) {
+      right = x;
+      if (!is_here(x))
+        return false;
+      left = x;
+      return true;
+    };
+    bool is_none = true;
+    if (places_known)
+      {
+        for (auto place = places.begin(); is_none && place != places.end(); ++place)
+          if (place->end > from && place->end < to)
+            is_none = is_here_up_to(place->end);
+      }
+    else
+      {
+        const unsigned int n_places = 64;
+        for (unsigned int k = 1; is_none && k < n_places; ++k)
+          is_none = is_here_up_to(from + k * (to - from) / n_places);
+      }
+    if (is_none && is_here_up_to(to))
       return none;
 
     // down to neighbouring numbers; the limit is for a corner at 0, which has too many neighbours
-    double left = k == 1 ? from : place(k - 1), right = place(k);
     for (unsigned int i = 0; i < 200; ++i)
       {
         const double middle = left + 0.5 * (right - left);

@@ -45,6 +45,7 @@ namespace samara
   ScalarFunction::ScalarFunction(const double constant, const std::string &)
     : source(number_to_text(constant))
     , formula(constant)
+    , at_zero(constant)
   {}
 
 
@@ -56,14 +57,10 @@ namespace samara
       table = table_of(source.substr(table_prefix.size()));
     else
       formula = Formula(source, variable);
-  }
-
-
-
-  double
-  ScalarFunction::operator()(const double x) const
-  {
-    return evaluate(x).value;
+    constant = table.empty() ? formula.is_constant() : std::all_of(table.begin(), table.end(), [&](const auto &row) {
+      return row.second == table[0].second;
+    });
+    at_zero  = evaluate(0).value;
   }
 
 
@@ -105,17 +102,7 @@ namespace samara
   bool
   ScalarFunction::is_zero() const
   {
-    return is_constant() && evaluate(0).value == 0;
-  }
-
-
-
-  bool
-  ScalarFunction::is_constant() const
-  {
-    if (table.empty())
-      return formula.is_constant();
-    return std::all_of(table.begin(), table.end(), [&](const auto &row) { return row.second == table[0].second; });
+    return constant && at_zero == 0;
   }
 
 

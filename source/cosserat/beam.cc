@@ -29,8 +29,8 @@ namespace samara
       "equilibrium, or of the modes without loads, have this relative error in the energy norm, as estimated.");
     prm.add("Degree",
             degree,
-            "Polynomial degree p of an element; displacements converge with order 2p.",
-            Integer(1, 4));
+            "Polynomial degree p of an element, 1 to 6; displacements converge with order 2p.",
+            Integer(1, highest_beam_degree));
     prm.add(
       "Mesh",
       mesh_texts,
@@ -486,7 +486,7 @@ namespace samara
 
 
   Beam::Local
-  Beam::local(const State &state, const double s) const
+  Beam::local(const State &state, const double s, const bool with_strains) const
   {
     unsigned int i = 0;
     while (i + 1 < cells.size() && cells[i].end < s - 1e-9 * curve->length())
@@ -519,7 +519,7 @@ namespace samara
 
     result.strain.setZero();
     result.stress.setZero();
-    if (is_rigid)
+    if (is_rigid || !with_strains)
       return result;
     // strains and section forces: the polynomial through the Gauss points
     const unsigned int  n_points = t.n_points;
@@ -565,7 +565,7 @@ namespace samara
                        }};
 
     return frame_probe(quantity, [=](const State &state) -> FrameMotion {
-      const Local l = local(state, abscissa);
+      const Local l = local(state, abscissa, false);
       return {l.sample.x,
               l.sample.x - l.sample.displacement,
               l.sample.D,

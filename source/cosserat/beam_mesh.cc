@@ -51,9 +51,9 @@ namespace samara
         double      degree = 0;
         if (to == std::string::npos || !text_to_number(trim(text.substr(0, to)), degree) ||
             !text_to_number(trim(text.substr(to + 4)), element.end) || degree != std::round(degree) || degree < 1 ||
-            degree > 5)
+            degree > highest_beam_degree)
           throw std::invalid_argument(
-            "an element of a mesh is written <3 to 0.25>, its degree from 1 to 5 and where it ends, "
+            "an element of a mesh is written <3 to 0.25>, its degree from 1 to 6 and where it ends, "
             "not <" +
             text + ">");
         element.degree = static_cast<unsigned int>(degree);

@@ -1,14 +1,54 @@
 #include <samara/loads/loads.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace samara
 {
+  namespace
+  {
+    template <typename Point>
+    Vector3
+    value(const VectorOfTime &f, const Point &point)
+    {
+      return point.factor * Vector3(f[0](point.time), f[1](point.time), f[2](point.time));
+    }
+
+    double
+    first_corner(const VectorOfTime &f, const double from, const double to)
+    {
+      return std::min({f[0].next_corner(from, to), f[1].next_corner(from, to), f[2].next_corner(from, to)});
+    }
+
+    bool
+    is_constant(const VectorOfTime &f)
+    {
+      return std::all_of(f.begin(), f.end(), [](const auto &component) { return component.is_constant(); });
+    }
+
+    /** For Block::add(), which changes it; memory is not asked for again. */
+    template <typename Number>
+    Eigen::Matrix<Number, Eigen::Dynamic, 1> &
+    local_residual()
+    {
+      static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local(6);
+      return local;
+    }
+
+    Eigen::MatrixXd &
+    local_tangent()
+    {
+      static thread_local Eigen::MatrixXd local(6, 6);
+      local.setZero();
+      return local;
+    }
+  } // namespace
+
+
+
   void
   Gravity::add_parameters(Parameters &prm)
   {
-    prm.add("Acceleration", acceleration, "Of gravity [m/s^2].");
+    prm.add("Acceleration", acceleration, "Components, functions of time t [m/s^2].");
   }
 
 
@@ -35,11 +75,13 @@ namespace samara
   void
   Gravity::residual_at(const Point<Number> &point, Number *r) const
   {
-    Eigen::Matrix<Number, Eigen::Dynamic, 1> local(6);
+    auto         &local = local_residual<Number>();
+    const Vector3 a     = value(acceleration, point);
     for (unsigned int node = 1; node < blocks.size(); ++node)
       {
-        const Mat3<Number> D = Frame{node}.triad(point.q);
-        local = -model->nodes[node].inertia.leftCols<3>() * (D.transpose() * (point.factor * acceleration));
+        const Mat3<Number>                D      = Frame{node}.triad(point.q);
+        const Eigen::Matrix<Number, 3, 1> a_node = D.transpose() * a;
+        local.noalias()                          = -model->nodes[node].inertia.leftCols<3>() * a_node;
         blocks[node].add(local, r);
       }
   }
@@ -49,13 +91,12 @@ namespace samara
   void
   Gravity::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    Eigen::MatrixXd local(6, 6);
+    const Vector3 a = value(acceleration, point);
     for (unsigned int node = 1; node < blocks.size(); ++node)
       {
-        const Matrix3 D = Frame{node}.triad(point.q);
-        local.setZero();
-        local.rightCols<3>() = -model->nodes[node].inertia.leftCols<3>() *
-                               skew((D.transpose() * (point.factor * acceleration)).eval());
+        const Matrix3 D      = Frame{node}.triad(point.q);
+        auto         &local  = local_tangent();
+        local.rightCols<3>() = -model->nodes[node].inertia.leftCols<3>() * skew((D.transpose() * a).eval());
         blocks[node].add(local, K);
       }
   }
@@ -65,17 +106,28 @@ namespace samara
   double
   Gravity::potential_energy(const Point<double> &point) const
   {
-    double energy = 0;
+    if (!is_constant(acceleration))
+      return 0;
+    double        energy = 0;
+    const Vector3 a      = value(acceleration, point);
     for (unsigned int node = 1; node < blocks.size(); ++node)
       {
         // m (x + D c), with m c~ in the inertia
-        const Matrix6 &M      = model->nodes[node].inertia;
+        const Matrix6 &M = model->nodes[node].inertia;
         const Frame    frame{node};
-        const Vector3  moment = M(0, 0) * frame.position(point.q) +
-                               frame.triad(point.q) * axial(M.bottomLeftCorner<3, 3>());
-        energy -= point.factor * acceleration.dot(moment);
+        const Vector3  moment =
+          M(0, 0) * frame.position(point.q) + frame.triad(point.q) * axial(M.bottomLeftCorner<3, 3>());
+        energy -= a.dot(moment);
       }
     return energy;
+  }
+
+
+
+  double
+  Gravity::next_corner(const double from, const double to) const
+  {
+    return first_corner(acceleration, from, to);
   }
 
 
@@ -94,8 +146,10 @@ namespace samara
   void
   WrenchLoad::connect(Layout &layout)
   {
+    is_follower = axes == "body";
     for (auto &load : points)
       {
+        load.weight *= shape(load.abscissa);
         load.frame = layout.model.resolved(load.frame);
         layout.couple(load.block, {load.frame});
       }
@@ -107,12 +161,17 @@ namespace samara
   void
   WrenchLoad::residual_at(const Point<Number> &point, Number *r) const
   {
-    Eigen::Matrix<Number, Eigen::Dynamic, 1> local(6);
+    auto         &local = local_residual<Number>();
+    const Vector3 f = value(force, point), m = value(moment, point);
     for (const auto &load : points)
       {
-        const Vector3      f = vector(force, load, point.time, point.factor), m = vector(moment, load, point.time, point.factor);
-        const Mat3<Number> D = axes == "body" ? Mat3<Number>(Mat3<Number>::Identity()) : load.frame.triad(point.q);
-        local << -D.transpose() * f, -D.transpose() * m;
+        if (is_follower)
+          local << (-load.weight * f).template cast<Number>(), (-load.weight * m).template cast<Number>();
+        else
+          {
+            const Mat3<Number> D = load.frame.triad(point.q);
+            local << -load.weight * (D.transpose() * f), -load.weight * (D.transpose() * m);
+          }
         load.block.add(local, r);
       }
   }
@@ -122,17 +181,15 @@ namespace samara
   void
   WrenchLoad::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    if (axes == "body")
+    if (is_follower)
       return;
-    Eigen::MatrixXd local(6, 6);
+    const Vector3 f = value(force, point), m = value(moment, point);
     for (const auto &load : points)
       {
-        const Matrix3 D = load.frame.triad(point.q);
-        local.setZero();
-        local.topRightCorner<3, 3>() =
-          -skew((D.transpose() * vector(force, load, point.time, point.factor)).eval());
-        local.bottomRightCorner<3, 3>() =
-          -skew((D.transpose() * vector(moment, load, point.time, point.factor)).eval());
+        const Matrix3 D                 = load.frame.triad(point.q);
+        auto         &local             = local_tangent();
+        local.topRightCorner<3, 3>()    = -load.weight * skew((D.transpose() * f).eval());
+        local.bottomRightCorner<3, 3>() = -load.weight * skew((D.transpose() * m).eval());
         load.block.add(local, K);
       }
   }
@@ -142,10 +199,7 @@ namespace samara
   double
   WrenchLoad::next_corner(const double from, const double to) const
   {
-    double first = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i < 3; ++i)
-      first = std::min({first, force[i].next_corner(from, to), moment[i].next_corner(from, to)});
-    return first;
+    return std::min(first_corner(force, from, to), first_corner(moment, from, to));
   }
 
 
@@ -213,7 +267,9 @@ namespace samara
   SteadyRotation::add_parameters(Parameters &prm)
   {
     prm.add("Speed", rotation.speed, "Speed of rotation [rad/s].");
-    prm.add("Joint", joint, "Joint whose rotation has this speed: a name, or name.rotation; empty: the whole model turns.");
+    prm.add("Joint",
+            joint,
+            "Joint whose rotation has this speed: a name, or name.rotation; empty: the whole model turns.");
     prm.add("Azimuth", azimuth, "Angle at which the joint is held in statics [rad].");
     prm.add("Axis", rotation.axis, "Axis about which the whole model turns, ground included [1].");
     prm.add("Through", rotation.through, "A point of this axis [m].");

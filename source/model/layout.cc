@@ -58,8 +58,9 @@ namespace samara
   void
   Layout::number_rows(const Coupling &c) const
   {
-    Block &block = *c.block;
-    block        = {};
+    Block &block   = *c.block;
+    block          = {};
+    block.n_frames = c.frames.size();
     for (unsigned int i = 0; i < c.frames.size(); ++i)
       {
         for (unsigned int k = 0; k < 6; ++k)

@@ -58,13 +58,55 @@ namespace samara
   Block::add(Eigen::MatrixXd &local, SparseMatrix &global) const
   {
     for (const auto &[i, T] : transfers)
+      for (unsigned int k = 0; k < rows.size(); ++k)
+        local.col(k).segment<6>(6 * i) = (T.transpose() * local.col(k).segment<6>(6 * i)).eval();
+    for (const auto &[i, T] : transfers)
+      for (unsigned int k = 0; k < rows.size(); ++k)
+        local.row(k).segment<6>(6 * i) = (local.row(k).segment<6>(6 * i) * T).eval();
+    for (unsigned int j = 0; j < rows.size(); ++j)
       {
-        local.middleRows<6>(6 * i) = (T.transpose() * local.middleRows<6>(6 * i)).eval();
-        local.middleCols<6>(6 * i) = (local.middleCols<6>(6 * i) * T).eval();
+        const double *const column = local.data() + rows.size() * j;
+        const int *const    places = positions.data() + rows.size() * j;
+        add_column_of_twists(j, column, global);
+        for (unsigned int i = 6 * n_frames; i < rows.size(); ++i)
+          global.values[places[i]] += column[i];
       }
-    const double *const entries = local.data();
-    double *const       values  = global.values.data();
-    for (unsigned int k = 0; k < positions.size(); ++k)
-      values[positions[k]] += entries[k];
+  }
+
+
+
+  void
+  Block::add_twists(const Eigen::Ref<const Eigen::MatrixXd> &K, SparseMatrix &global) const
+  {
+    for (unsigned int j = 0; j < 6 * n_frames; ++j)
+      add_column_of_twists(j, K.data() + K.outerStride() * j, global);
+  }
+
+
+
+  void
+  Block::add_border(const unsigned int i, const Eigen::Ref<const Eigen::VectorXd> &g, SparseMatrix &global) const
+  {
+    add_column_of_twists(i, g.data(), global);
+    for (unsigned int j = 0; j < 6 * n_frames; ++j)
+      global.values[positions[i + rows.size() * j]] += g(j);
+  }
+
+
+
+  void
+  Block::add_column_of_twists(const unsigned int j, const double *const column, SparseMatrix &global) const
+  {
+    // the six rows of a node stand side by side in each column; those of the ground are kept nowhere
+    const int *const places  = positions.data() + rows.size() * j;
+    const int        nowhere = global.values.size() - 1;
+    for (unsigned int frame = 0; frame < n_frames; ++frame)
+      if (places[6 * frame] != nowhere)
+        {
+          double *const       to   = global.values.data() + places[6 * frame];
+          const double *const from = column + 6 * frame;
+          for (int k = 0; k < 6; ++k)
+            to[k] += from[k];
+        }
   }
 } // namespace samara

@@ -198,7 +198,8 @@ namespace samara
     std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
     Point<double> point = state.point();
     for (const auto &c : model.contributions)
-      c->strain_rates(point, rates.data() + c->first_strain);
+      if (c->has_damping())
+        c->strain_rates(point, rates.data() + c->first_strain);
     point.y     = twists.data();
     point.rates = z.data() + layout.of_coordinate(0);
     for (const auto &c : model.contributions)

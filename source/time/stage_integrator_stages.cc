@@ -287,7 +287,7 @@ namespace samara
     end.time          = state.time + h;
     constraints_at_end.assign(system.size() + 6, 0.);
     for (const auto *c : system.layout.constraining)
-      c->residual(end, constraints_at_end.data());
+      c->constraints(end, constraints_at_end.data());
     for (auto &stage : stages)
       for (unsigned int i = 0; i < n_multipliers; ++i)
         {

@@ -188,9 +188,14 @@ namespace samara
         if (controller)
           controller->update(std::max(energy_of_change(state), 1e-10 * system.energy(state).kinetic));
       }
-    const double limit = corner(state.time, end);
     double       h     = next_step;
-    const bool   cut   = state.time + h * (1 + 1e-6) >= limit;
+    const double ahead = state.time + 3 * h; // what is beyond does not change this step
+    double       limit = end;
+    if (ahead >= end)
+      limit = corner(state.time, end);
+    else if (const double place = corner(state.time, ahead); place < ahead)
+      limit = place;
+    const bool cut = state.time + h * (1 + 1e-6) >= limit;
     if (cut)
       h = limit - state.time;
     else if (controller && state.time + 2 * h > limit)

@@ -161,6 +161,35 @@ namespace
 
 
 
+  /** What is compared is linear, also by parts: however close two switches are, and however long the interval. */
+  TEST(NextCorner, NoneIsMissedWhereLinesAreCompared)
+  {
+    const double far = 1e6;
+    expect_corners("t > 0.5 && t < 0.5001 ? 1 : 0", -far, far, {0.5, 0.5001});
+    expect_corners("min(1, max(0, (t - 1)/2))", -far, far, {1, 3});
+    expect_corners("(t > 3) - (t > 3.00001)", -far, far, {3, 3.00001});
+    expect_corners("abs(3 - 2*t) < 1e-3 ? 1 : 0", -far, far, {1.4995, 1.5, 1.5005});
+    expect_corners("-t > -0.7 ? t : t < 0.7001 ? 0.7 : t < 1 ? 2*t : -t", -far, far, {0.7, 0.7001, 1});
+    expect_corners("max(t, 2, 4 - 1.5*t)", -far, far, {4. / 3, 2});
+    expect_corners("(t < 1 ? t : 2 - t) > 0.99 ? 1 : 0", -far, far, {0.99, 1, 1.01});
+    // not where another branch is taken
+    expect_corners("t < 0 ? abs(t - 5) : t < 1 ? min(t, -3) : 0", -far, far, {0, 1});
+  }
+
+
+
+  /** What is not linear, or is rounded, is sought by looking at it. */
+  TEST(NextCorner, OfOtherComparisons)
+  {
+    expect_corners("t^2 < 4 ? 1 : 0", 0, 10, {2});
+    expect_corners("t - floor(t) < 0.5 ? 1 : 0", 0.1, 2.2, {0.5, 1, 1.5, 2});
+    expect_corners("(t < 5 ? sin(t) : 3) > 0 ? 1 : 0", 1, 8, {M_PI, 5});
+    expect_corners("t*t < 4 ? 1 : 0", 0, 10, {2});
+    expect_corners("1/t < 4 ? 1 : 0", 0.1, 10, {0.25});
+  }
+
+
+
   TEST(NextCorner, OnlyWhereItCounts)
   {
     expect_corners("t < 1 ? abs(sin(40*t)) : 2*t", 0.99, 100, {1});

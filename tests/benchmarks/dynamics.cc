@@ -10,20 +10,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
+
+#include "cpu_seconds.h"
 
 using namespace samara;
 
 namespace
 {
-  double
-  cpu_seconds()
-  {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-  }
-
   /** Run a scene's dynamic analysis from its equilibrium, if it asks for one; the median time of @p n_runs. */
   void
   time_motion(const std::string              &what,

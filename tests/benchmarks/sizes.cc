@@ -13,21 +13,14 @@
 
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <iostream>
+
+#include "cpu_seconds.h"
 
 using namespace samara;
 
 namespace
 {
-  double
-  cpu_seconds()
-  {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-  }
-
   /** VmRSS: memory the process has; VmHWM: the most it has had [MB]. */
   double
   memory(const std::string &what)

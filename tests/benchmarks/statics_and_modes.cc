@@ -1,27 +1,20 @@
 // Times of what statics and modes are made of: median of five, CPU time of one thread. Reports, asserts nothing.
 
-#include "../scene.h"
-
 #include <samara/solvers/newton.h>
 
+#include "../scene.h"
+#include <sys/resource.h>
+
 #include <algorithm>
-#include <ctime>
 #include <iomanip>
 #include <iostream>
-#include <sys/resource.h>
+
+#include "cpu_seconds.h"
 
 using namespace samara;
 
 namespace
 {
-  double
-  cpu_seconds()
-  {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return t.tv_sec + 1e-9 * t.tv_nsec;
-  }
-
   /** Median of five of the time of one call, each measured over @p repetitions. */
   template <typename Work>
   double
@@ -42,8 +35,8 @@ namespace
   void
   report(const std::string &what, const double value, const std::string &unit, const std::string &goal = "")
   {
-    std::cout << std::left << std::setw(62) << what << std::right << std::setw(10) << std::setprecision(4) << value << ' '
-              << unit << (goal.empty() ? "" : "   (goal " + goal + ")") << '\n';
+    std::cout << std::left << std::setw(62) << what << std::right << std::setw(10) << std::setprecision(4) << value
+              << ' ' << unit << (goal.empty() ? "" : "   (goal " + goal + ")") << '\n';
   }
 
   void
@@ -85,8 +78,7 @@ namespace
           scene.equilibrium();
         });
         const auto  &a     = scene.analysis<StaticAnalysis>();
-        const double error =
-          std::hypot(scene.value("beam.end.position x"), scene.value("beam.end.position z"));
+        const double error = std::hypot(scene.value("beam.end.position x"), scene.value("beam.end.position z"));
         report("  " + elements + " cubic elements: " + std::to_string(a.n_steps) + " step, " +
                  std::to_string(a.n_iterations) + " iterations",
                1e3 * t,
@@ -106,7 +98,7 @@ namespace
       scene.context.is_equilibrium = false;
       scene.equilibrium();
     });
-    const double t_m = median_time(5, [&]() { scene.modes(); });
+    const double t_m   = median_time(5, [&]() { scene.modes(); });
     report("  steady state, " + std::to_string(scene.system.size()) + " unknowns, " +
              std::to_string(scene.analysis<StaticAnalysis>().n_iterations) + " iterations",
            1e3 * t_s,

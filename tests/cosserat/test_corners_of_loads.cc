@@ -29,6 +29,8 @@ namespace
     // a function of s has corners in space only
     EXPECT_EQ(corners("set Type = line load\n set Body = rod\n set Variation = s < 0.5 ? 1 : 2\n" + components),
               expected);
+    EXPECT_EQ(corners("set Type = gravity\n set Acceleration = t < 1 ? 0 : 3, 0, table: 0 0; 2 1; 3 1\n"),
+              (std::vector<double>{1, 2, 3}));
   }
 
 

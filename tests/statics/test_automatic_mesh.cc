@@ -312,7 +312,7 @@ TEST(MixedDegrees, FaultyMeshesAreRefused)
   for (const std::string wrong : {"3 to 0.5",                   // does not reach the end
                                   "3 to 1.5",                   // beyond it
                                   "3 to 0.6, 2 to 0.4, 2 to 1", // backwards
-                                  "6 to 1",                     // degree
+                                  "7 to 1",                     // degree
                                   "2.5 to 1",
                                   "3 at 1",
                                   "3"})

@@ -82,7 +82,7 @@ namespace
 TEST(LinearTheory, UniformLoad)
 {
   const double L = 10, EI = 1e4, GA = 1e4, q = 1e-3;
-  for (const unsigned int p : {2, 3, 4})
+  for (const unsigned int p : {2, 3, 4, 5, 6})
     {
       auto overrides = mesh("beam", p, 3);
       overrides.push_back("Bodies/beam/Frames = A at 0.25, B at 0.5");

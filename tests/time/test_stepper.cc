@@ -271,6 +271,24 @@ TEST(Corners, AreHitAndKeepTheOrder)
 
 
 
+// A blow that is much shorter than the steps, which are chosen, is not passed over: they end where it begins and ends.
+TEST(Corners, OfAShortBlowAreHitByAdaptiveSteps)
+{
+  const Scene              scene(pushed("t > 2.5 && t < 2.5001 ? 3e4 : 0"));
+  const auto               force = [](const double t) { return t > 2.5 && t < 2.5001 ? 3e4 : 0.; };
+  StageIntegrator          integrator(scene.system, Tableau(3, 0.5), 1e-12);
+  StepController::Settings settings;
+  settings.tolerance    = 1e-4;
+  settings.largest_step = 0.5;
+  Stepper      stepper(scene.system, integrator, 0.1, settings);
+  const Course c = course(scene.system, scene.system.reference(), stepper, 3.);
+  for (const double t : {2.5, 2.5001})
+    EXPECT_NE(std::find(c.ends.begin(), c.ends.end(), t), c.ends.end()) << t;
+  EXPECT_LT(distance(c.state, response(force, {2.5, 2.5001, 3.}, 3.)), 1e-2 * 0.3);
+}
+
+
+
 // A prescribed motion has corners, too: those of its rate, where the drive gives a blow.
 TEST(Corners, OfPrescribedMotions)
 {

@@ -36,7 +36,8 @@ namespace samara
     struct Report
     {
       unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0, n_rejected = 0, n_failed = 0, n_events = 0;
-      double       seconds = 0, largest_balance = 0; ///< [s], of the energy that does not close, relative
+      double       seconds = 0, processor_seconds = 0; ///< by the clock; of the processor, all threads [s]
+      double       largest_balance = 0;                ///< of the energy that does not close, relative
     };
     Report report;
 

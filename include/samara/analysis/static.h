@@ -7,6 +7,7 @@
 #include <samara/solvers/arc_length.h>
 
 #include <memory>
+#include <optional>
 
 namespace samara
 {
@@ -52,7 +53,15 @@ namespace samara
     NewtonResult
     equilibrium(const Context &context, Newton &newton, State &state, const std::vector<double> &speeds) const;
     /** Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. */
-    int  stability_sign(const Context &context, const State &state) const;
+    int stability_sign(const Context &context, const State &state) const;
+    /**
+     * Whether the equilibrium @p found is beyond a stability limit, seen from @p start, whose sign is found here if it
+     * is needed.
+     */
+    bool is_beyond_limit(const Context      &context,
+                         const State        &start,
+                         std::optional<int> &sign_at_start,
+                         const State        &found) const;
     void follow_load(Context &context);
 
     /** @name Along the arc, in static_path.cc @{ */

@@ -35,6 +35,9 @@ namespace samara
      * The first x in [from, to] where a comparison changes sides, the argument of abs() or sign() its sign, min() or
      * max() its choice, floor(), ceil() or rint() its value, atan2() its half plane, all only where they count (not in
      * a branch of ?: that is not taken); infinity if there is none. See ScalarFunction::next_corner().
+     *
+     * Costs next to nothing far from a switch if what is compared is linear in x, also by parts, as in t < 1 or
+     * min(1, max(0, t/2)): the places were computed with the program.
      */
     double next_corner(double from, double to) const;
 
@@ -71,9 +74,20 @@ namespace samara
     Jet run(double x, const Visit &visit) const;
 
     /** On which of its pieces each operation is that is done at @p x: equal where nothing has switched in between. */
-    std::vector<double> pieces(double x) const;
+    void pieces(double x, std::vector<double> &result) const;
+
+    /** Fill in what follows about the program, without running it. */
+    void find_switches();
+
+    struct Interval
+    {
+      double begin, end;
+    };
 
     std::vector<Instruction> program;
+    bool                     has_pieces   = false;
+    bool                     places_known = false; ///< nothing switches outside of these places
+    std::vector<Interval>    places; ///< where something may switch, as narrow as round-off allows, by their ends
   };
 } // namespace samara
 

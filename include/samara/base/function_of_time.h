@@ -24,7 +24,11 @@ namespace samara
     /** Throws std::invalid_argument if @p text cannot be read. */
     ScalarFunction(const std::string &text, const std::string &variable);
 
-    double operator()(double x) const;
+    double
+    operator()(const double x) const
+    {
+      return constant ? at_zero : evaluate(x).value;
+    }
 
     double derivative(double x) const;
 
@@ -37,19 +41,24 @@ namespace samara
      * not found: one can ask again from the corner that was found last, and steps that end at corners do not get that
      * short.
      *
-     * Exact to round-off. A formula is looked at in 64 places of the interval, which must be finite: found for certain
+     * Exact to round-off, and certain where what is compared is linear in the variable, also by parts: t < 1, or min(1,
+     * max(0, t/2)). Other formulas are looked at in 64 places of the interval, which must be finite: found for certain
      * is a switch that leaves the formula on other pieces at @p to than at @p from. Of what switches forth and back,
-     * what comes twice between neighbouring places is missed, as is what is true at single points only (t == 1 is seen,
-     * as a change of sides). Not seen are poles (1/t, tan(t), ln(t)), ends of the domain (sqrt(t) at 0), and jumps of
-     * second and higher derivatives unless they are where something switches. A switch that changes neither value nor
-     * slope, as in t < 1 ? 0 : (t - 1)^2, is found like any other.
+     * what comes twice between neighbouring places is missed. Missed is, too, what is true at single points only (t ==
+     * 1 is seen, as a change of sides). Not seen are poles (1/t, tan(t), ln(t)), ends of the domain (sqrt(t) at 0), and
+     * jumps of second and higher derivatives unless they are where something switches. A switch that changes neither
+     * value nor slope, as in t < 1 ? 0 : (t - 1)^2, is found like any other.
      */
     double next_corner(double from, double to) const;
 
     /** Constant, and zero: what acts through this function can be left out. */
     bool is_zero() const;
 
-    bool is_constant() const;
+    bool
+    is_constant() const
+    {
+      return constant;
+    }
 
     /** Text that reads as this function. */
     const std::string &text() const;
@@ -65,6 +74,8 @@ namespace samara
     std::string                            source;
     Formula                                formula;
     std::vector<std::pair<double, double>> table; ///< empty if the formula counts
+    bool                                   constant = true;
+    double                                 at_zero; ///< the value there; of a constant, everywhere
   };
 
 

@@ -122,7 +122,8 @@ namespace samara
       Vector6 acceleration = Vector6::Zero(); ///< inertial axes [m/s², rad/s²]
       Vector6 strain, stress;                 ///< in section axes
     };
-    Local local(const State &state, double s) const;
+    /** At the abscissa @p s; strains and stresses, and what follows from them in the sample, if they are wanted. */
+    Local local(const State &state, double s, bool with_strains = true) const;
   };
 } // namespace samara
 

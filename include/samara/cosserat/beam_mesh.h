@@ -8,6 +8,11 @@
 
 namespace samara
 {
+  /** Of the polynomials of an element. */
+  constexpr unsigned int highest_beam_degree = 6;
+
+
+
   /** What a user says of the elements of a beam: how many, "4", or how accurate, "automatic, 1e-4". */
   struct ElementsWish
   {
@@ -36,7 +41,7 @@ namespace samara
   };
 
   /** Written "3 to 0.25", each. @throws std::invalid_argument if the ends do not grow to 1, or degrees are not from 1
-   * to 5 */
+   * to highest_beam_degree */
   std::vector<MeshElement> read_mesh(const std::vector<std::string> &texts);
   std::string              mesh_to_text(const std::vector<MeshElement> &mesh);
 

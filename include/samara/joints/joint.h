@@ -5,6 +5,7 @@
 #include <samara/model/system.h>
 
 #include <array>
+#include <cmath>
 #include <deque>
 
 namespace samara
@@ -18,11 +19,12 @@ namespace samara
   {
     std::string name, unit; ///< "rotation" in rad, "displacement" in m
 
-    /** The functions that tell it: d = value of the first; θ = atan2(± second, first); l = √first of squared distances. */
+    /** The functions that tell it: d = value of the first; θ = atan2(± second, first); l = √first of squared distances.
+     */
     PairFunction first, second;
     double       reference = 0; ///< of a length: its value in the reference configuration, where the coordinate is zero
-    double       sign = 1;
-    unsigned int axis = 2; ///< joint axis along or about which the force or moment of this motion acts
+    double       sign      = 1;
+    unsigned int axis      = 2; ///< joint axis along or about which the force or moment of this motion acts
 
     // entries
     double         spring = 0, rest = 0, damper = 0;
@@ -36,7 +38,7 @@ namespace samara
     bool
     is_angle() const
     {
-      return unit == "rad";
+      return first.kind == PairFunction::cosine;
     }
     bool
     is_length() const
@@ -50,18 +52,46 @@ namespace samara
     {
       return is_length() ? Number((reference + coordinate) / reference) : Number(1);
     }
-    /** Scale of the first function in that constraint. */
-    double
-    scale() const
+
+    /** The constraint g(first, second, coordinate) that measures the coordinate, with its derivatives. */
+    template <typename Number>
+    struct Measure
     {
-      return is_length() ? 0.5 / reference : 1.;
-    }
+      Number value, slope, curvature;   ///< g, ∂g/∂coordinate, ∂²g/∂coordinate²
+      Number first, second;             ///< ∂g/∂first, ∂g/∂second
+      Number slope_first, slope_second; ///< ∂²g/∂coordinate∂first, ∂²g/∂coordinate∂second
+    };
+    template <typename Number>
+    Measure<Number> measure(const PairValues<Number> &pair, const Number &coordinate) const;
+
     void add_parameters(Parameters &prm);
 
     /** See which of the entries were given, and complain about stops that make no sense. */
     void check_parameters(const Parameters &prm, Complaints &complaints);
     bool is_used() const;
   };
+
+
+
+  template <typename Number>
+  FreeMotion::Measure<Number>
+  FreeMotion::measure(const PairValues<Number> &pair, const Number &coordinate) const
+  {
+    using std::cos;
+    using std::sin;
+    const Number f = first.value(pair);
+    if (is_angle())
+      {
+        const Number s = sin(coordinate), c = cos(coordinate), f_2 = sign * second.value(pair), g = s * f - c * f_2;
+        return {g, c * f + s * f_2, -g, s, -sign * c, c, sign * s};
+      }
+    if (is_length())
+      {
+        const Number l = coordinate + reference;
+        return {0.5 / reference * (f - l * l), -lever(coordinate), -1 / reference, 0.5 / reference, 0, 0, 0};
+      }
+    return {f - coordinate, -1, 0, 1, 0, 0, 0};
+  }
 
 
 
@@ -112,10 +142,13 @@ namespace samara
     void         tangent(const Point<double> &point, SparseMatrix &K) const override;
     void         damping(const Point<double> &point, SparseMatrix &C) const override;
     double       strain_energy(const double *e) const override;
+    void         constraints(const Point<double> &point, double *r) const override;
     void         constraint_rates(const Point<double> &point, double *rates) const override;
     void         constraint_time_rates(const Point<double> &point, double *rates) const override;
     bool         has_loads() const override;
     bool         has_damping() const override;
+
+    std::unique_ptr<LinearStrains> linear_strains() const override;
 
     /** One switch a stop: how far it is passed. */
     unsigned int n_switches() const override;
@@ -165,6 +198,10 @@ namespace samara
     FreeMotion &free_rotation_about_3(const std::string &name = "rotation");
     /** @} */
 
+    /** Bind the entries of the two bodies and the position, those of the free motions; add_parameters() does both. */
+    void add_ends(Parameters &prm);
+    void add_motions(Parameters &prm);
+
     /** The joint's axes in the reference configuration; by default E₃ along "Axis". */
     virtual Matrix3 axes() const;
 
@@ -192,7 +229,11 @@ namespace samara
       double       place, side; ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
     };
 
-    Block                     block;
+    class Strains;
+
+    Block                     block; ///< local unknowns: 12 twists of the nodes, used coordinates, multipliers
+    unsigned int              first_row      = 0;     ///< of the multipliers in the residual
+    bool                      with_axes_of_b = false; ///< whether any function needs them
     std::vector<FreeMotion *> used;
     std::vector<Stop>         stops;
     std::vector<std::string>  rows; ///< names of the multipliers
@@ -206,9 +247,11 @@ namespace samara
 
     void complain(Model &model, const std::string &entry, const std::string &text) const;
 
-    /** Local unknowns: 12 twists, used coordinates, multipliers. */
+    /** The residual, or only those of its rows that hold constraints. */
+    template <bool with_forces, typename Number>
+    void evaluate(const Point<Number> &point, Number *r) const;
     template <typename Number>
-    Number measure(const FreeMotion &motion, const PairValues<Number> &pair, const Number &value) const;
+    void   add_no_slip_forces(const PairValues<Number> &pair, const Number *lambda, Number *r) const;
     double angle_or_gap(const FreeMotion &motion, const State &state) const;
   };
 

@@ -24,8 +24,9 @@ namespace samara
 
 
   /**
-   * No relative motion. The two frames keep the position and orientation they have in the reference configuration, however
-   * far apart they are. A weld: the frames' nodes are merged and there are no unknowns, unless the reaction is wanted.
+   * No relative motion. The two frames keep the position and orientation they have in the reference configuration,
+   * however far apart they are. A weld: the frames' nodes are merged and there are no unknowns, unless the reaction is
+   * wanted.
    */
   class Rigid : public Joint
   {
@@ -40,6 +41,7 @@ namespace samara
     // a weld is gone after the nodes are merged
     void residual(const Point<double> &point, double *r) const override;
     void residual(const Point<std::complex<double>> &point, std::complex<double> *r) const override;
+    void constraints(const Point<double> &point, double *r) const override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
     void damping(const Point<double> &point, SparseMatrix &C) const override;
     void constraint_rates(const Point<double> &point, double *rates) const override;
@@ -52,8 +54,8 @@ namespace samara
 
   /**
    * A spring, a damper, an actuator between two points: their distance l is an unknown, with what all free motions of
-   * joints can have (spring, rest length, damper, force, prescribed length, stops). If body A is the ground, Position says
-   * where the spring hangs.
+   * joints can have (spring, rest length, damper, force, prescribed length, stops). If body A is the ground, Position
+   * says where the spring hangs.
    */
   class Spring : public Joint
   {
@@ -95,8 +97,8 @@ namespace samara
 
 
   /**
-   * A gear between the rotations of two joints that share a housing: θ_B = n θ_A. The axes may point anywhere; the moments
-   * on both shafts and on the housing follow from the joints' own reactions.
+   * A gear between the rotations of two joints that share a housing: θ_B = n θ_A. The axes may point anywhere; the
+   * moments on both shafts and on the housing follow from the joints' own reactions.
    */
   class Gear : public Evaluated<Gear>
   {
@@ -115,75 +117,15 @@ namespace samara
 
   private:
     std::string  joint_a, joint_b;
-    double       ratio = 1;
+    double       ratio          = 1;
     unsigned int coordinates[2] = {0, 0}, multiplier = 0;
     Block        block;
   };
 
 
 
-  /**
-   * Six springs and six dampers between frames A and B, with an optional full matrix: a flexible coupling or bushing.
-   * Three of each resist displacements [N/m, N s/m], three rotations [N m/rad, N m s/rad].
-   * Strains: the gap in the axes of A, E_iᴬ·Δ [m], and ½ (E_kᴬ·E_jᴮ − E_jᴬ·E_kᴮ), the sine of a rotation about axis i
-   * alone [1]. Axis 1 is along "Axis": 1 axial, 2 3 transverse, then torsion about 1, bending about 2 and 3.
-   */
-  class FlexibleJoint : public Evaluated<FlexibleJoint>
-  {
-  public:
-    void add_parameters(Parameters &prm) override;
-    void initialize(Model &model) override;
-    void connect(Layout &layout) override;
-
-    unsigned int
-    n_strains() const override
-    {
-      return 6;
-    }
-    void   strain_rates(const Point<double> &point, double *rates) const override;
-    void   tangent(const Point<double> &point, SparseMatrix &K) const override;
-    void   damping(const Point<double> &point, SparseMatrix &C) const override;
-    double strain_energy(const double *e) const override;
-    bool
-    has_damping() const override
-    {
-      return !C_d.isZero(0.);
-    }
-
-    template <typename Number>
-    void strains_at(const Point<Number> &point, Number *e) const;
-    template <typename Number>
-    void stresses_of(const Number *e, const Number *rates, Number *stress) const;
-    template <typename Number>
-    void residual_at(const Point<Number> &point, Number *r) const;
-
-    /** "strain 1" ... "strain 6"; "force 1" ... "force 6", which do work on them: tension positive, of B on A. */
-    std::optional<Probe>     probe(const std::string &path) const override;
-    std::vector<std::string> probe_names() const override;
-    void                     draw(const State &state, Drawing &drawing) const override;
-
-  private:
-    std::string         body_a, body_b;
-    Vector3             position = Vector3::Zero(), axis = Vector3::UnitX(), axis_2 = Vector3::Zero();
-    Vector3             stiffness = Vector3::Zero(), rotational_stiffness = Vector3::Zero();
-    Vector3             viscosity = Vector3::Zero(), rotational_viscosity = Vector3::Zero();
-    std::vector<double> coupling;
-    Matrix6             C, C_d;
-    Model              *model = nullptr;
-    Frame               frame_a, frame_b;
-    Block               block;
-
-    /** The functions of strain i with their factors; rotations are the difference of two. */
-    static std::vector<std::pair<double, PairFunction>> functions(unsigned int i);
-
-    template <typename Number>
-    Eigen::Matrix<Number, 6, 12> gradients(const PairValues<Number> &pair) const;
-    void                         add(const Point<double> &point, const Matrix6 &C, bool geometric, SparseMatrix &K) const;
-  };
-
   // instantiated where the templates of the classes are defined
   extern template class Evaluated<Gear>;
-  extern template class Evaluated<FlexibleJoint>;
 } // namespace samara
 
 #endif

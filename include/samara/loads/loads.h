@@ -7,14 +7,22 @@
 
 namespace samara
 {
-  /** The weight of everything: the inertia of each node times the acceleration of gravity. */
+  /** Three components, functions of time. */
+  using VectorOfTime = std::array<FunctionOfTime, 3>;
+
+
+
+  /**
+   * The weight of everything: the inertia of each node times the acceleration of gravity. It has a potential if the
+   * acceleration is constant; otherwise it does work as any load does.
+   */
   class Gravity : public Evaluated<Gravity>
   {
   public:
-    void add_parameters(Parameters &prm) override;
-    void initialize(Model &model) override;
-    void connect(Layout &layout) override;
-    void tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void   add_parameters(Parameters &prm) override;
+    void   initialize(Model &model) override;
+    void   connect(Layout &layout) override;
+    void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     double potential_energy(const Point<double> &point) const override;
     bool
     has_loads() const override
@@ -22,12 +30,15 @@ namespace samara
       return true;
     }
 
+    /** The first corner of any component, see ScalarFunction::next_corner(). */
+    double next_corner(double from, double to) const override;
+
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 
   private:
-    Vector3            acceleration = Vector3(0, 0, -9.80665);
-    const Model       *model        = nullptr;
+    VectorOfTime       acceleration{{FunctionOfTime(0), FunctionOfTime(0), FunctionOfTime(-9.80665)}};
+    const Model       *model = nullptr;
     std::vector<Block> blocks; // of all nodes but the ground
   };
 
@@ -37,7 +48,7 @@ namespace samara
   struct PointLoad
   {
     Frame  frame;
-    double weight   = 1; ///< of a distributed load
+    double weight   = 1; ///< of a distributed load, with its variation along the body
     double abscissa = 0;
     Block  block;
   };
@@ -45,8 +56,9 @@ namespace samara
 
 
   /**
-   * Forces and moments per point: what concentrated and distributed loads have in common. Dead loads keep their direction
-   * in the inertial frame, followers in the frame they act on. A dead moment about a fixed axis is not conservative.
+   * Forces and moments per point: what concentrated and distributed loads have in common. Dead loads keep their
+   * direction in the inertial frame, followers in the frame they act on. A dead moment about a fixed axis is not
+   * conservative.
    */
   class WrenchLoad : public Evaluated<WrenchLoad>
   {
@@ -69,9 +81,8 @@ namespace samara
   protected:
     void add_axes_parameter(Parameters &prm);
 
-    std::vector<PointLoad>        points;
-    std::array<FunctionOfTime, 3> force, moment;
-    std::string                   axes = "inertial";
+    std::vector<PointLoad> points;
+    VectorOfTime           force, moment;
 
     /** How the load varies along a body. */
     virtual double
@@ -81,11 +92,8 @@ namespace samara
     }
 
   private:
-    Vector3
-    vector(const std::array<FunctionOfTime, 3> &f, const PointLoad &load, double time, double factor) const
-    {
-      return factor * load.weight * shape(load.abscissa) * Vector3(f[0](time), f[1](time), f[2](time));
-    }
+    std::string axes        = "inertial";
+    bool        is_follower = false;
   };
 
 
@@ -143,9 +151,9 @@ namespace samara
   private:
     Model::Rotation rotation;
     std::string     joint;
-    double          azimuth = 0;
+    double          azimuth    = 0;
     bool            holding    = false; ///< at a joint, and nothing else prescribes its motion
-    Model          *model   = nullptr;
+    Model          *model      = nullptr;
     unsigned int    multiplier = 0;
     Block           block;
   };

@@ -105,6 +105,13 @@ namespace samara
     virtual void tangent(const Point<double> &, SparseMatrix &) const {}
     virtual void damping(const Point<double> &, SparseMatrix &) const {}
 
+    /** The rows of the residual that hold constraints, where only they are wanted; others may change, too. */
+    virtual void
+    constraints(const Point<double> &point, double *r) const
+    {
+      residual(point, r);
+    }
+
     /** Rates of this contribution's constraints, ġ = G y + ∂g/∂t, into the global array of multipliers. */
     virtual void constraint_rates(const Point<double> &, double *) const {}
     /** The part ∂g/∂t alone. */

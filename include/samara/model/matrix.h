@@ -75,12 +75,41 @@ namespace samara
 
     void add(Eigen::MatrixXd &local, SparseMatrix &global) const;
 
+    /**
+     * @name Without a local vector or matrix
+     * For what is known in the unknowns of the nodes themselves, and where most of the local matrix would be zero.
+     * @{
+     */
+    /** The global unknown; the six of a frame's node follow each other. */
+    int
+    row(const unsigned int i) const
+    {
+      return rows[i];
+    }
+
+    /** Add to one entry. */
+    void
+    add_entry(const unsigned int i, const unsigned int j, const double value, SparseMatrix &global) const
+    {
+      global.values[positions[i + rows.size() * j]] += value;
+    }
+
+    /** Add to the entries of all frames' twists; @p K has 6 rows and columns a frame. */
+    void add_twists(const Eigen::Ref<const Eigen::MatrixXd> &K, SparseMatrix &global) const;
+
+    /** Add @p g, 6 numbers a frame, to row and column @p i, an unknown behind the twists. */
+    void add_border(unsigned int i, const Eigen::Ref<const Eigen::VectorXd> &g, SparseMatrix &global) const;
+    /** @} */
+
   private:
     friend class Layout;
 
+    unsigned int                                  n_frames = 0;
     std::vector<int>                              rows;      // global unknowns, those of the ground behind the last
     std::vector<int>                              positions; // of the entries, column by column
     std::vector<std::pair<unsigned int, Matrix6>> transfers; // of the frames that are not nodes themselves
+
+    void add_column_of_twists(unsigned int j, const double *column, SparseMatrix &global) const;
   };
 } // namespace samara
 

@@ -1,0 +1,182 @@
+// Where a formula may switch from one of its pieces to another, found without running it.
+
+#include <samara/base/formula.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    /** value + slope x, and the sums of the sizes of what was added up to each, for round-off. */
+    struct Line
+    {
+      double value = 0, slope = 0, value_size = 0, slope_size = 0;
+    };
+
+    /** What a number of the program may be, one of these; none of them: anything. */
+    using Lines = std::vector<Line>;
+
+    /** More are not followed. */
+    constexpr std::size_t most_lines = 16;
+
+    Line
+    scaled(const Line &a, const double factor)
+    {
+      return {factor * a.value, factor * a.slope, std::abs(factor) * a.value_size, std::abs(factor) * a.slope_size};
+    }
+
+    Line
+    sum(const Line &a, const Line &b)
+    {
+      return {a.value + b.value, a.slope + b.slope, a.value_size + b.value_size, a.slope_size + b.slope_size};
+    }
+
+    /** One or the other; anything if one of them may be. */
+    Lines
+    either(Lines a, const Lines &b)
+    {
+      if (a.empty() || b.empty() || a.size() + b.size() > most_lines)
+        return {};
+      a.insert(a.end(), b.begin(), b.end());
+      return a;
+    }
+
+    /** f(a, b) of all pairs; @p f returns whether the result is a line. */
+    template <typename F>
+    Lines
+    combined(const Lines &a, const Lines &b, const F &f)
+    {
+      Lines result;
+      if (a.size() * b.size() <= most_lines)
+        for (const auto &x : a)
+          for (const auto &y : b)
+            {
+              Line z;
+              if (!f(x, y, z))
+                return {};
+              result.push_back(z);
+            }
+      return result;
+    }
+
+    /** Of an operation without pieces. */
+    Lines
+    smooth_result(const std::string &name, const std::vector<Lines> &arguments)
+    {
+      const Lines &a = arguments[0], &b = arguments.back();
+      if (name == "+" || name == "-")
+        return combined(a, b, [&](const Line &x, const Line &y, Line &z) {
+          z = sum(x, name == "+" ? y : scaled(y, -1));
+          return true;
+        });
+      if (name == "*")
+        return combined(a, b, [](const Line &x, const Line &y, Line &z) {
+          z = y.slope_size == 0 ? scaled(x, y.value) : scaled(y, x.value);
+          return x.slope_size == 0 || y.slope_size == 0;
+        });
+      if (name == "/")
+        return combined(a, b, [](const Line &x, const Line &y, Line &z) {
+          z = scaled(x, 1 / y.value);
+          return y.slope_size == 0;
+        });
+      return {};
+    }
+
+    /** Of an operation with pieces: on each of them a line. */
+    Lines
+    result_by_pieces(const std::string &name, const std::vector<Lines> &arguments)
+    {
+      Lines result = arguments[0];
+      if (name == "min" || name == "max")
+        for (std::size_t i = 1; i < arguments.size(); ++i)
+          result = either(result, arguments[i]);
+      else if (name == "abs")
+        for (const auto &line : arguments[0])
+          result.push_back(scaled(line, -1));
+      else
+        result = {{-1, 0, 1, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}}; // sign() and comparisons
+      return result;
+    }
+  } // namespace
+
+
+
+  void
+  Formula::find_switches()
+  {
+    has_pieces   = std::any_of(program.begin(), program.end(), [](const Instruction &i) { return i.piece != nullptr; });
+    places_known = has_pieces;
+    if (!has_pieces)
+      return;
+
+    const auto add_places = [&](const Lines &a, const Lines &b) {
+      places_known = places_known && !a.empty() && !b.empty();
+      for (const auto &x : a)
+        for (const auto &y : b)
+          if (const Line d = sum(x, scaled(y, -1)); d.slope_size != 0)
+            {
+              const double place  = -d.value / d.slope,
+                           margin = 1e-12 * (d.value_size + d.slope_size * std::abs(place)) / std::abs(d.slope);
+              places_known        = places_known && std::isfinite(place) && std::isfinite(margin);
+              places.push_back({place - margin, place + margin});
+            }
+    };
+    const auto name_of = [](const Instruction &i) {
+      for (const auto *list : {&jet_operators(), &jet_functions()})
+        for (const auto &operation : *list)
+          if (operation.apply == i.apply && operation.piece == i.piece)
+            return operation.name;
+      return std::string(i.apply == jet_negative ? "negative" : "");
+    };
+    const auto is_comparison = [](const std::string &name) { return name.find_first_of("<>=!") == 0; };
+
+    std::vector<Lines>                         stack;
+    std::vector<std::pair<std::size_t, Lines>> first_branches; // and where the second ones end
+    for (std::size_t i = 0; i < program.size(); ++i)
+      {
+        const Instruction &instruction = program[i];
+        for (; !first_branches.empty() && first_branches.back().first == i; first_branches.pop_back())
+          stack.back() = either(stack.back(), first_branches.back().second);
+        if (instruction.kind == Instruction::number)
+          stack.push_back({{instruction.value, 0, std::abs(instruction.value), 0}});
+        else if (instruction.kind == Instruction::variable)
+          stack.push_back({{0, 1, 0, 1}});
+        else if (instruction.kind == Instruction::skip_if_zero)
+          stack.pop_back();
+        else if (instruction.kind == Instruction::skip)
+          {
+            first_branches.emplace_back(i + instruction.n_skipped + 1, stack.back());
+            stack.pop_back();
+          }
+        else
+          {
+            const std::vector<Lines> arguments(stack.end() - instruction.n_arguments, stack.end());
+            const std::string        name = name_of(instruction);
+            stack.resize(stack.size() - instruction.n_arguments);
+            if (name == "negative")
+              stack.push_back(smooth_result("*", {arguments[0], {{-1, 0, 1, 0}}}));
+            else if (instruction.piece == nullptr)
+              stack.push_back(smooth_result(name, arguments));
+            else
+              {
+                if (name == "abs" || name == "sign")
+                  add_places(arguments[0], {Line()});
+                else if (is_comparison(name) || name == "min" || name == "max")
+                  {
+                    for (std::size_t j = 1; j < arguments.size(); ++j)
+                      for (std::size_t k = 0; k < j; ++k)
+                        add_places(arguments[k], arguments[j]);
+                  }
+                else
+                  places_known = false; // floor() and the like switch again and again
+                stack.push_back(result_by_pieces(name, arguments));
+              }
+          }
+      }
+    if (!places_known)
+      places.clear();
+    std::sort(places.begin(), places.end(), [](const Interval &a, const Interval &b) { return a.end < b.end; });
+  }
+} // namespace samara

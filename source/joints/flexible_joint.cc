@@ -1,0 +1,249 @@
+#include <samara/joints/flexible_joint.h>
+#include <samara/joints/joint.h>
+
+#include <algorithm>
+#include <array>
+
+namespace samara
+{
+  void
+  FlexibleJoint::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Body A", body_a, "First frame: body.point, or ground.");
+    prm.add("Body B", body_b, "Second frame; strains are those of B seen from A.");
+    prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
+    prm.add("Axis", axis, "Direction of axis 1 in the reference configuration, inertial components [1].");
+    prm.add("Axis 2", axis_2, "Direction near which axis 2 lies; 0, 0, 0: any [1].");
+    const List three(Double(0), 3, 3);
+    prm.add("Stiffness", stiffness, "Of the axial and two transverse springs [N/m].", three);
+    prm.add("Rotational stiffness",
+            rotational_stiffness,
+            "Of the springs in torsion and two bendings [N*m/rad].",
+            three);
+    prm.add("Damping", viscosity, "Of the axial and two transverse dampers [N*s/m].", three);
+    prm.add("Rotational damping",
+            rotational_viscosity,
+            "Of the dampers in torsion and two bendings [N*m*s/rad].",
+            three);
+    prm.add(
+      "Coupling",
+      coupling,
+      "Couplings of the six stiffnesses, displacements first: the 15 numbers of the upper triangle by rows, without "
+      "the diagonal, in SI units.");
+  }
+
+
+
+  void
+  FlexibleJoint::initialize(Model &m)
+  {
+    model           = &m;
+    const auto ends = ends_of_joint(m, *this, body_a, body_b);
+    if (!ends)
+      return;
+    if (!parameters.is_set("Position"))
+      position = m.position((*ends)[1]);
+    if (axis.isZero(0.))
+      return m.complaints.add(parameters.where("Axis"), "the axis must not be zero");
+    // triad_about() gives axis 3; turned so that it becomes axis 1 and "Axis 2" stays the second
+    const Matrix3 E = triad_about(axis, axis_2);
+    Matrix3       D;
+    D.col(0) = E.col(2);
+    D.col(1) = E.col(0);
+    D.col(2) = E.col(1);
+    frame_a  = m.frame_at((*ends)[0], position, D);
+    frame_b  = m.frame_at((*ends)[1], position, D);
+
+    C = C_d = Matrix6::Zero();
+    C.diagonal() << stiffness, rotational_stiffness;
+    C_d.diagonal() << viscosity, rotational_viscosity;
+    if (!coupling.empty() && coupling.size() != 15)
+      m.complaints.add(parameters.where("Coupling"), "give 15 numbers, not " + std::to_string(coupling.size()));
+    else if (!coupling.empty())
+      for (unsigned int i = 0, k = 0; i < 6; ++i)
+        for (unsigned int j = i + 1; j < 6; ++j, ++k)
+          C(i, j) = C(j, i) = coupling[k];
+    if (Eigen::SelfAdjointEigenSolver<Matrix6>(C).eigenvalues()(0) < -1e-12 * C.norm())
+      m.complaints.add(parameters.where("Coupling"), "the stiffness matrix has a negative eigenvalue");
+  }
+
+
+
+  void
+  FlexibleJoint::connect(Layout &layout)
+  {
+    frame_a = layout.model.resolved(frame_a);
+    frame_b = layout.model.resolved(frame_b);
+    if (check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
+      layout.couple(block, {{frame_a.node}, {frame_b.node}}); // derivatives are in the twists of the nodes
+  }
+
+
+
+  namespace
+  {
+    /** Call @p use(i, factor, function) for the functions of each strain i: rotations are the difference of two. */
+    template <typename Use>
+    void
+    for_each_function(const Use &use)
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const unsigned int j = (i + 1) % 3, k = (i + 2) % 3;
+          use(i, 1., PairFunction{PairFunction::gap, i});
+          use(3 + i, 0.5, PairFunction{PairFunction::cosine, k, j});
+          use(3 + i, -0.5, PairFunction{PairFunction::cosine, j, k});
+        }
+    }
+  } // namespace
+
+
+
+  template <typename Number>
+  void
+  FlexibleJoint::strains_at(const Point<Number> &point, Number *e) const
+  {
+    const PairValues<Number> pair(frame_a, frame_b, point.q);
+    std::fill(e, e + 6, Number(0));
+    for_each_function([&](const unsigned int i, const double factor, const PairFunction &function) {
+      e[i] += factor * function.value(pair);
+    });
+  }
+
+
+
+  void
+  FlexibleJoint::strain_rates(const Point<double> &point, double *rates) const
+  {
+    const PairValues<double> pair(frame_a, frame_b, point.q);
+    const PairRates          change(pair, point.y);
+    std::fill(rates, rates + 6, 0.);
+    for_each_function([&](const unsigned int i, const double factor, const PairFunction &function) {
+      rates[i] += factor * function.rate(pair, change);
+    });
+  }
+
+
+
+  template <typename Number>
+  void
+  FlexibleJoint::stresses_of(const Number *e, const Number *rates, Number *stress) const
+  {
+    Eigen::Map<Vec6<Number>>{stress} =
+      C.cast<Number>() * Eigen::Map<const Vec6<Number>>(e) + C_d.cast<Number>() * Eigen::Map<const Vec6<Number>>(rates);
+  }
+
+
+
+  double
+  FlexibleJoint::strain_energy(const double *e) const
+  {
+    const Eigen::Map<const Vector6> strain(e);
+    return 0.5 * strain.dot(C * strain);
+  }
+
+
+
+  template <typename Number>
+  void
+  FlexibleJoint::residual_at(const Point<Number> &point, Number *r) const
+  {
+    const PairValues<Number> pair(frame_a, frame_b, point.q);
+    const Number *const      stress = point.stress + first_strain;
+    PairForces<Number>       forces;
+    for_each_function([&](const unsigned int i, const double factor, const PairFunction &function) {
+      forces.add(function, pair, factor * stress[i]);
+    });
+    forces.add_to_nodes(pair, r + block.row(0), r + block.row(6));
+  }
+
+
+
+  void
+  FlexibleJoint::add(const Point<double> &point, const Matrix6 &C, const bool geometric, SparseMatrix &matrix) const
+  {
+    const PairValues<double> pair(frame_a, frame_b, point.q);
+    const double *const      stress = point.stress + first_strain;
+    PairTangent              twists(pair);
+    std::array<Vector12, 6>  gradients;
+    gradients.fill(Vector12::Zero());
+    for_each_function([&](const unsigned int i, const double factor, const PairFunction &function) {
+      function.add_gradient(pair, factor, gradients[i]);
+      twists.add(function, factor * stress[i]);
+    });
+    Matrix12 K = Matrix12::Zero();
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        Vector12 force = Vector12::Zero();
+        for (unsigned int j = 0; j < 6; ++j)
+          force += C(i, j) * gradients[j];
+        K.noalias() += gradients[i] * force.transpose();
+      }
+    if (geometric)
+      twists.add_to(K);
+    block.add_twists(K, matrix);
+  }
+
+
+
+  void
+  FlexibleJoint::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    add(point, C, true, K);
+  }
+
+
+
+  void
+  FlexibleJoint::damping(const Point<double> &point, SparseMatrix &matrix) const
+  {
+    if (has_damping())
+      add(point, C_d, false, matrix);
+  }
+
+
+
+  std::optional<Probe>
+  FlexibleJoint::probe(const std::string &path) const
+  {
+    for (unsigned int i = 0; i < 6; ++i)
+      if (path == "force " + std::to_string(i + 1))
+        return Probe{path, i < 3 ? "N" : "N m", [=](const State &state) { return state.stress[first_strain + i]; }};
+      else if (path == "strain " + std::to_string(i + 1))
+        return Probe{path, i < 3 ? "m" : "1", [=](const State &state) {
+                       double e[6];
+                       strains_at(state.point(), e);
+                       return e[i];
+                     }};
+    return {};
+  }
+
+
+
+  std::vector<std::string>
+  FlexibleJoint::probe_names() const
+  {
+    std::vector<std::string> names;
+    for (const std::string what : {"force ", "strain "})
+      for (unsigned int i = 1; i <= 6; ++i)
+        names.push_back(what + std::to_string(i));
+    return names;
+  }
+
+
+
+  void
+  FlexibleJoint::draw(const State &state, Drawing &drawing) const
+  {
+    Sample a;
+    a.x = frame_a.position(state.q.data());
+    a.D = frame_a.triad(state.q.data());
+    drawing.begin_object(name);
+    drawing.cylinder(a, 0, 0.05, 0.02);
+  }
+
+
+
+  template class Evaluated<FlexibleJoint>;
+} // namespace samara

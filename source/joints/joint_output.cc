@@ -1,0 +1,113 @@
+// Probes and drawing of joints.
+
+#include <samara/joints/joint.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  double
+  Joint::angle_or_gap(const FreeMotion &motion, const State &state) const
+  {
+    if (motion.coordinate >= 0)
+      return state.coordinates[motion.coordinate] + motion.reference;
+    const PairValues<double> pair(frame_a, frame_b, state.q.data());
+    if (motion.is_length())
+      return std::sqrt(motion.first.value(pair));
+    if (!motion.is_angle())
+      return motion.first.value(pair);
+    return std::atan2(motion.sign * motion.second.value(pair), motion.first.value(pair));
+  }
+
+
+
+  std::optional<Probe>
+  Joint::probe(const std::string &path) const
+  {
+    for (const auto &motion : free)
+      if (path == motion.name)
+        return Probe{path, motion.is_angle() ? "deg" : "m", [&](const State &state) {
+                       return angle_or_gap(motion, state) * (motion.is_angle() ? 180. / M_PI : 1.);
+                     }};
+      else if (path == motion.name + " rate" && motion.coordinate >= 0)
+        return Probe{path, motion.is_angle() ? "rad/s" : "m/s", [&](const State &state) {
+                       return state.rates[motion.coordinate];
+                     }};
+    for (const bool is_moment : {false, true})
+      for (unsigned int i = 0; i < 3; ++i)
+        if (path == (is_moment ? "moment " : "force ") + std::to_string(i + 1))
+          if (const auto value = action(is_moment, i))
+            return Probe{path, is_moment ? "N m" : "N", value};
+    return {};
+  }
+
+
+
+  std::function<double(const State &)>
+  Joint::action(const bool is_moment, const unsigned int axis) const
+  {
+    if (rows.empty())
+      return nullptr;
+    for (unsigned int i = 0; i < used.size(); ++i)
+      if (used[i]->is_angle() == is_moment && used[i]->axis == axis)
+        return [this, i](const State &state) {
+          const double lambda = state.multipliers[first_multiplier + locked.size() + i];
+          return used[i]->is_angle() ? lambda : -lambda;
+        };
+    for (unsigned int i = 0; i < no_slip.size(); ++i)
+      if (!is_moment && no_slip[i].axis == axis)
+        return [this, k = first_multiplier + rows.size() - no_slip.size() + i](const State &state) {
+          return -state.multipliers[k];
+        };
+    const auto is_rotation = [](const Locked &l) { return l.function.kind == PairFunction::cosine; };
+    for (unsigned int i = 0; i < locked.size(); ++i)
+      if (locked[i].axis == axis && locked[i].function.kind == (is_moment ? PairFunction::cosine : PairFunction::gap))
+        {
+          if (!is_moment || std::count_if(locked.begin(), locked.end(), is_rotation) == 1)
+            return [this, i](const State &state) { return locked[i].sign * state.multipliers[first_multiplier + i]; };
+          // all moments of locked rotations together, seen in the axes of A
+          return [this, axis, is_rotation](const State &state) {
+            const Matrix3 A = frame_a.triad(state.q.data()), B = frame_b.triad(state.q.data());
+            Vector3       moment = Vector3::Zero();
+            for (unsigned int k = 0; k < locked.size(); ++k)
+              if (is_rotation(locked[k]))
+                moment += state.multipliers[first_multiplier + k] *
+                          A.col(locked[k].function.i).cross(B.col(locked[k].function.j));
+            return A.col(axis).dot(moment);
+          };
+        }
+    return nullptr;
+  }
+
+
+
+  std::vector<std::string>
+  Joint::probe_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &motion : free)
+      names.push_back(motion.name);
+    for (const bool is_moment : {false, true})
+      for (unsigned int i = 0; i < 3; ++i)
+        if (action(is_moment, i))
+          names.push_back((is_moment ? "moment " : "force ") + std::to_string(i + 1));
+    return names;
+  }
+
+
+
+  void
+  Joint::draw(const State &state, Drawing &drawing) const
+  {
+    Sample a, b;
+    a.x = frame_a.position(state.q.data());
+    a.D = frame_a.triad(state.q.data());
+    b.x = frame_b.position(state.q.data());
+    b.D = frame_b.triad(state.q.data());
+    drawing.begin_object(name);
+    // a short cylinder along axis 3 with a thinner one of body B through it
+    drawing.cylinder(a, 2, 0.5 * draw_size, draw_size);
+    drawing.cylinder(b, 2, 0.25 * draw_size, 1.6 * draw_size);
+  }
+} // namespace samara

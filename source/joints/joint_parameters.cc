@@ -1,0 +1,267 @@
+// What users say of a joint, and where its frames are.
+
+#include <samara/joints/joint.h>
+
+namespace samara
+{
+  void
+  FreeMotion::add_parameters(Parameters &prm)
+  {
+    using dealii::Patterns::Double;
+    if (is_angle())
+      {
+        prm.add("Spring", spring, "Stiffness [N*m/rad].", Double(0));
+        prm.add("Rest", rest, "Angle at which the spring is free of moment [rad].");
+        prm.add("Damper", damper, "Viscous damping [N*m*s/rad].", Double(0));
+        prm.add("Lower stop", lower_stop, "Angle below which a stop is touched; not given: there is none [rad].");
+        prm.add("Upper stop", upper_stop, "Angle above which a stop is touched; not given: there is none [rad].");
+        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N*m/rad].", Double(0));
+        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*m*s/rad].", Double(0));
+        prm.add("Moment", force, "Moment on body B, its reaction on body A; a function of time t [N*m].");
+        prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; a function of time t [rad].");
+      }
+    else
+      {
+        prm.add("Spring", spring, "Stiffness [N/m].", Double(0));
+        prm.add("Rest", rest, "Displacement at which the spring is free of force [m].");
+        prm.add("Damper", damper, "Viscous damping [N*s/m].", Double(0));
+        prm.add("Lower stop", lower_stop, "Displacement below which a stop is touched; not given: there is none [m].");
+        prm.add("Upper stop", upper_stop, "Displacement above which a stop is touched; not given: there is none [m].");
+        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N/m].", Double(0));
+        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*s/m].", Double(0));
+        prm.add("Force", force, "Force on body B, its reaction on body A; a function of time t [N].");
+        prm.add("Prescribed", prescribed, "Prescribed displacement of B seen from A; a function of time t [m].");
+      }
+  }
+
+
+
+  void
+  FreeMotion::check_parameters(const Parameters &prm, Complaints &complaints)
+  {
+    is_prescribed  = prm.is_set("Prescribed");
+    has_lower_stop = prm.is_set("Lower stop");
+    has_upper_stop = prm.is_set("Upper stop");
+    if ((has_lower_stop || has_upper_stop) && stop_stiffness == 0.)
+      complaints.add(prm.where(prm.is_set("Stop stiffness") ? "Stop stiffness" :
+                               has_upper_stop               ? "Upper stop" :
+                                                              "Lower stop"),
+                     "the stop of the " + name + " needs a <Stop stiffness> above zero");
+    if (has_lower_stop && has_upper_stop && lower_stop >= upper_stop)
+      complaints.add(prm.where("Upper stop"), "the <Upper stop> of the " + name + " must be above its <Lower stop>");
+  }
+
+
+
+  bool
+  FreeMotion::is_used() const
+  {
+    return spring != 0 || damper != 0 || !force.is_zero() || is_prescribed || has_lower_stop || has_upper_stop;
+  }
+
+
+
+  std::optional<std::array<Frame, 2>>
+  ends_of_joint(Model &model, const Contribution &joint, const std::string &body_a, const std::string &body_b)
+  {
+    std::array<Frame, 2> ends;
+    bool                 are_known = true;
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        const std::string entry = i == 0 ? "Body A" : "Body B";
+        try
+          {
+            if (joint.parameters.require(entry, model.complaints))
+              ends[i] = model.frame(i == 0 ? body_a : body_b);
+            else
+              are_known = false;
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            model.complaints.add(joint.parameters.where(entry), problem.what());
+            are_known = false;
+          }
+      }
+    if (!are_known)
+      return {};
+    if (ends[0].node != ends[1].node)
+      return ends;
+    // a body that could not be made has complained already; its frames are those of the ground
+    if (ends[0].node != 0 || (body_a == "ground" && body_b == "ground"))
+      model.complaints.add(joint.parameters.where("Body B"),
+                           "joint <" + joint.name + "> connects a body to itself: <" + body_a + "> and <" + body_b +
+                             "> cannot move against each other");
+    return {};
+  }
+
+
+
+  bool
+  check_ends(Model &model, const Contribution &joint, const Frame &a, const Frame &b, const std::string &between)
+  {
+    if (a.node != b.node)
+      return true;
+    model.complaints.add(joint.parameters.where("Body B"),
+                         "joint <" + joint.name + ">: " + between + " are " +
+                           (a.node == 0 ? "both welded to the ground" : "welded together") +
+                           " by rigid joints and cannot move against each other");
+    return false;
+  }
+
+
+
+  void
+  Joint::add_parameters(Parameters &prm)
+  {
+    add_ends(prm);
+    prm.add("Axis", axis, "Direction of joint axis 3 in the reference configuration, inertial components [1].");
+    prm.add("Axis 1", axis_1, "Direction near which joint axis 1 lies; 0, 0, 0: any [1].");
+    add_motions(prm);
+  }
+
+
+
+  void
+  Joint::add_ends(Parameters &prm)
+  {
+    prm.add("Body A", body_a, "First frame: body.point, or ground.");
+    prm.add("Body B", body_b, "Second frame; relative motions are those of B seen from A.");
+    prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
+  }
+
+
+
+  void
+  Joint::add_motions(Parameters &prm)
+  {
+    for (auto &motion : free)
+      motion.add_parameters(prm.subsection(motion.name));
+  }
+
+
+
+  void
+  Joint::lock_displacement(const unsigned int i)
+  {
+    locked.push_back({{PairFunction::gap, i}, "displacement " + std::to_string(i + 1), 0., i});
+  }
+
+
+
+  void
+  Joint::lock_rotation(const unsigned int i, const unsigned int j)
+  {
+    // the multiplier is a moment of B on A about E_j × E_i, which is plus or minus the third axis
+    const unsigned int k    = 3 - i - j;
+    const double       sign = (i + 1) % 3 == j ? 1. : -1.;
+    locked.push_back({{PairFunction::cosine, i, j}, "rotation " + std::to_string(k + 1), 0., k, sign});
+  }
+
+
+
+  FreeMotion &
+  Joint::free_displacement(const unsigned int i, const std::string &name)
+  {
+    free.emplace_back();
+    free.back().name  = name;
+    free.back().unit  = "m";
+    free.back().first = {PairFunction::gap, i};
+    free.back().axis  = i;
+    return free.back();
+  }
+
+
+
+  FreeMotion &
+  Joint::free_rotation_about_3(const std::string &name)
+  {
+    free.emplace_back();
+    free.back().name   = name;
+    free.back().unit   = "rad";
+    free.back().first  = {PairFunction::cosine, 0, 0};
+    free.back().second = {PairFunction::cosine, 1, 0};
+    return free.back();
+  }
+
+
+
+  Matrix3
+  Joint::axes() const
+  {
+    if (axis.isZero(0.))
+      throw std::invalid_argument("the axis must not be zero");
+    return triad_about(axis, axis_1);
+  }
+
+
+
+  void
+  Joint::place(Model &model, const Frame &a, const Frame &b)
+  {
+    if (!parameters.is_set("Position"))
+      position = model.position(b);
+    const Matrix3 E = axes();
+    frame_a         = model.frame_at(a, position, E);
+    frame_b         = model.frame_at(b, position, E);
+  }
+
+
+
+  void
+  Joint::complain(Model &model, const std::string &entry, const std::string &text) const
+  {
+    model.complaints.add(parameters.where(entry), text);
+  }
+
+
+
+  void
+  Joint::initialize(Model &m)
+  {
+    model           = &m;
+    const auto ends = ends_of_joint(m, *this, body_a, body_b);
+    if (!ends)
+      return;
+    try
+      {
+        place(m, (*ends)[0], (*ends)[1]);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        return complain(m, "Axis", problem.what());
+      }
+    for (auto &motion : free)
+      {
+        motion.check_parameters(parameters.subsection(motion.name), m.complaints);
+        if (motion.is_used() || is_screw)
+          use_coordinate(m, motion.name);
+      }
+  }
+
+
+
+  std::optional<unsigned int>
+  Joint::use_coordinate(Model &model, const std::string &wanted)
+  {
+    for (auto &motion : free)
+      if (motion.name == wanted || (wanted.empty() && free.size() == 1))
+        {
+          if (motion.coordinate < 0)
+            motion.coordinate = model.add_coordinate(name + "." + motion.name, motion.unit);
+          return motion.coordinate;
+        }
+    return {};
+  }
+
+
+
+  std::vector<std::string>
+  Joint::rotation_names() const
+  {
+    std::vector<std::string> names;
+    for (const auto &motion : free)
+      if (motion.is_angle())
+        names.push_back(motion.name);
+    return names;
+  }
+} // namespace samara
