@@ -7,7 +7,7 @@ namespace samara
 {
   namespace
   {
-    /** Call @p f with the number of nodes of an element as a constant if it is a beam of degree 1 to 5, else with 0. */
+    /** Call @p f with the number of nodes of an element as a constant if it is a beam of degree 1 to 6, else with 0. */
     template <int dim, typename Function>
     void
     with_size(const unsigned int n_nodes, const Function &f)
@@ -24,6 +24,8 @@ namespace samara
             return f(std::integral_constant<int, 5>());
           case 6:
             return f(std::integral_constant<int, 6>());
+          case 7:
+            return f(std::integral_constant<int, 7>());
           default:
             return f(std::integral_constant<int, 0>());
         }

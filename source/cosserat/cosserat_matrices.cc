@@ -22,7 +22,7 @@ namespace samara
         }
     }
 
-    /** K += Bᵀ A; beams of degree 1 to 5 have 12 to 36 columns, shells more. */
+    /** K += Bᵀ A; beams of degree 1 to 6 have 12 to 42 columns, shells more. */
     void
     add_transpose_product(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
     {
@@ -38,6 +38,8 @@ namespace samara
             return add_transpose_product_of<30>(B, A, K);
           case 36:
             return add_transpose_product_of<36>(B, A, K);
+          case 42:
+            return add_transpose_product_of<42>(B, A, K);
           default:
             K.noalias() += B.transpose() * A;
         }

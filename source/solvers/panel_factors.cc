@@ -1,5 +1,5 @@
-#include <samara/solvers/lanes.h>
 #include <samara/solvers/panel_factors.h>
+#include <samara/solvers/registers.h>
 
 #include <cmath>
 #include <limits>
@@ -49,7 +49,7 @@ namespace samara
 
     /** A column of w numbers in registers. */
     template <int w, typename Number>
-    using Column = Lanes<w * parts<Number>>;
+    using Column = Registers<w * parts<Number>>;
 
     template <int w, typename Number>
     inline Column<w, Number>
@@ -59,36 +59,36 @@ namespace samara
     }
     template <int n, typename Number>
     inline void
-    store(const Lanes<n> &column, Number *to)
+    store(const Registers<n> &column, Number *to)
     {
       column.store(doubles(to));
     }
 
     template <int k, int n>
     inline double
-    element(const Lanes<n> &column, const double *)
+    element(const Registers<n> &column, const double *)
     {
       return column.template get<k>();
     }
     template <int k, int n>
     inline Complex
-    element(const Lanes<n> &column, const Complex *)
+    element(const Registers<n> &column, const Complex *)
     {
       return {column.template get<2 * k>(), column.template get<2 * k + 1>()};
     }
 
     template <int n>
     inline void
-    subtract_product(Lanes<n> &x, const double *a, const double factor)
+    subtract_product(Registers<n> &x, const double *a, const double factor)
     {
       x.subtract_product(a, factor);
     }
     template <int n>
     inline void
-    subtract_product(Lanes<n> &x, const Complex *a, const Complex &factor)
+    subtract_product(Registers<n> &x, const Complex *a, const Complex &factor)
     {
       x.subtract_product(doubles(a), factor.real());
-      Lanes<n> by_imaginary = Lanes<n>::zero();
+      Registers<n> by_imaginary = Registers<n>::zero();
       by_imaginary.subtract_product(doubles(a), factor.imag());
       x.add(by_imaginary.turned());
     }
@@ -102,7 +102,7 @@ namespace samara
       {}
 
       void
-      apply(Lanes<w> &x) const
+      apply(Registers<w> &x) const
       {
         x.multiply(factors);
       }
@@ -124,9 +124,9 @@ namespace samara
       }
 
       void
-      apply(Lanes<2 * w> &x) const
+      apply(Registers<2 * w> &x) const
       {
-        Lanes<2 *w> turned = x.turned();
+        Registers<2 *w> turned = x.turned();
         turned.multiply(imag);
         x.multiply(real);
         x.add(turned);

@@ -1,7 +1,6 @@
 // The matrices of Newton's method, and its corrections.
 
 #include <samara/base/threads.h>
-#include <samara/solvers/triangular.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -9,6 +8,18 @@
 
 namespace samara
 {
+  namespace
+  {
+    /** Without the search for infinities that the standard asks for. */
+    std::complex<double>
+    product(const std::complex<double> &a, const std::complex<double> &b)
+    {
+      return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+    }
+  } // namespace
+
+
+
   void
   StageIntegrator::freeze(const State &state, const double h)
   {

@@ -297,15 +297,6 @@ namespace samara
                                                 stage.constraint_rates[i] :
                                                 stage.constraint_rates[i] - mean_rates[i] + constraints_at_end[row] / h;
         }
-    if (system.layout.corrections.empty())
-      return;
-    Point<double> start = stages[0].point();
-    start.q             = state.q.data();
-    start.coordinates   = state.coordinates.data();
-    start.time          = state.time;
-    constraints_at_start.assign(system.size() + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->residual(start, constraints_at_start.data());
     for (const auto &correction : system.layout.corrections)
       {
         const double force = force_of(correction, h);

@@ -104,7 +104,7 @@ namespace samara
     std::vector<bool>                           is_active; ///< multipliers: neither released nor dropped
     bool                                        has_damping = false;
 
-    std::vector<double> e_start, final_q, final_coordinates, constraints_at_start, constraints_at_end;
+    std::vector<double> e_start, final_q, final_coordinates, constraints_at_end;
     std::vector<double> e_end; ///< strains where the last step ended; empty: not known
     std::vector<char>   switches_at_end;
 

@@ -1,5 +1,5 @@
-#ifndef samara_solvers_lanes_h
-#define samara_solvers_lanes_h
+#ifndef samara_solvers_registers_h
+#define samara_solvers_registers_h
 
 #include <complex>
 
@@ -28,17 +28,17 @@ namespace samara
 
 
   template <int n>
-  struct Lanes;
+  struct Registers;
 
   template <>
-  struct Lanes<0>
+  struct Registers<0>
   {
-    static Lanes
+    static Registers
     zero()
     {
       return {};
     }
-    static Lanes
+    static Registers
     load(const double *)
     {
       return {};
@@ -47,10 +47,10 @@ namespace samara
     store(double *) const
     {}
     void
-    add(const Lanes &)
+    add(const Registers &)
     {}
     void
-    subtract(const Lanes &)
+    subtract(const Registers &)
     {}
     void
     add_product(const double *, double)
@@ -64,7 +64,7 @@ namespace samara
     void
     raise_to_magnitude(const double *)
     {}
-    Lanes
+    Registers
     turned() const
     {
       return {};
@@ -76,22 +76,22 @@ namespace samara
    * written. Compilers do not find such code for loops of five or six steps themselves.
    */
   template <int n>
-  struct Lanes : Lanes<n - (n >= 4 ? 4 :
-                            n >= 2 ? 2 :
-                                     1)>
+  struct Registers : Registers<n - (n >= 4 ? 4 :
+                                    n >= 2 ? 2 :
+                                             1)>
   {
     static constexpr int size = n >= 4 ? 4 : n >= 2 ? 2 : 1;
     using Vector              = typename VectorOf<size>::Type;
-    using Tail                = Lanes<n - size>;
+    using Tail                = Registers<n - size>;
 
     Vector head;
 
-    static Lanes
+    static Registers
     zero()
     {
       return {Tail::zero(), Vector{}};
     }
-    static Lanes
+    static Registers
     load(const double *from)
     {
       return {Tail::load(from + size), vector_at(from)};
@@ -103,13 +103,13 @@ namespace samara
       Tail::store(to + size);
     }
     void
-    add(const Lanes &other)
+    add(const Registers &other)
     {
       head += other.head;
       Tail::add(other);
     }
     void
-    subtract(const Lanes &other)
+    subtract(const Registers &other)
     {
       head -= other.head;
       Tail::subtract(other);
@@ -143,7 +143,7 @@ namespace samara
       Tail::raise_to_magnitude(a + size);
     }
     /** i times each of the complex numbers whose real and imaginary parts are here in turn. */
-    Lanes
+    Registers
     turned() const
     {
       if constexpr (size == 4)
@@ -211,7 +211,7 @@ namespace samara
   struct ColumnSum
   {
     static constexpr int n_registers = (w + 3) / 4;
-    Lanes<w>             sum         = Lanes<w>::zero();
+    Registers<w>         sum         = Registers<w>::zero();
 
     void
     add(const double *column, const double factor)
@@ -223,7 +223,7 @@ namespace samara
     {
       sum.add(other.sum);
     }
-    Lanes<w>
+    Registers<w>
     result() const
     {
       return sum;
@@ -235,7 +235,7 @@ namespace samara
   struct ColumnSum<std::complex<double>, w>
   {
     static constexpr int n_registers = 2 * ((2 * w + 3) / 4);
-    Lanes<2 *w>          by_real = Lanes<2 * w>::zero(), by_imaginary = Lanes<2 * w>::zero();
+    Registers<2 *w>      by_real = Registers<2 * w>::zero(), by_imaginary = Registers<2 * w>::zero();
 
     void
     add(const std::complex<double> *column, const std::complex<double> &factor)
@@ -249,10 +249,10 @@ namespace samara
       by_real.add(other.by_real);
       by_imaginary.add(other.by_imaginary);
     }
-    Lanes<2 * w>
+    Registers<2 * w>
     result() const
     {
-      Lanes<2 *w> sum = by_real;
+      Registers<2 *w> sum = by_real;
       sum.add(by_imaginary.turned());
       return sum;
     }
