@@ -390,8 +390,10 @@ namespace samara
   void
   DynamicAnalysis::run(Context &context)
   {
-    using Clock          = std::chrono::steady_clock;
-    const System &system = context.system;
+    using Clock                   = std::chrono::steady_clock;
+    const auto    clock_start     = Clock::now();
+    const auto    processor_start = std::clock();
+    const System &system          = context.system;
     if (!(end_time > start_time))
       throw InputError(parameters.where("End time") + ": the <End time> must be later than the <Start time>");
     if (!(step > 0))
@@ -435,8 +437,6 @@ namespace samara
     InterruptGuard interrupt;
     Projection     projection(system);
     Output         output(context, *this, begin);
-    const auto     clock_start     = Clock::now();
-    const auto     processor_start = std::clock();
     auto           last_progress = clock_start, last_checkpoint = clock_start;
     double         largest_energy = 1e-300;
     const auto     seconds_since  = [](const Clock::time_point &t) {

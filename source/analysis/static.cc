@@ -59,7 +59,8 @@ namespace samara
   void
   StaticAnalysis::start(Context &context)
   {
-    solver = make_solver(context.system.layout.pattern);
+    processor_start = std::clock();
+    solver          = make_solver(context.system.layout.pattern);
     if (context.folder.empty())
       return;
     history = std::make_unique<History>(context.folder, "static", columns_of(context, "load factor", "1"));
@@ -263,7 +264,8 @@ namespace samara
     const std::string where = path == "arc length" ? "arc " + short_text(progress) : short_text(100 * progress) + " %";
     context.log.line("  static: load factor " + short_text(state.factor) +
                      (context.speeds.empty() ? "" : ", speed " + short_text(context.speeds[0]) + " rad/s") + " (" +
-                     where + "), " + std::to_string(result.iterations) + " iterations");
+                     where + "), " + std::to_string(result.iterations) + " iterations, " +
+                     short_text(double(std::clock() - processor_start) / CLOCKS_PER_SEC) + " s of the processor");
     if (history)
       history->add(values_of(context, state, state.factor));
     if (pictures)

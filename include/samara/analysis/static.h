@@ -6,6 +6,7 @@
 #include <samara/output/pictures.h>
 #include <samara/solvers/arc_length.h>
 
+#include <ctime>
 #include <memory>
 #include <optional>
 
@@ -46,6 +47,7 @@ namespace samara
     double       largest_arc = 0.1, load_weight = 0, end_factor = 1, largest_factor = 10;
     unsigned int passages = 1, most_steps = 1000;
 
+    std::clock_t                  processor_start = 0;
     std::unique_ptr<LinearSolver> solver;
     std::unique_ptr<History>      history, speed_history, path_history, limits_history;
     std::unique_ptr<Pictures>     pictures;
