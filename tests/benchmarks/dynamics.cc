@@ -3,6 +3,7 @@
 //   bench_dynamics [swept | transmission | sizes]     all of them if none is named
 
 #include <samara/analysis/dynamic.h>
+#include <samara/base/threads.h>
 
 #include "../scene.h"
 #include <sys/resource.h>
@@ -97,6 +98,7 @@ end
 int
 main(const int n_arguments, char **arguments)
 {
+  set_threads(1);
   const auto is_wanted = [&](const char *name) {
     bool any = false;
     for (int i = 1; i < n_arguments; ++i)

@@ -6,6 +6,7 @@
 //   bench_sizes beam 500 UMFPACK       one: a beam of 500 elements, or a garland of 500 bodies
 
 #include <samara/analysis/dynamic.h>
+#include <samara/base/threads.h>
 #include <samara/solvers/linear.h>
 
 #include "../scene.h"
@@ -114,6 +115,7 @@ namespace
 int
 main(const int n_arguments, char **arguments)
 {
+  set_threads(1);
   std::printf("model,elements or bodies,library,unknowns,steps,iterations per step,factorisations,set up [s],"
               "step [ms],memory [MB]\n");
   std::fflush(stdout);

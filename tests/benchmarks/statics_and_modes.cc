@@ -1,5 +1,6 @@
 // Times of what statics and modes are made of: median of five, CPU time of one thread. Reports, asserts nothing.
 
+#include <samara/base/threads.h>
 #include <samara/solvers/newton.h>
 
 #include "../scene.h"
@@ -121,6 +122,7 @@ namespace
 int
 main()
 {
+  set_threads(1);
   time_assembly_and_solution();
   time_roll_up();
   time_swept_tip();
