@@ -2,7 +2,7 @@
 //
 // Reference: the equations of Hairer & Wanner, Solving ODEs II, VII.7, by an extrapolated midpoint rule in quadruple
 // precision (20 digits); and the published values of PSIDE with tolerance 1e-14,
-// ../shared/reference/multibody/A03_andrews_squeezer_t0.03.csv. Those are off by 3e-10 in the angles, 5e-8 in the
+// tests/reference/multibody/A03_andrews_squeezer_t0.03.csv. Those are off by 3e-10 in the angles, 5e-8 in the
 // velocities, 1.3e-6 in accelerations and multipliers, relative: as if they were 1e-12 s later. Expected: order 2s,
 // 2s − 1 with dissipation.
 

@@ -1,6 +1,6 @@
 // Flying beam in a plane ("spaghetti"), Simo & Vu-Quoc 1986: thrown by a force and a moment at one end.
 //
-// Reference: an independent staggered scheme, extrapolated, ../shared/reference/beams/flying_spaghetti_2d.csv, which
+// Reference: an independent staggered scheme, extrapolated, tests/reference/beams/flying_spaghetti_2d.csv, which
 // gives its own error, 1e-5 m at first and up to 2e-3 m (t = 8). The moment begins with a jump; a front of curvature
 // runs along the beam with sqrt(EI/rho I) = 3.2 m/s and is reflected. So nothing converges with more than about the
 // first order, in mesh and step: doc/benchmarks/dynamics.md has what finer ones give, down to the error of the

@@ -1,6 +1,6 @@
 // IFToMM benchmark A02, N = 2: two parallelograms in a row, which pass singular positions.
 //
-// Reference: the equation of motion of a parallelogram, derivable, ../shared/reference/multibody/A02_N_four_bar.csv.
+// Reference: the equation of motion of a parallelogram, derivable, tests/reference/multibody/A02_N_four_bar.csv.
 // Expected: where all bars lie in one line the mechanism could go on in several ways, and takes that of the reference;
 // order 2s − 1 in spite of that. Without dissipation there is no way past these positions (not tested: it is a limit).
 

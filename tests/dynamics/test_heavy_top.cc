@@ -1,7 +1,7 @@
 // Fast heavy top: a body that turns about a fixed point below its centre of mass, Brüls, Cardona & Arnold 2012.
 //
 // Reference: Euler's equations by an extrapolated midpoint rule in quadruple precision, agreeing with
-// ../shared/reference/multibody/heavy_top_fast.csv to its 1e-12 m. Expected: order 2s, 2s − 1 with dissipation, at
+// tests/reference/multibody/heavy_top_fast.csv to its 1e-12 m. Expected: order 2s, 2s − 1 with dissipation, at
 // 0.15 to 0.6 rad a step.
 
 #include "motion.h"

@@ -1,6 +1,6 @@
 // IFToMM benchmark A01: a point mass on a rod, let go from the horizontal.
 //
-// Reference: exact, sin(θ/2) = k cd(√(g/L) t, k) with k² = 1/2, ../shared/reference/multibody/A01_simple_pendulum.csv;
+// Reference: exact, sin(θ/2) = k cd(√(g/L) t, k) with k² = 1/2, tests/reference/multibody/A01_simple_pendulum.csv;
 // tension 3 m g cos θ. Expected: order 2s, 2s − 1 with dissipation; ten digits after four swings; at most the
 // tolerance a swing with adaptive steps, but for what losing amplitude does to the period.
 

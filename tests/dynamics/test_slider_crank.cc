@@ -1,7 +1,7 @@
 // Rigid spatial slider-crank of the IFToMM library.
 //
 // Reference: the equation of motion with one unknown, by an extrapolated midpoint rule in quadruple precision. It
-// agrees with ../shared/reference/multibody/spatial_slider_crank.csv to 2e-9 m, 7e-8 m/s and 9e-7 rad/s, which is what
+// agrees with tests/reference/multibody/spatial_slider_crank.csv to 2e-9 m, 7e-8 m/s and 9e-7 rad/s, which is what
 // that has (Runge-Kutta with a tolerance of 1e-11). Expected: order 2s, 2s − 1 with dissipation, once the steps resolve
 // the quick passages, 0.03 s long, near the crank's dead points.
 

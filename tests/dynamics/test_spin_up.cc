@@ -1,6 +1,6 @@
 // Spin-up of a cantilever to 6 rad/s, Kane, Ryan & Banerjee 1987, Simo & Vu-Quoc 1986.
 //
-// Reference: an independent staggered scheme, extrapolated, ../shared/reference/beams/spin_up_beam.csv, which gives its
+// Reference: an independent staggered scheme, extrapolated, tests/reference/beams/spin_up_beam.csv, which gives its
 // own error: up to 7e-5 m. The steady extension at 6 rad/s, tan(k)/k − 1 of the length with k² = m Ω² L²/EA, is exact.
 // Expected: four cubic elements and a third of a radian a step are within the error of the reference; order 2s
 // without dissipation.

@@ -1,6 +1,6 @@
 // 45 degree bend of Bathe and Bolourchi (1979).
 //
-// Reference: shooting on the exact equations of the rod, derivable, ../shared/reference/beams/bathe_45deg_bend.csv, for
+// Reference: shooting on the exact equations of the rod, derivable, tests/reference/beams/bathe_45deg_bend.csv, for
 // four conventions about shear and torsion stiffness. Expected order 2p, on a curved beam.
 
 #include "../scene.h"

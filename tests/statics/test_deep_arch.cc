@@ -1,7 +1,7 @@
 // Deep circular arch, clamped on the left and hinged on the right, dead force on the crown (Da Deppo and Schmidt 1975).
 //
 // Reference: first limit point of the planar rod's exact equations, derivable,
-// ../shared/reference/beams/deep_arch_clamped_hinged.csv: P = 897.2891338 with the crown moved by (61.14170984,
+// tests/reference/beams/deep_arch_clamped_hinged.csv: P = 897.2891338 with the crown moved by (61.14170984,
 // -113.7307344) and turned by 0.0498837086 (EA = GA = 1e8). The hinge is a revolute joint to the ground.
 
 #include <samara/base/text.h>

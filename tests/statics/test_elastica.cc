@@ -1,6 +1,6 @@
 // Cantilever under a dead end force.
 //
-// Reference: elastica (inextensible, rigid in shear), derivable, ../shared/reference/beams/elastica_tip_force.csv, with
+// Reference: elastica (inextensible, rigid in shear), derivable, tests/reference/beams/elastica_tip_force.csv, with
 // alpha = P L²/EI. What finite axial and shear stiffnesses change is in proportion to their compliance.
 
 #include "../scene.h"

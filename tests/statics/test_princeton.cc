@@ -1,8 +1,8 @@
 // Straight cantilevers under dead end forces that bend in two directions and twist.
 //
 // References: Princeton beam, the model of Bauchau et al. (2016), derivable,
-// ../shared/reference/beams/princeton_beam_exact_model.csv; composite cantilever of Wang, Sprague et al. (2017), the
-// values of Kynema-FMB in ../shared/reference/beams/beamdyn_composite_cantilever.csv. Shooting with 30 digits confirms
+// tests/reference/beams/princeton_beam_exact_model.csv; composite cantilever of Wang, Sprague et al. (2017), the
+// values of Kynema-FMB in tests/reference/beams/beamdyn_composite_cantilever.csv. Shooting with 30 digits confirms
 // these to 15 digits, (-0.0902726627566, -0.0647488486259, 1.22973648292376); the other column of the file is 9e-12
 // off.
 

@@ -1,6 +1,6 @@
 // Roll-up of a cantilever by an end moment.
 //
-// Reference: analytic, ../shared/reference/beams/rollup_end_moment.csv: with a = 2πk the end is at (sin a/a, (1 − cos
+// Reference: analytic, tests/reference/beams/rollup_end_moment.csv: with a = 2πk the end is at (sin a/a, (1 − cos
 // a)/a) of the length, for every axial and shear stiffness. Expected order 2p at the nodes, no locking, one load step.
 
 #include "../scene.h"

@@ -1,6 +1,6 @@
 // Extension of a rod that turns steadily about its end: steady rotation of the whole model.
 //
-// Reference: exact, ../shared/reference/beams/rotating_rod_extension.csv: with k = ΩL sqrt(m/EA) an extension of
+// Reference: exact, tests/reference/beams/rotating_rod_extension.csv: with k = ΩL sqrt(m/EA) an extension of
 // tan k/k − 1 of the length, and a root force of EA (1/cos k − 1).
 
 #include "../scene.h"
