@@ -1,0 +1,191 @@
+"""Judges of a run. Each yields complaints, texts; none trusts what the program says of itself: constraints are computed from the
+places and rotations of bodies that are written, energies from their velocities."""
+
+import math
+import re
+
+import numpy as np
+
+from mechanism import MOTIONS, RigidBody
+from world import ENERGY, rotation
+
+EXITS = 0, 2, 3
+
+
+def outcome(run, name="model.prm"):
+    """Numbers that are finite, or a refusal that says where, or a failure that says what to try."""
+    if run.code not in EXITS:
+        yield f"ends with code {run.code} after {run.seconds:.0f} s: {run.output[-300:]}"
+    elif run.code == 2 and not re.search(rf"{re.escape(name)}:\d+: ", run.output):
+        yield f"refuses without file and line: {run.output[-300:]}"
+    elif run.code == 3 and len(run.output.split()) < 5:
+        yield "does not say what failed"
+    elif run.code == 0:
+        yield from finite(run)
+
+
+def finite(run):
+    for name, table in run.tables.items():
+        for column in table.names:
+            if column not in ("estimate", "second estimate") and not np.isfinite(table[column]).all():
+                yield f"{name}.csv has a number that is not finite: {column}"
+
+
+def readable(run):
+    """What is printed is for people: not endless, no control characters, no programmer's words."""
+    if len(run.output) > 20000:
+        yield f"prints {len(run.output)} characters"
+    if re.search(r"[\x00-\x08\x0b-\x1f\x7f]", run.output.replace("\r", "")):
+        yield "prints control characters"
+    if run.code == 2 and re.search("internal error|exception|dealii|Aborted|violated condition", run.output):
+        yield f"speaks of the program's inside: {run.output[-300:]}"
+
+
+# ------------------------------------------------------------------ constraints
+
+
+class Frame:
+    """A joint's frame on a body as the tables have it: x (n, 3), D (n, 3, 3), joint axes as columns."""
+
+    def __init__(self, model, point, joint, table, world):
+        n = len(table.numbers)
+        place, axes = world.turn @ joint.place + world.shift, world.turn @ joint.axes
+        if point == "ground":
+            self.x, self.D = np.tile(world.units[0] * place, (n, 1)), np.tile(axes, (n, 1, 1))
+            return
+        start = world.turn @ model.place(point) + world.shift
+        turned = [rotation(math.pi / 180 * v) for v in table.vector(point + ".rotation")]
+        arm = place - start if joint.kind not in ("distance", "spring") else np.zeros(3)
+        self.x = table.vector(point + ".position") + world.units[0] * np.array([R @ arm for R in turned])
+        self.D = np.array([R @ axes for R in turned])
+
+
+def whole_turns(angle):
+    return angle - 2 * np.pi * np.round(angle / (2 * np.pi))
+
+
+def rows(model, joint, table, world):
+    """Constraints of a joint by name: (is an angle?, values, one a row of the table)."""
+    a, b = Frame(model, joint.a, joint, table, world), Frame(model, joint.b, joint, table, world)
+    gap = b.x - a.x
+    d = np.einsum("nki,nk->ni", a.D, gap)  # in axes of A
+    c = np.einsum("nki,nkj->nij", a.D, b.D)
+    kind = joint.kind
+    if kind in ("distance", "spring"):
+        length = np.linalg.norm(gap, axis=1)
+        if kind == "spring":
+            yield "length", False, length - table[joint.name + ".length"]
+        else:
+            target = world.units[0] * np.linalg.norm(model.place(joint.b) - model.place(joint.a))
+            yield "length", False, length - target
+        return
+    if kind == "flexible joint":
+        return
+    if kind == "rolling ball":
+        yield "height", False, d[:, 2]
+        return
+    if kind == "knife edge":
+        return
+    locked = {"prismatic": (0, 1), "screw": (0, 1), "cylindrical": (0, 1), "planar": (2,)}.get(kind, (0, 1, 2))
+    for i in locked:
+        yield f"displacement {i + 1}", False, d[:, i]
+    cosines = {"prismatic": ((2, 0), (2, 1), (0, 1)), "rigid": ((2, 0), (2, 1), (0, 1)), "spherical": (), "universal": ((0, 1),)}
+    for i, j in cosines.get(kind, ((2, 0), (2, 1))):
+        yield f"angle between axes {i + 1} and {j + 1}", True, c[:, i, j]
+    for name, (angle, axis) in MOTIONS[kind].items():
+        probed = table[f"{joint.name}.{name}"]
+        if not angle:
+            yield name, False, probed - d[:, axis]
+        elif kind == "universal":
+            measured = np.arctan2(c[:, 2, 1], c[:, 1, 1]) if axis == 0 else np.arctan2(c[:, 0, 2], c[:, 0, 0])
+            yield name, True, whole_turns(np.radians(probed) - measured)
+        else:
+            yield name, True, whole_turns(np.radians(probed) - np.arctan2(c[:, 1, 0], c[:, 0, 0]))
+        if angle and len(probed) > 1:
+            yield name + ", whole turns", True, np.where(abs(np.diff(np.radians(probed))) > 3, 1.0, 0.0)
+    if kind == "screw":
+        turned = np.radians(table[joint.name + ".rotation"])
+        yield "pitch", False, d[:, 2] - world.units[0] * joint.entries["Pitch"] * turned
+
+
+def drives(model, table, world, times):
+    for joint in model.joints:
+        for name, entries in joint.motions.items():
+            if "Prescribed" in entries:
+                angle = MOTIONS[joint.kind][name][0]
+                probed = table[f"{joint.name}.{name}"]
+                wanted = entries["Prescribed"](times / world.units[2]) * (1 if angle else world.units[0])
+                yield joint.name, "prescribed " + name, angle, (np.radians(probed) if angle else probed) - wanted
+    for gear in model.gears:
+        a, b = (np.radians(table[joint.name + ".rotation"]) for joint in (gear.a, gear.b))
+        yield gear.name, "ratio", True, b - gear.ratio * a
+
+
+def constraints(model, run, world, tolerance=1e-8):
+    size = model.size() * world.units[0]
+    for name in "static", "dynamic":
+        table = run.tables.get(name)
+        if table is None or not len(table.numbers):
+            continue
+        found = [(joint.name, *row) for joint in model.joints for row in rows(model, joint, table, world)]
+        if name == "dynamic":
+            found += list(drives(model, table, world, table["t"]))
+        for joint, what, angle, values in found:
+            worst = abs(values).max(initial=0) / (1 if angle else size)
+            if worst > tolerance:
+                yield f"{name}: {joint}, {what}: off by {worst:.1e} {'rad' if angle else 'of the size'}"
+
+
+# --------------------------------------------------------------------- energies
+
+
+def energies(model, run, world):
+    """The largest energy that moved [J], and what the budget does not close, relative to it. What is at rest has the energy it
+    would have with a thousandth of its size in the time of the run, so that round-off is measured against something."""
+    table = run.tables["dynamic_energy"]
+    columns = table[[n for n in table.names if n not in ("t", "balance")]]
+    speed = 1e-3 * model.size() / (model.step * model.steps)
+    rest = model.mass() * speed**2 * world.factor(ENERGY)
+    scale = max(table["kinetic"].max(), abs(columns - columns[0]).max(), 1e-6 * abs(columns).max(), rest)
+    return scale, abs(table["balance"]).max() / scale
+
+
+def budget(model, run, world, tolerance=1e-9):
+    table = run.tables.get("dynamic_energy")
+    if table is None:
+        return
+    scale, balance = energies(model, run, world)
+    if balance > tolerance:
+        yield f"the energy balance is off by {balance:.1e} of the largest energy"
+    loss = table["numerical dissipation"]
+    if model.radius == 1 and abs(loss).max() > 1e-8 * scale:
+        yield f"a scheme that preserves energy dissipates {abs(loss).max() / scale:.1e} of it"
+    for name in "numerical dissipation", "damper loss":
+        if np.diff(table[name]).min(initial=0) < -1e-9 * scale:
+            yield f"{name} falls, by {-np.diff(table[name]).min() / scale:.1e} of the largest energy"
+
+
+def kinetic(model, run, world, tolerance=1e-2):
+    """Of models of rigid bodies: ½ m v² + ½ ω·J ω from velocities, against the table."""
+    if "dynamic" not in run.tables or not all(isinstance(body, RigidBody) for body in model.bodies):
+        return
+    table, energy = run.tables["dynamic"], run.tables["dynamic_energy"]
+    total = np.zeros(len(table.numbers))
+    for body in model.bodies:
+        v, w = table.vector(body.name + ".centre.velocity"), table.vector(body.name + ".centre.angular velocity")
+        for k, turned in enumerate(table.vector(body.name + ".centre.rotation")):
+            D = rotation(math.pi / 180 * turned) @ world.turn @ body.orientation
+            centre = v[k] + np.cross(w[k], D @ body.centre_of_mass) * world.units[0]
+            J = D @ np.diag(body.inertia) @ D.T * world.units[0] ** 2
+            total[k] += world.units[1] * 0.5 * (body.mass * centre @ centre + w[k] @ J @ w[k])
+    scale, _ = energies(model, run, world)
+    error = abs(total - energy["kinetic"]).max() / scale
+    if error > tolerance:
+        yield f"the kinetic energy of the table is not that of the velocities, {error:.1e} of the largest"
+
+
+def all_of(model, run, world):
+    complaints = list(outcome(run))
+    if run.code == 0:
+        complaints += [*constraints(model, run, world), *budget(model, run, world), *kinetic(model, run, world)]
+    return complaints

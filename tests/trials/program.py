@@ -1,0 +1,57 @@
+"""Runs the program on a text and reads what it writes."""
+
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import tempfile
+
+import numpy as np
+
+LIMIT = 20  # seconds of the processor a run may take
+MEMORY = 4 << 30
+
+
+def limits():
+    resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 2))
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+class Table:
+    """A CSV file: names without units, and numbers (rows, columns)."""
+
+    def __init__(self, path):
+        head, *rows = path.read_text().splitlines()
+        self.names = [re.sub(r" \[[^]]*\]$", "", name) for name in head.split(",")]
+        self.numbers = np.array([[float(x) if x else np.nan for x in row.split(",")] for row in rows]).reshape(-1, len(self.names))
+        self.column = {name: k for k, name in enumerate(self.names)}
+
+    def __getitem__(self, names):
+        """One column, or several side by side."""
+        if isinstance(names, str):
+            return self.numbers[:, self.column[names]]
+        return self.numbers[:, [self.column[name] for name in names]]
+
+    def vector(self, path):
+        return self[[f"{path} {axis}" for axis in "xyz"]]
+
+
+class Run:
+    """Exit code, output (both streams), tables by the names of their files, and how long it took [s of the processor]."""
+
+    def __init__(self, program, text, *arguments, name="model.prm"):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+            command = [program, name, "--output", "results", *arguments]
+            environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            done = subprocess.run(command, cwd=folder, capture_output=True, preexec_fn=limits, env=environment, stdin=subprocess.DEVNULL)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+            self.code, self.output = done.returncode, (done.stdout + done.stderr).decode(errors="replace")
+            self.tables = {}
+            for path in (folder / "results").glob("*.csv"):
+                self.tables[path.stem] = Table(path)

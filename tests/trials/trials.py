@@ -1,0 +1,131 @@
+"""The trials: each has a name that makes it again, a thing that is tried (a Mechanism or a text) and says what is wrong with it."""
+
+import pathlib
+import random
+import re
+
+import extremes
+import judges
+import mutations
+import relatives
+from generator import INTEGRATORS, Generator, mechanism
+from mechanism import Mechanism
+from outline import render
+from program import LIMIT, Run
+from world import World
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Trial:
+    """complaints(program, thing) judges the thing, or a smaller one."""
+
+    def __init__(self, name, thing):
+        self.name, self.thing = name, thing
+
+    def text(self, thing):
+        return thing.text_here() if isinstance(thing, Mechanism) else thing
+
+
+class MechanismTrial(Trial):
+    """One model, judged by itself."""
+
+    def complaints(self, program, thing):
+        run = Run(program, thing.text_here())
+        self.code, self.seconds = run.code, run.seconds
+        return judges.all_of(thing, run, World())
+
+
+class RelativeTrial(Trial):
+    """Two runs in two worlds; `tolerance` covers what Newton's method leaves and the motion amplifies."""
+
+    def __init__(self, name, thing, world, tolerance=1e-5):
+        super().__init__(name, thing)
+        self.world, self.tolerance = world, tolerance
+
+    def complaints(self, program, thing):
+        first, second = Run(program, thing.text_here()), Run(program, thing.text(self.world))
+        self.code, self.seconds = first.code, first.seconds + second.seconds
+        return [*judges.outcome(second), *relatives.compare(thing, first, second, self.world, self.tolerance)]
+
+
+class TextTrial(Trial):
+    def __init__(self, name, thing, *arguments):
+        super().__init__(name, thing)
+        self.arguments = arguments
+
+    def complaints(self, program, thing):
+        run = Run(program, thing, *self.arguments)
+        self.code, self.seconds = run.code, run.seconds
+        return [*judges.outcome(run), *judges.readable(run)]
+
+
+def mechanism_trial(seed, integrator=None):
+    model = mechanism(seed)
+    if integrator:
+        model.stages, model.radius = integrator
+    return MechanismTrial(f"mechanism {seed}" + (f" s={model.stages} radius={model.radius:g}" if integrator else ""), model)
+
+
+def relative_trials(seed):
+    """Turned, and in one other unit; smooth motions over a short time, so that little is amplified."""
+    generator = Generator(seed)
+    generator.stops = False
+    model = generator.mechanism().with_(steps=10, newton=1e-13)
+    model.radius = 0.5 if model.stages == 1 else model.radius
+    yield RelativeTrial(f"turned {seed}", model, relatives.turned(generator))
+    units = relatives.UNITS[seed % len(relatives.UNITS)]
+    name = " ".join(f"{key}={value:g}" for key, value in units.items() if value != 1)
+    yield RelativeTrial(f"units {seed} {name}", model, World(**units))
+
+
+def shipped_models():
+    """Small models of the repository that name no other file."""
+    for path in sorted((ROOT / "prm").rglob("*.prm")):
+        text = path.read_text()
+        if len(text) < 6000 and not re.search(r"^\s*(include|set (File|Model)\b)|= study", text, re.M):
+            yield text
+
+
+def mutant_trial(seed):
+    """Generated models are run, shipped ones checked."""
+    chance = random.Random(f"mutant {seed}")
+    if chance.random() < 0.5:
+        model = mechanism(chance.randrange(1000)).with_(steps=3)
+        return TextTrial(f"mutant {seed}", mutations.mutant(chance, model.text_here()))
+    return TextTrial(f"mutant {seed}", mutations.mutant(chance, chance.choice(list(shipped_models()))), "--check")
+
+
+def extreme_trials(program):
+    for name, tree in extremes.models(program):
+        yield TextTrial(f"extreme {name}", render(tree))
+
+
+def short(program):
+    """What ctest runs: the same always."""
+    for seed in range(100, 140):
+        yield mechanism_trial(seed)
+    for seed in range(6):
+        yield from relative_trials(seed)
+    for seed in range(14):
+        yield mutant_trial(seed)
+    yield from random.Random(1).sample(list(extreme_trials(program)), 14)
+
+
+def endless(program, start):
+    """What contrib/trials runs, until its time is over: new seeds, and all extremes in an order of their own."""
+    everything = list(extreme_trials(program))
+    random.Random(start).shuffle(everything)
+    seed = start
+    while True:
+        for integrator in INTEGRATORS:
+            yield mechanism_trial(seed, integrator)
+        yield from relative_trials(seed)
+        yield from (mutant_trial(10 * seed + k) for k in range(10))
+        yield from (everything.pop() for _ in range(min(10, len(everything))))
+        seed += 1
+
+
+def is_slow(trial):
+    """A trial of a sound model that takes half of what is allowed."""
+    return trial.seconds > LIMIT / 2
