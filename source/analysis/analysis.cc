@@ -1,5 +1,7 @@
 #include <samara/analysis/analysis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -22,6 +24,7 @@ namespace samara
   {
     if (sweep.empty())
       return true;
+    Assert(!system.model.rotations.empty(), dealii::ExcMessage("There are speeds, but nothing rotates."));
     const double nominal = system.model.rotations[0].speed;
     const bool   within  = std::find(sweep.begin(), sweep.end(), nominal) != sweep.end();
     return speeds[0] == (within ? nominal : sweep.back());

@@ -1,5 +1,6 @@
 #include <samara/base/threads.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/base/parallel.h>
 
@@ -26,6 +27,7 @@ namespace samara
                const unsigned int                                     worthwhile,
                const std::function<void(unsigned int, unsigned int)> &f)
   {
+    Assert(f != nullptr, dealii::ExcMessage("There is nothing to call."));
     if (n < worthwhile || n_threads() == 1)
       return f(0, n);
     // a few parts a thread even out what other programs take away

@@ -46,6 +46,7 @@ namespace samara
   ElementTable<dim>::ElementTable(const unsigned int degree)
     : degree(degree)
   {
+    Assert(degree >= 1, ExcMessage("An element has a degree of at least one."));
     const FE_Q<dim> fe(degree);
     n_nodes = fe.n_dofs_per_cell();
     nodes   = fe.get_unit_support_points();

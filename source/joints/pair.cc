@@ -1,5 +1,7 @@
 #include <samara/joints/pair.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace samara
 {
   namespace
@@ -71,6 +73,8 @@ namespace samara
   void
   PairTangent::add(const PairFunction &function, const double factor)
   {
+    AssertIndexRange(function.i, 3);
+    AssertIndexRange(function.j, 3);
     forces.add(function, pair, factor);
     if (function.kind != PairFunction::cosine)
       return;

@@ -1,5 +1,7 @@
 #include <samara/model/system.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -37,6 +39,7 @@ namespace samara
   unsigned int
   Layout::add_multipliers(const std::vector<std::string> &names)
   {
+    Assert(pattern == nullptr, dealii::ExcMessage("Multipliers are added in Contribution::connect()."));
     multiplier_names.insert(multiplier_names.end(), names.begin(), names.end());
     n_multipliers = multiplier_names.size();
     return n_multipliers - names.size();
@@ -50,6 +53,13 @@ namespace samara
                  const std::vector<unsigned int> &coordinates,
                  const std::vector<unsigned int> &multipliers)
   {
+    Assert(pattern == nullptr, dealii::ExcMessage("Unknowns are coupled in Contribution::connect()."));
+    for ([[maybe_unused]] const auto &frame : frames)
+      AssertIndexRange(frame.node, n_nodes);
+    for ([[maybe_unused]] const auto i : coordinates)
+      AssertIndexRange(i, n_coordinates);
+    for ([[maybe_unused]] const auto i : multipliers)
+      AssertIndexRange(i, n_multipliers);
     couplings.push_back({&block, frames, coordinates, multipliers});
   }
 

@@ -1,5 +1,7 @@
 #include <samara/model/matrix.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace samara
@@ -7,6 +9,8 @@ namespace samara
   int
   Pattern::position(const int row, const int column) const
   {
+    AssertIndexRange(row, size());
+    AssertIndexRange(column, size());
     const auto begin = rows.begin() + column_start[column], end = rows.begin() + column_start[column + 1],
                found = std::lower_bound(begin, end, row);
     return found != end && *found == row ? found - rows.begin() : -1;
@@ -25,6 +29,7 @@ namespace samara
   void
   SparseMatrix::add(const double factor, const SparseMatrix &other)
   {
+    Assert(pattern == other.pattern, dealii::ExcMessage("Matrices are added entry by entry: they share a pattern."));
     for (unsigned int k = 0; k < values.size(); ++k)
       values[k] += factor * other.values[k];
   }
@@ -57,6 +62,9 @@ namespace samara
   void
   Block::add(Eigen::MatrixXd &local, SparseMatrix &global) const
   {
+    AssertDimension(positions.size(), rows.size() * rows.size()); // empty until the layout is complete
+    AssertDimension(local.rows(), rows.size());
+    AssertDimension(local.cols(), rows.size());
     for (const auto &[i, T] : transfers)
       for (unsigned int k = 0; k < rows.size(); ++k)
         local.col(k).segment<6>(6 * i) = (T.transpose() * local.col(k).segment<6>(6 * i)).eval();
@@ -78,6 +86,9 @@ namespace samara
   void
   Block::add_twists(const Eigen::Ref<const Eigen::MatrixXd> &K, SparseMatrix &global) const
   {
+    AssertDimension(positions.size(), rows.size() * rows.size());
+    AssertDimension(K.rows(), 6 * n_frames);
+    AssertDimension(K.cols(), 6 * n_frames);
     for (unsigned int j = 0; j < 6 * n_frames; ++j)
       add_column_of_twists(j, K.data() + K.outerStride() * j, global);
   }
@@ -87,6 +98,9 @@ namespace samara
   void
   Block::add_border(const unsigned int i, const Eigen::Ref<const Eigen::VectorXd> &g, SparseMatrix &global) const
   {
+    Assert(i >= 6 * n_frames, dealii::ExcMessage("A border belongs to an unknown behind the twists."));
+    AssertIndexRange(i, rows.size());
+    AssertDimension(g.size(), 6 * n_frames);
     add_column_of_twists(i, g.data(), global);
     for (unsigned int j = 0; j < 6 * n_frames; ++j)
       global.values[positions[i + rows.size() * j]] += g(j);

@@ -1,5 +1,7 @@
 #include <samara/model/system.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace samara
@@ -8,6 +10,23 @@ namespace samara
     : model(model)
     , layout(model)
   {}
+
+
+
+  namespace
+  {
+    /** Whether a state belongs to the system of this layout. */
+    [[maybe_unused]] bool
+    fits(const State &state, const Layout &layout)
+    {
+      return state.q.size() == 12 * layout.n_nodes && state.y.size() == 6 * layout.n_nodes &&
+             state.coordinates.size() == layout.n_coordinates && state.rates.size() == layout.n_coordinates &&
+             state.multipliers.size() == layout.n_multipliers && state.stress.size() == layout.n_strains;
+    }
+
+    DeclExceptionMsg(ExcOtherSystem, "The state is not one of this system: its sizes are others.");
+    DeclExceptionMsg(ExcOtherPattern, "The matrix does not have the pattern of the system.");
+  } // namespace
 
 
 
@@ -71,6 +90,8 @@ namespace samara
   void
   System::residual(const State &state, const std::vector<double> &stress, std::vector<double> &r) const
   {
+    Assert(fits(state, layout), ExcOtherSystem());
+    AssertDimension(stress.size(), layout.n_strains);
     r.assign(size() + 6, 0.);
     Point<double> point = state.point();
     point.stress        = stress.data();
@@ -135,6 +156,8 @@ namespace samara
   void
   System::tangent(const State &state, SparseMatrix &K) const
   {
+    Assert(fits(state, layout), ExcOtherSystem());
+    Assert(K.pattern == layout.pattern, ExcOtherPattern());
     K.clear();
     for (const auto &c : model.contributions)
       c->tangent(state.point(), K);
@@ -165,6 +188,8 @@ namespace samara
   void
   System::damping(const State &state, SparseMatrix &C) const
   {
+    Assert(fits(state, layout), ExcOtherSystem());
+    Assert(C.pattern == layout.pattern, ExcOtherPattern());
     C.clear();
     for (const auto &c : model.contributions)
       c->damping(state.point(), C);
@@ -180,6 +205,7 @@ namespace samara
   void
   System::mass(SparseMatrix &M) const
   {
+    Assert(M.pattern == layout.pattern, ExcOtherPattern());
     M.clear();
     add_nodal(layout, M, [&](const unsigned int node) -> Matrix6 { return model.nodes[node].inertia; });
   }
@@ -189,6 +215,8 @@ namespace samara
   void
   System::update(State &state, const std::vector<double> &z) const
   {
+    Assert(fits(state, layout), ExcOtherSystem());
+    Assert(z.size() >= size(), dealii::ExcDimensionMismatch(z.size(), size()));
     // the stress first, while the state is still the one that was linearised about
     thread_local std::vector<double> e, rates, linear_strain, twists;
     strains(state, e);

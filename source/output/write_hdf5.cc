@@ -2,6 +2,8 @@
 #include <samara/output/hdf5.h>
 #include <samara/output/write_hdf5.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -47,6 +49,9 @@ namespace samara
       for (std::uint64_t row = 0; row < n_rows; row += block[0].size())
         {
           next_block(block);
+          for ([[maybe_unused]] const auto &column : block)
+            AssertDimension(column.size(), block[0].size());
+          Assert(!block[0].empty() && block[0].size() <= n_rows - row, dealii::ExcMessage("A block beyond the rows."));
           for (const auto &[column, dataset] : datasets)
             write_block(dataset, row, block[column]);
         }

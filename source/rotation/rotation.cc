@@ -1,5 +1,7 @@
 #include <samara/rotation/rotation.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -8,6 +10,7 @@ namespace samara
   Vector3
   inverse_cayley(const Matrix3 &R)
   {
+    Assert(!(R.trace() < -1 + 1e-12), dealii::ExcMessage("A half turn has no Cayley vector."));
     return 4. / (1. + R.trace()) * axial(R);
   }
 
@@ -27,6 +30,7 @@ namespace samara
   Vector3
   vector_of_rotation(const Matrix3 &R)
   {
+    Assert(!((R.transpose() * R - Matrix3::Identity()).norm() > 1e-6), dealii::ExcMessage("This is no rotation."));
     const Eigen::Quaterniond q(R);
     const double             sign = q.w() < 0 ? -1. : 1., sine = q.vec().norm();
     if (sine < 1e-12)

@@ -1,6 +1,8 @@
 #include <samara/solvers/factorization.h>
 #include <samara/solvers/linear.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace samara
 {
   namespace
@@ -35,13 +37,17 @@ namespace samara
       void
       factorize(const SparseMatrix &A) override
       {
+        Assert(A.pattern == pattern, dealii::ExcMessage("A solver is made for one pattern; the matrix has another."));
         ++n_factorizations;
+        is_factorized = false;
         factorization->factorize(A.values.data());
+        is_factorized = true;
       }
 
       void
       solve(double *b) const override
       {
+        Assert(is_factorized, dealii::ExcMessage("solve() before factorize(), or after one that failed."));
         factorization->solve(b);
       }
 
@@ -60,6 +66,7 @@ namespace samara
     private:
       std::shared_ptr<const Pattern>         pattern;
       std::unique_ptr<Factorization<double>> factorization;
+      bool                                   is_factorized = false;
     };
 
 
@@ -75,6 +82,8 @@ namespace samara
       void
       factorize(const std::vector<std::complex<double>> &values) override
       {
+        Assert(values.size() >= static_cast<std::size_t>(pattern->n_nonzeros()),
+               dealii::ExcDimensionMismatch(values.size(), pattern->n_nonzeros()));
         factorization->factorize(values.data());
       }
 

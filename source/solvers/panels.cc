@@ -1,5 +1,7 @@
 #include <samara/solvers/panels.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <limits>
 
 namespace samara
@@ -109,7 +111,11 @@ namespace samara
   PanelStructure::PanelStructure(const Pattern &pattern, const Pivots &pivots, const int parts)
     : panel_of(pattern.size())
   {
-    const int  n      = pattern.size();
+    const int n = pattern.size();
+    AssertDimension(pivots.row_order.size(), n);
+    AssertDimension(pivots.column_order.size(), n);
+    AssertDimension(pivots.lower.start.size(), n + 1);
+    AssertDimension(pivots.upper.start.size(), n + 1);
     const auto widths = best_widths(n, pivots, parts);
     Marks      found(n);
     for (int first = 0; first < n; first += widths[first])

@@ -1,5 +1,7 @@
 #include <samara/time/projection.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -83,6 +85,7 @@ namespace samara
   double
   Projection::velocities(State &state)
   {
+    AssertDimension(state.y.size(), 6 * system.layout.n_nodes);
     if (system.layout.n_multipliers == 0)
       return 0;
     factorize(state);
