@@ -135,6 +135,8 @@ namespace samara
       for (auto *const file : {history.get(), energies.get(), steps.get()})
         if (file != nullptr)
           file->flush();
+      if (pictures != nullptr)
+        pictures->finish();
     }
   };
 
@@ -331,7 +333,7 @@ namespace samara
         Drawing drawing;
         for (const auto &c : context.system.model.contributions)
           c->draw(reported, drawing);
-        output.pictures->add(drawing, state.time);
+        output.pictures->add(std::move(drawing), state.time);
         output.next_picture += (end_time - start_time) / n_pictures;
       }
   }

@@ -288,8 +288,9 @@ namespace samara
         for (const auto &c : system.model.contributions)
           c->draw(state, drawing);
         const double period = modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.;
-        pictures.add(drawing, period * frame / n_frames);
+        pictures.add(std::move(drawing), period * frame / n_frames);
       }
+    pictures.finish();
   }
 
 

@@ -273,7 +273,7 @@ namespace samara
         Drawing drawing;
         for (const auto &c : context.system.model.contributions)
           c->draw(state, drawing);
-        pictures->add(drawing, progress);
+        pictures->add(std::move(drawing), progress);
       }
   }
 
@@ -310,6 +310,8 @@ namespace samara
   {
     if (history)
       history->finish();
+    if (pictures)
+      pictures->finish();
     for (const auto &other : {&speed_history, &path_history, &limits_history})
       if (*other)
         (*other)->finish();

@@ -488,12 +488,13 @@ namespace samara
   Beam::Local
   Beam::local(const State &state, const double s, const bool with_strains) const
   {
-    unsigned int i = 0;
-    while (i + 1 < cells.size() && cells[i].end < s - 1e-9 * curve->length())
-      ++i;
+    // the first cell that ends there or later
+    const auto         ends_before = [&](const Cell &cell, const double at) { return cell.end < at; };
+    const unsigned int i =
+      std::lower_bound(cells.begin(), cells.end() - 1, s - 1e-9 * curve->length(), ends_before) - cells.begin();
     const dealii::Point<1> xi((s - cells[i].start) / (cells[i].end - cells[i].start));
 
-    const ElementTable<1>                  &t = *elements[i].table;
+    const ElementTable<1>     &t = *elements[i].table;
     kernel::NodeValues<double> nodes[most_nodes];
     gather(i, state.q.data(), nodes);
     // one for each degree, made when first used
@@ -522,18 +523,17 @@ namespace samara
     if (is_rigid || !with_strains)
       return result;
     // strains and section forces: the polynomial through the Gauss points
-    const unsigned int  n_points = t.n_points;
-    std::vector<double> e(n_strains());
-    strains_at(state.point(), e.data());
+    const unsigned int n_points = t.n_points;
+    double             e[6 * most_nodes];
+    element_strains(i, state.q.data(), e);
     for (unsigned int g = 0; g < n_points; ++g)
       {
         double L = 1;
         for (unsigned int k = 0; k < n_points; ++k)
           if (k != g)
             L *= (xi[0] - t.points[k][0]) / (t.points[g][0] - t.points[k][0]);
-        const unsigned int first = 6 * (elements[i].first_point + g);
-        result.strain += L * Eigen::Map<const Vector6>(&e[first]);
-        result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + first]);
+        result.strain += L * Eigen::Map<const Vector6>(e + 6 * g);
+        result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + 6 * (elements[i].first_point + g)]);
       }
     sample.force     = sample.D * result.stress.head<3>();
     sample.moment    = sample.D * result.stress.tail<3>();

@@ -159,6 +159,23 @@ namespace samara
 
 
   template <int dim>
+  void
+  Cosserat<dim>::element_strains(const unsigned int element, const double *q, double *e) const
+  {
+    const ElementTable<dim>   &t = *elements[element].table;
+    kernel::NodeValues<double> nodes[most_nodes];
+    Vec6<double>               tied[most_tied];
+    gather(element, q, nodes);
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      tied[k] = kernel::strain(kernel::interpolate(nodes, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
+    to_points(element, tied, e);
+    for (unsigned int g = 0; g < t.n_points; ++g)
+      Eigen::Map<VectorN>(e + n * g) -= points[elements[element].first_point + g].reference;
+  }
+
+
+
+  template <int dim>
   template <typename Number>
   void
   Cosserat<dim>::to_points(const unsigned int element, const Vec6<Number> *tied, Number *e) const

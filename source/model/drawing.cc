@@ -23,40 +23,39 @@ namespace samara
 
 
 
-    Sample
-    moved(const Sample &sample, const Vector3 &x)
+    unsigned int
+    add_sample(Drawing &drawing, const Sample &sample)
     {
-      Sample result = sample;
-      result.x      = x;
-      return result;
+      Assert(!drawing.objects.empty(), dealii::ExcMessage("Call begin_object() before drawing."));
+      drawing.samples.push_back(sample);
+      return drawing.samples.size() - 1;
     }
 
 
 
-    void
-    add_quad(Drawing &drawing, const Sample &a, const Sample &b, const Sample &c, const Sample &d)
+    /** Add points of a sample; returns the number of the first one. */
+    unsigned int
+    add_corners(Drawing &drawing, const unsigned int sample, const Ring &places)
     {
-      Assert(!drawing.objects.empty(), dealii::ExcMessage("Call begin_object() before drawing."));
       const unsigned int object = drawing.objects.empty() ? 0 : drawing.objects.size() - 1;
-      drawing.quads.push_back({{a, b, c, d}, object});
+      for (const Vector3 &x : places)
+        drawing.corners.push_back({x, sample, object});
+      return drawing.corners.size() - places.size();
     }
 
 
 
     /**
-     * Fill a ring with strips from one side of it to the other: this is right for all convex outlines and, when they
-     * begin at the trailing edge, for airfoils, whose middle may lie outside. A ring with an odd number of points ends
-     * with a triangle, which is a quadrilateral with two corners at one place.
+     * Fill a ring of @p n corners with strips from one side of it to the other: this is right for all convex outlines
+     * and, when they begin at the trailing edge, for airfoils, whose middle may lie outside. A ring with an odd number
+     * of points ends with a triangle, which is a quadrilateral with two corners at one place.
      */
     void
-    add_lid(Drawing &drawing, const Sample &sample, const Ring &ring)
+    add_lid(Drawing &drawing, const unsigned int first, const unsigned int n, const bool reversed)
     {
-      for (unsigned int low = 0, high = ring.size() - 1; low + 1 < high; ++low, --high)
-        add_quad(drawing,
-                 moved(sample, ring[low]),
-                 moved(sample, ring[low + 1]),
-                 moved(sample, ring[high - 1]),
-                 moved(sample, ring[high]));
+      const auto corner = [&](const unsigned int j) { return first + (reversed ? n - 1 - j : j); };
+      for (unsigned int low = 0, high = n - 1; low + 1 < high; ++low, --high)
+        drawing.quads.push_back({corner(low), corner(low + 1), corner(high - 1), corner(high)});
     }
 
 
@@ -65,19 +64,18 @@ namespace samara
     void
     add_tube(Drawing &drawing, const std::vector<Sample> &samples, const std::vector<Ring> &rings)
     {
+      const unsigned int        n = rings[0].size();
+      std::vector<unsigned int> first;
+      for (unsigned int i = 0; i < rings.size(); ++i)
+        first.push_back(add_corners(drawing, add_sample(drawing, samples[i]), rings[i]));
       for (unsigned int i = 0; i + 1 < rings.size(); ++i)
-        for (unsigned int j = 0; j < rings[i].size(); ++j)
+        for (unsigned int j = 0; j < n; ++j)
           {
-            const unsigned int next = (j + 1) % rings[i].size();
-            add_quad(drawing,
-                     moved(samples[i], rings[i][j]),
-                     moved(samples[i], rings[i][next]),
-                     moved(samples[i + 1], rings[i + 1][next]),
-                     moved(samples[i + 1], rings[i + 1][j]));
+            const unsigned int next = (j + 1) % n;
+            drawing.quads.push_back({first[i] + j, first[i] + next, first[i + 1] + next, first[i + 1] + j});
           }
-
-      add_lid(drawing, samples.front(), Ring(rings.front().rbegin(), rings.front().rend()));
-      add_lid(drawing, samples.back(), rings.back());
+      add_lid(drawing, first.front(), n, true);
+      add_lid(drawing, first.back(), n, false);
     }
 
 
@@ -105,18 +103,23 @@ namespace samara
     void
     add_cube(Drawing &drawing, const Sample &sample, const unsigned int n, const Place &place)
     {
-      const auto cut = [n](const unsigned int i) { return std::tan(pi / 4 * (2. * i / n - 1)); };
-
+      const auto         cut = [n](const unsigned int i) { return std::tan(pi / 4 * (2. * i / n - 1)); };
+      const unsigned int own = add_sample(drawing, sample);
       for (unsigned int axis = 0; axis < 3; ++axis)
         for (const double side : {-1., 1.})
           {
             const Vector3 normal = side * Vector3::Unit(axis), e = Vector3::Unit((axis + 1) % 3), f = normal.cross(e);
-            const auto    corner = [&](const unsigned int i, const unsigned int j) {
-              return moved(sample, sample.x + sample.D * place(Vector3(normal + cut(i) * e + cut(j) * f)));
-            };
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                add_quad(drawing, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
+            Ring          face;
+            for (unsigned int j = 0; j <= n; ++j)
+              for (unsigned int i = 0; i <= n; ++i)
+                face.push_back(sample.x + sample.D * place(Vector3(normal + cut(i) * e + cut(j) * f)));
+            const unsigned int first = add_corners(drawing, own, face);
+            for (unsigned int j = 0; j < n; ++j)
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  const unsigned int corner = first + i + j * (n + 1);
+                  drawing.quads.push_back({corner, corner + 1, corner + n + 2, corner + n + 1});
+                }
           }
     }
 

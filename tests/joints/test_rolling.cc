@@ -291,12 +291,11 @@ TEST(RollingBall, Drawing)
   scene.input.model.contributions.back()->draw(scene.context.state, drawing);
   ASSERT_EQ(drawing.objects, std::vector<std::string>{"j"});
   double lowest = 0, highest = 0;
-  for (const auto &quad : drawing.quads)
-    for (const auto &corner : quad.corners)
-      {
-        lowest  = std::min(lowest, normal.dot(corner.x - middle));
-        highest = std::max(highest, normal.dot(corner.x - middle));
-      }
+  for (const auto &corner : drawing.corners)
+    {
+      lowest  = std::min(lowest, normal.dot(corner.x - middle));
+      highest = std::max(highest, normal.dot(corner.x - middle));
+    }
   EXPECT_NEAR(highest, radius, 0.02 * radius);
   EXPECT_LT(lowest, -radius);
   EXPECT_NEAR(lowest, -radius, 0.05 * radius);

@@ -57,7 +57,8 @@ namespace
     for (const Drawing::Quad &quad : drawing.quads)
       for (const unsigned int third : {2, 3}) // the triangles (0, 1, 2) and (0, 2, 3)
         {
-          const Vector3 a = quad.corners[0].x, b = quad.corners[third - 1].x, c = quad.corners[third].x;
+          const auto    x = [&](const unsigned int j) { return drawing.corners[quad[j]].x; };
+          const Vector3 a = x(0), b = x(third - 1), c = x(third);
           const Vector3 n = 0.5 * (b - a).cross(c - a);
           surface.closure += n;
           surface.area += n.norm();
@@ -95,9 +96,8 @@ TEST(Drawing, BoxHasItsSidesAlongTheTriad)
   const Sample sample  = skew_sample();
   Drawing      drawing = new_drawing();
   drawing.box(sample, {1, 2, 3});
-  for (const Drawing::Quad &quad : drawing.quads)
-    for (const Sample &corner : quad.corners)
-      EXPECT_LT(((sample.D.transpose() * (corner.x - sample.x)).cwiseAbs() - Vector3(0.5, 1, 1.5)).norm(), 1e-14);
+  for (const auto &corner : drawing.corners)
+    EXPECT_LT(((sample.D.transpose() * (corner.x - sample.x)).cwiseAbs() - Vector3(0.5, 1, 1.5)).norm(), 1e-14);
 }
 
 
@@ -111,9 +111,8 @@ TEST(Drawing, CylinderAboutEachAxis)
       drawing.cylinder(sample, axis, 0.5, 2);
       EXPECT_NEAR(measure(drawing).volume, polygon_area(24, 0.5) * 2, 1e-13);
       EXPECT_NEAR(measure(drawing).volume, pi / 2, 0.02);
-      for (const Drawing::Quad &quad : drawing.quads)
-        for (const Sample &corner : quad.corners)
-          EXPECT_NEAR(std::abs(sample.D.col(axis).dot(corner.x - sample.x)), 1, 1e-14);
+      for (const auto &corner : drawing.corners)
+        EXPECT_NEAR(std::abs(sample.D.col(axis).dot(corner.x - sample.x)), 1, 1e-14);
     }
 }
 
@@ -127,9 +126,8 @@ TEST(Drawing, Sphere)
   const Surface surface = measure(drawing);
   EXPECT_NEAR(surface.volume / (4. / 3 * pi * 8), 1, 0.03);
   EXPECT_NEAR(surface.area / (4 * pi * 4), 1, 0.02);
-  for (const Drawing::Quad &quad : drawing.quads)
-    for (const Sample &corner : quad.corners)
-      EXPECT_NEAR((corner.x - sample.x).norm(), 2, 1e-14);
+  for (const auto &corner : drawing.corners)
+    EXPECT_NEAR((corner.x - sample.x).norm(), 2, 1e-14);
 }
 
 
@@ -211,14 +209,30 @@ TEST(Drawing, CornersCarryTheirSample)
   drawing.tube({from, to}, {rectangle_outline(1, 1), rectangle_outline(1, 1)});
 
   EXPECT_EQ(drawing.objects, (std::vector<std::string>{"first", "second"}));
-  EXPECT_EQ(drawing.quads.front().object, 0u);
-  EXPECT_EQ(drawing.quads.back().object, 1u);
-  for (const Drawing::Quad &quad : drawing.quads)
-    for (const Sample &corner : quad.corners)
-      {
-        const bool at_end = quad.object == 1 && from.D.col(0).dot(corner.x - from.x) > 0.5;
-        EXPECT_EQ(corner.force, at_end ? to.force : from.force);
-        EXPECT_EQ(corner.velocity, from.velocity);
-        EXPECT_EQ(corner.D, from.D);
-      }
+  EXPECT_EQ(drawing.corners.front().object, 0u);
+  EXPECT_EQ(drawing.corners.back().object, 1u);
+  for (const auto &corner : drawing.corners)
+    {
+      const bool    at_end = corner.object == 1 && from.D.col(0).dot(corner.x - from.x) > 0.5;
+      const Sample &sample = drawing.samples[corner.sample];
+      EXPECT_EQ(sample.force, at_end ? to.force : from.force);
+      EXPECT_EQ(sample.velocity, from.velocity);
+      EXPECT_EQ(sample.D, from.D);
+    }
+}
+
+
+
+/** Points are shared: a tube of n pieces has as many rings, whatever number of quadrilaterals meets there. */
+TEST(Drawing, TubeHasOnePointForEachCornerOfAnOutline)
+{
+  const unsigned int  n = 50, n_points = 12;
+  std::vector<Sample> axis(n + 1);
+  for (unsigned int i = 0; i <= n; ++i)
+    axis[i].x(0) = i;
+  Drawing drawing = new_drawing();
+  drawing.tube(axis, std::vector<std::vector<Eigen::Vector2d>>(n + 1, ellipse_outline(1, 1, n_points)));
+  EXPECT_EQ(drawing.samples.size(), n + 1);
+  EXPECT_EQ(drawing.corners.size(), n_points * (n + 1));
+  EXPECT_EQ(drawing.quads.size(), n_points * n + 2 * (n_points / 2 - 1));
 }

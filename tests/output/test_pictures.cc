@@ -81,12 +81,12 @@ TEST(Pictures, PictureHoldsWhatWasDrawn)
 {
   const ScratchFolder folder;
   const Drawing       drawing = two_objects();
-  Pictures(folder.path, "static").add(drawing, 0.5);
+  Pictures(folder.path, "static").add(two_objects(), 0.5);
 
   const std::string text = content_of(folder.path + "/pictures/static.0000.vtu");
   EXPECT_EQ(attribute(text, "<VTKFile", "type"), "UnstructuredGrid");
   EXPECT_EQ(attribute(text, "<Piece", "NumberOfCells"), std::to_string(drawing.quads.size()));
-  EXPECT_EQ(attribute(text, "<Piece", "NumberOfPoints"), std::to_string(4 * drawing.quads.size()));
+  EXPECT_EQ(attribute(text, "<Piece", "NumberOfPoints"), std::to_string(drawing.corners.size()));
   for (const char *name : {"displacement", "section force", "section moment", "strain", "curvature", "velocity"})
     EXPECT_NE(text.find("Name=\"" + std::string(name) + "\" NumberOfComponents=\"3\""), std::string::npos) << name;
   EXPECT_NE(text.find("</VTKFile>"), std::string::npos);
@@ -94,7 +94,7 @@ TEST(Pictures, PictureHoldsWhatWasDrawn)
   const auto displacement = numbers_of<float>(text, "displacement");
   const auto object       = numbers_of<float>(text, "object");
   const auto connectivity = numbers_of<std::int32_t>(text, "connectivity");
-  ASSERT_EQ(displacement.size(), 12 * drawing.quads.size());
+  ASSERT_EQ(displacement.size(), 3 * drawing.corners.size());
   ASSERT_EQ(connectivity.size(), 4 * drawing.quads.size());
 
   // The points have no name, they are in the first array of all.
@@ -105,13 +105,14 @@ TEST(Pictures, PictureHoldsWhatWasDrawn)
   for (unsigned int q = 0; q < drawing.quads.size(); ++q)
     for (unsigned int c = 0; c < 4; ++c)
       {
-        const unsigned int point  = connectivity[4 * q + c];
-        const Sample      &corner = drawing.quads[q].corners[c];
-        EXPECT_EQ(object[point], drawing.quads[q].object);
+        const unsigned int     point  = connectivity[4 * q + c];
+        const Drawing::Corner &corner = drawing.corners[drawing.quads[q][c]];
+        EXPECT_EQ(point, drawing.quads[q][c]);
+        EXPECT_EQ(object[point], corner.object);
         for (unsigned int d = 0; d < 3; ++d)
           {
             EXPECT_FLOAT_EQ(places[3 * point + d], corner.x(d));
-            EXPECT_FLOAT_EQ(displacement[3 * point + d], corner.displacement(d));
+            EXPECT_FLOAT_EQ(displacement[3 * point + d], drawing.samples[corner.sample].displacement(d));
           }
       }
 }
@@ -127,6 +128,7 @@ TEST(Pictures, SeriesIsCompleteAfterEachPicture)
   for (unsigned int frame = 0; frame < 3; ++frame)
     {
       pictures.add(two_objects(), 0.25 * frame);
+      pictures.finish();
       const std::string text = content_of(folder.path + "/dynamic.pvd");
       const std::string file = "pictures/dynamic.000" + std::to_string(frame) + ".vtu";
       EXPECT_NE(text.find("file=\"" + file + "\""), std::string::npos) << text;
@@ -168,6 +170,9 @@ TEST(Pictures, PictureThatCannotBeWrittenIsNamed)
   Pictures            pictures(folder.path, "static");
   std::filesystem::remove_all(folder.path);
 
-  const std::string complaint = complaint_of([&] { pictures.add(two_objects(), 0); });
+  const std::string complaint = complaint_of([&] {
+    pictures.add(two_objects(), 0);
+    pictures.finish();
+  });
   EXPECT_NE(complaint.find(folder.path + "/pictures/static.0000.vtu"), std::string::npos) << complaint;
 }

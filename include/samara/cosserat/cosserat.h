@@ -86,6 +86,9 @@ namespace samara
     template <typename Number>
     void gather(unsigned int element, const Number *q, kernel::NodeValues<Number> *nodes) const;
 
+    /** Strains of one element at its integration points, 6 dim each, those of its first point first. */
+    void element_strains(unsigned int element, const double *q, double *e) const;
+
     /** No element has more nodes. */
     static constexpr unsigned int most_nodes = dim == 1 ? 7 : 49;
 

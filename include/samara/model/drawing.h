@@ -3,6 +3,7 @@
 
 #include <samara/rotation/rotation.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,16 +25,23 @@ namespace samara
 
 
   /**
-   * A picture of the model made of quadrilaterals, so that all of it goes into one file of one cell type. Contributions
-   * draw themselves with the shapes below; each object gets a number by which it can be selected and coloured.
+   * A picture of the model: surfaces made of quadrilaterals, so that all of it goes into one file of one cell type.
+   * Contributions draw themselves with the shapes below; each object gets a number by which it can be selected and
+   * coloured. Quadrilaterals of one object share their points, and points share what is known of the sample they belong
+   * to: the memory is in proportion to the number of points.
    */
   struct Drawing
   {
-    struct Quad
+    struct Corner
     {
-      Sample       corners[4];
-      unsigned int object;
+      Vector3      x; ///< [m]
+      unsigned int sample, object;
     };
+    /** Corners go round it, counter-clockwise for who looks from outside. */
+    using Quad = std::array<unsigned int, 4>;
+
+    std::vector<Sample>      samples;
+    std::vector<Corner>      corners;
     std::vector<Quad>        quads;
     std::vector<std::string> objects;
 

@@ -3,6 +3,7 @@
 
 #include <samara/model/drawing.h>
 
+#include <future>
 #include <optional>
 #include <string>
 #include <utility>
@@ -21,7 +22,8 @@ namespace samara
    * curvature [1/m], velocity [m/s]. The place before the deformation is x − displacement.
    *
    * Every file is complete or absent, and the series is rewritten after each picture, so that what a run left when it
-   * was killed can be opened. What cannot be written is a std::runtime_error with the name of the file.
+   * was killed can be opened. A picture is compressed and written beside the run; the next one waits for it. What
+   * cannot be written is a CannotWrite with the name of the file, thrown by the next add() or by finish().
    */
   class Pictures
   {
@@ -36,17 +38,21 @@ namespace samara
              const std::optional<double> &resume_after = std::nullopt);
 
     /** Write a picture. @p time is what ParaView orders the series by: seconds, a load factor, a phase. */
-    void add(const Drawing &drawing, double time);
+    void add(Drawing &&drawing, double time);
+
+    /** Wait until all is written. The destructor does, too, but does not tell what went wrong. */
+    void finish();
 
   private:
     void keep_series(double resume_after);
-    void write_picture(const std::string &file, const Drawing &drawing) const;
+    void write(const Drawing &drawing, double time);
     void write_objects(const std::vector<std::string> &objects);
     void write_series() const;
 
     const std::string                           folder, name;
     std::vector<std::pair<double, std::string>> times_and_files;
     std::vector<std::string>                    written_objects;
+    std::future<void>                           being_written; ///< last, so that it ends before the others do
   };
 } // namespace samara
 

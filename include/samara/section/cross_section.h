@@ -1,0 +1,114 @@
+#ifndef samara_section_cross_section_h
+#define samara_section_cross_section_h
+
+#include <samara/section/section_mesh.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+namespace samara
+{
+  /** What a section is made of. */
+  struct SectionMaterial
+  {
+    Matrix6 stiffness = Matrix6::Zero(); ///< in the axes of the material, Voigt order 11 22 33 23 13 12 [Pa]
+    double  density   = 0;               ///< [kg/m³]
+  };
+
+
+
+  /**
+   * Cross-section analysis of a prismatic, twisted or curved beam: a warping analysis of dimension 2.
+   *
+   * The reference line has the constant twist k₁ and curvatures k₂, k₃ in the section's axes, √g = 1 − x₂k₃ + x₃k₂. A
+   * displacement is a rigid motion of the section plus a warping w = N X ϑ, linear in the section forces
+   * ϑ = (F₁ F₂ F₃ M₁ M₂ M₃); e = (Γ, K) = Y ϑ. Equilibrium of the nodes and of the section, ϑ' = −T ϑ, give
+   *
+   *     E X + (Cᵀ − C) X T − M X T² + R Y + L Y T = 0          Rᵀ X − Lᵀ X T + A Y = I
+   *
+   * T has the eigenvalues 0, ±i|k|: one real Cholesky factorisation, and for k ≠ 0 one complex one. The stiffness is
+   * the inverse of the energy at unit forces. It holds for any |k| times the depth below one, with all couplings; away
+   * from the ends, at small strains.
+   *
+   * Source: Giavotto et al. 1983 (k = 0); Borri & Merlini 1986; doc/theory/cross_section.md.
+   */
+  class CrossSection
+  {
+  public:
+    /**
+     * @param curvature (k₁, k₂, k₃) [rad/m]
+     * @throws std::invalid_argument if the curvature is too large for the depth, or a material has no positive energy.
+     */
+    CrossSection(const SectionMesh                  &mesh,
+                 const std::vector<SectionMaterial> &materials,
+                 const Vector3                      &curvature = Vector3::Zero());
+
+    Matrix6 compliance; ///< strains (Γ₁ Γ₂ Γ₃ K₁ K₂ K₃) of unit forces
+    Matrix6 stiffness;  ///< its inverse [N, N m, N m²]
+    Matrix6 inertia;    ///< per length of the reference line: [m I, −m c~; m c~, J] [kg/m, kg, kg m]
+    double  area = 0;   ///< [m²]
+
+    /** Largest nodal force where the section is pinned, relative to the others: zero but for round-off. */
+    double reaction = 0;
+
+    /** (x₂, x₃) where a transverse force does not twist the section. */
+    Eigen::Vector2d shear_centre() const;
+    /** (x₂, x₃) where an axial force does not bend the section. */
+    Eigen::Vector2d tension_centre() const;
+    Eigen::Vector2d mass_centre() const;
+
+    /** What is known at a point of integration; stresses follow from the section forces ϑ. */
+    struct StressPoint
+    {
+      unsigned int     cell;
+      dealii::Point<2> place;  ///< [m]
+      double           weight; ///< area, √g not included [m²]
+      Matrix6          strain; ///< Voigt strains of unit section forces, in the axes of the section
+      Matrix6          C;      ///< Voigt stiffness there
+      Matrix3          axes;   ///< of the material, columns in the axes of the section
+    };
+    std::vector<StressPoint> points;
+
+    /** Voigt stresses at a point in the axes of the section [Pa]. */
+    static Vector6
+    stress(const StressPoint &point, const Vector6 &forces)
+    {
+      return point.C * (point.strain * forces);
+    }
+    /** The same in the axes of the material. */
+    static Vector6 stress_in_material(const StressPoint &point, const Vector6 &forces);
+
+    unsigned int
+    n_unknowns() const
+    {
+      return dofs.n_dofs();
+    }
+
+  private:
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+
+    const SectionMesh    &mesh;
+    const Vector3         k;
+    dealii::FESystem<2>   fe;
+    dealii::DoFHandler<2> dofs;
+
+    // the integrals, named as in the equations above
+    dealii::SparsityPattern      pattern;
+    dealii::SparseMatrix<double> E, C, M;
+    Columns                      R, L;
+    Matrix6                      A = Matrix6::Zero(), T;
+    std::array<unsigned int, 6>  pinned; ///< unknowns that are held, statically determinate
+    Columns                      X;
+    Matrix6                      Y;
+
+    void    assemble(const std::vector<SectionMaterial> &materials);
+    void    find_pins();
+    void    solve();
+    void    find_compliance();
+    void    find_strains();
+    Columns times(const dealii::SparseMatrix<double> &matrix, const Columns &x, bool transposed = false) const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,83 @@
+#ifndef samara_section_section_mesh_h
+#define samara_section_section_mesh_h
+
+#include <samara/rotation/rotation.h>
+
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/tria.h>
+
+#include <functional>
+#include <vector>
+
+namespace samara
+{
+  /** The material of a cell of a section, and how it lies: the fibre is cos θ e₁ + sin θ t, t the tangent of the layer.
+   */
+  struct Ply
+  {
+    unsigned int material = 0;
+    double       angle    = 0; ///< θ [rad]
+  };
+
+
+
+  /**
+   * A part of a section: the image of the rectangle of parameters that @p u and @p v divide into cells. Layers run
+   * along u: their tangent t is the derivative of @p place with respect to u, at each point.
+   */
+  struct SectionPatch
+  {
+    std::function<dealii::Point<2>(double u, double v)> place; ///< (x₂, x₃) [m]
+    std::vector<double>                                 u, v;  ///< ends of the cells, ascending
+    /** Of the cell (i, j) of the rectangle. */
+    std::function<Ply(unsigned int i, unsigned int j)> ply;
+  };
+
+
+
+  /**
+   * Quadrilaterals of a cross-section in the plane (x₂, x₃), from mapped patches that share their points where they
+   * meet. Cells have the shape of polynomials of the degree of the elements, through the Gauss–Lobatto points of their
+   * patch.
+   */
+  class SectionMesh
+  {
+  public:
+    /**
+     * @param tolerance within which points of different patches are one [m]
+     * @throws std::invalid_argument if a cell is turned inside out, has no area or has two corners in one place, with
+     * the number of the patch and the position of the cell; or if the patches do not hang together.
+     */
+    SectionMesh(const std::vector<SectionPatch> &patches, unsigned int degree, double tolerance);
+
+    const unsigned int       degree;
+    dealii::Triangulation<2> triangulation;
+    dealii::MappingQCache<2> mapping;
+
+    const Ply &
+    ply(const unsigned int cell) const
+    {
+      return cells[cell].ply;
+    }
+
+    /**
+     * The axes of the material at a point of a cell with the Jacobian @p J of its mapping: columns are the fibre, the
+     * direction across it in the layer, and the normal of the layer, in the axes 1 (along the beam), 2, 3.
+     */
+    Matrix3 material_axes(unsigned int cell, const Eigen::Matrix2d &J) const;
+
+  private:
+    struct Cell
+    {
+      unsigned int                    patch, i, j;
+      std::array<dealii::Point<2>, 4> parameters; ///< of the corners, in the order of the triangulation
+      Ply                             ply;
+    };
+    std::vector<Cell> cells;
+
+    dealii::Point<2> parameters_at(const Cell &cell, const dealii::Point<2> &unit) const;
+    void             check(const std::vector<SectionPatch> &patches) const;
+  };
+} // namespace samara
+
+#endif

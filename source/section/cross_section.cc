@@ -1,0 +1,360 @@
+#include <samara/section/cross_section.h>
+#include <samara/section/elasticity.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    /** Rows of S: a displacement's derivative along the beam is ε₁₁, 2ε₁₂, 2ε₁₃. */
+    constexpr int row_of_S[3] = {0, 5, 4};
+
+
+
+    /** Z = [I, −x~]: what a strain of the reference line is at x = (0, x₂, x₃). */
+    Eigen::Matrix<double, 3, 6>
+    shift_to(const dealii::Point<2> &x)
+    {
+      Eigen::Matrix<double, 3, 6> Z;
+      Z << Matrix3::Identity(), -skew(Vector3(0, x[0], x[1]));
+      return Z;
+    }
+
+
+
+    Matrix6
+    S_times(const Eigen::Matrix<double, 3, 6> &Z)
+    {
+      Matrix6 result = Matrix6::Zero();
+      for (int i = 0; i < 3; ++i)
+        result.row(row_of_S[i]) = Z.row(i);
+      return result;
+    }
+
+
+
+    /** Strains of the nodal displacements at a point, (6, 3 n): B_k, and S N. */
+    struct Operators
+    {
+      Eigen::MatrixXd B, SN;
+
+      explicit Operators(const unsigned int n)
+        : B(Eigen::MatrixXd::Zero(6, n))
+        , SN(Eigen::MatrixXd::Zero(6, n))
+      {}
+
+      void
+      fill(const dealii::FEValues<2> &values, const unsigned int q, const Vector3 &k, const double root_g)
+      {
+        const dealii::Point<2> x      = values.quadrature_point(q);
+        const Matrix3          k_skew = skew(k);
+        for (unsigned int a = 0; a < values.get_fe().n_dofs_per_cell(); ++a)
+          {
+            const unsigned int i     = values.get_fe().system_to_component_index(a).first;
+            const double       N     = values.shape_value(a, q);
+            const auto         dN    = values.shape_grad(a, q);
+            const double       turns = k(0) * (x[1] * dN[0] - x[0] * dN[1]);
+            B.col(a).setZero();
+            SN.col(a).setZero();
+            SN(row_of_S[i], a) = N;
+            for (int j = 0; j < 3; ++j)
+              B(row_of_S[j], a) = (k_skew(j, i) * N + (int(i) == j ? turns : 0.)) / root_g;
+            if (i == 0)
+              {
+                B(5, a) += dN[0];
+                B(4, a) += dN[1];
+              }
+            else
+              {
+                B(i, a) += dN[i - 1];
+                B(3, a) += dN[2 - i];
+              }
+          }
+      }
+    };
+
+
+
+    double
+    root_g(const Vector3 &k, const dealii::Point<2> &x)
+    {
+      return 1 - x[0] * k(2) + x[1] * k(1);
+    }
+
+
+
+    Eigen::Matrix2d
+    jacobian(const dealii::FEValues<2> &values, const unsigned int q)
+    {
+      Eigen::Matrix2d J;
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          J(i, j) = values.jacobian(q)[i][j];
+      return J;
+    }
+  } // namespace
+
+
+
+  CrossSection::CrossSection(const SectionMesh                  &mesh,
+                             const std::vector<SectionMaterial> &materials,
+                             const Vector3                      &curvature)
+    : mesh(mesh)
+    , k(curvature)
+    , fe(dealii::FE_Q<2>(mesh.degree), 3)
+    , dofs(mesh.triangulation)
+  {
+    T.setZero();
+    T.topLeftCorner<3, 3>() = T.bottomRightCorner<3, 3>() = skew(k);
+    T.bottomLeftCorner<3, 3>()                            = skew(Vector3(1, 0, 0));
+    dofs.distribute_dofs(fe);
+    assemble(materials);
+    find_pins();
+    solve();
+    find_compliance();
+    find_strains();
+  }
+
+
+
+  void
+  CrossSection::assemble(const std::vector<SectionMaterial> &materials)
+  {
+    dealii::DynamicSparsityPattern dynamic(dofs.n_dofs());
+    dealii::DoFTools::make_sparsity_pattern(dofs, dynamic);
+    pattern.copy_from(dynamic);
+    for (auto *const matrix : {&E, &C, &M})
+      matrix->reinit(pattern);
+    R = Columns::Zero(dofs.n_dofs(), 6);
+    L = R;
+    inertia.setZero();
+
+    const dealii::QGauss<2> quadrature(mesh.degree + 1);
+    dealii::FEValues<2>     values(mesh.mapping,
+                               fe,
+                               quadrature,
+                               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
+                                 dealii::update_JxW_values | dealii::update_jacobians);
+    const unsigned int      n = fe.n_dofs_per_cell();
+    Operators               at(n);
+    Eigen::MatrixXd         E_cell(n, n), C_cell(n, n), M_cell(n, n), R_cell(n, 6), L_cell(n, 6), QB(6, n), QSN(6, n);
+    dealii::FullMatrix<double>                   copy(n, n);
+    std::vector<dealii::types::global_dof_index> numbers(n);
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        values.reinit(cell);
+        for (auto *const matrix : {&E_cell, &C_cell, &M_cell, &R_cell, &L_cell})
+          matrix->setZero();
+        const unsigned int     index    = cell->active_cell_index();
+        const SectionMaterial &material = materials.at(mesh.ply(index).material);
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            StressPoint point;
+            point.cell     = index;
+            point.place    = values.quadrature_point(q);
+            point.weight   = values.JxW(q);
+            point.axes     = mesh.material_axes(index, jacobian(values, q));
+            point.C        = elasticity::turned(material.stiffness, point.axes);
+            const double g = root_g(k, point.place), w = point.weight;
+            if (!(g > 0.01))
+              throw std::invalid_argument("the curvature of the beam is too large for the depth of the section: its "
+                                          "centre lies in the section or near it");
+            at.fill(values, q, k, g);
+            const Eigen::Matrix<double, 3, 6> Z   = shift_to(point.place);
+            const Matrix6                     SZ  = S_times(Z);
+            const Matrix6                     QSZ = point.C * SZ;
+            QB.noalias()                          = point.C * at.B;
+            QSN.noalias()                         = point.C * at.SN;
+            E_cell.noalias() += w * g * at.B.transpose() * QB;
+            C_cell.noalias() += w * at.B.transpose() * QSN;
+            M_cell.noalias() += w / g * at.SN.transpose() * QSN;
+            R_cell.noalias() += w * at.B.transpose() * QSZ;
+            L_cell.noalias() += w / g * at.SN.transpose() * QSZ;
+            A += w / g * SZ.transpose() * QSZ;
+            inertia += w * g * material.density * Z.transpose() * Z;
+            area += w;
+            points.push_back(point);
+          }
+        cell->get_dof_indices(numbers);
+        const auto add = [&](const Eigen::MatrixXd &from, dealii::SparseMatrix<double> &to) {
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              copy(i, j) = from(i, j);
+          to.add(numbers, copy);
+        };
+        add(E_cell, E);
+        add(C_cell, C);
+        add(M_cell, M);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            R.row(numbers[i]) += R_cell.row(i);
+            L.row(numbers[i]) += L_cell.row(i);
+          }
+      }
+  }
+
+
+
+  void
+  CrossSection::find_pins()
+  {
+    // all three displacements at one node, two at the node farthest from it, one at the node farthest from their line:
+    // no rigid motion is left, and statics alone gives the reactions
+    std::vector<dealii::Point<2>> places(dofs.n_dofs());
+    dealii::DoFTools::map_dofs_to_support_points(mesh.mapping, dofs, places);
+    std::vector<unsigned char>               component(dofs.n_dofs());
+    std::array<std::vector<unsigned int>, 3> of_component;
+    const auto                               masks = dealii::DoFTools::locally_owned_dofs_per_component(dofs);
+    for (unsigned int d = 0; d < 3; ++d)
+      for (const auto i : masks[d])
+        of_component[d].push_back(i);
+    const auto farthest = [&](const auto &distance) {
+      unsigned int best = 0;
+      for (unsigned int i = 0; i < of_component[0].size(); ++i)
+        if (distance(places[of_component[0][i]]) > distance(places[of_component[0][best]]) * (1 + 1e-9))
+          best = i;
+      return places[of_component[0][best]];
+    };
+    const auto unknown_at = [&](const dealii::Point<2> &x, const unsigned int d) {
+      unsigned int best = of_component[d][0];
+      for (const auto i : of_component[d])
+        if (places[i].distance(x) < places[best].distance(x))
+          best = i;
+      return best;
+    };
+    dealii::Point<2> middle;
+    for (const auto i : of_component[0])
+      middle += places[i] / double(of_component[0].size());
+    const auto first  = farthest([&](const dealii::Point<2> &x) { return x.distance(middle); });
+    const auto second = farthest([&](const dealii::Point<2> &x) { return x.distance(first); });
+    const auto line   = second - first;
+    const auto third  = farthest([&](const dealii::Point<2> &x) {
+      const auto r = x - first;
+      return std::abs(line[0] * r[1] - line[1] * r[0]);
+    });
+    // of the second node the displacement across the line that is larger there
+    const unsigned int across = std::abs(line[0]) > std::abs(line[1]) ? 2 : 1;
+    pinned                    = {{unknown_at(first, 0),
+                                  unknown_at(first, 1),
+                                  unknown_at(first, 2),
+                                  unknown_at(second, 0),
+                                  unknown_at(second, across),
+                                  unknown_at(third, 0)}};
+  }
+
+
+
+  CrossSection::Columns
+  CrossSection::times(const dealii::SparseMatrix<double> &matrix, const Columns &x, const bool transposed) const
+  {
+    Columns                result(x.rows(), 6);
+    dealii::Vector<double> from(x.rows()), to(x.rows());
+    for (int j = 0; j < 6; ++j)
+      {
+        std::copy_n(x.col(j).data(), x.rows(), from.begin());
+        if (transposed)
+          matrix.Tvmult(to, from);
+        else
+          matrix.vmult(to, from);
+        std::copy(to.begin(), to.end(), result.col(j).data());
+      }
+    return result;
+  }
+
+
+
+  void
+  CrossSection::find_compliance()
+  {
+    const Columns XT = X * T, XTT = XT * T, EX = times(E, X), CXT = times(C, XT), MXT = times(M, XT);
+    const Columns rest = EX + times(C, XT, true) - CXT - times(M, XTT) + R * Y + L * Y * T;
+    const Columns RY   = R * Y;
+    reaction           = rest.cwiseAbs().maxCoeff() / RY.cwiseAbs().maxCoeff();
+
+    const Matrix6 half =
+      Y.transpose() * (R.transpose() * X) - Y.transpose() * (L.transpose() * XT) - X.transpose() * CXT;
+    compliance = Y.transpose() * A * Y + X.transpose() * EX + XT.transpose() * MXT + half + half.transpose();
+    compliance = (0.5 * (compliance + compliance.transpose())).eval();
+    stiffness  = compliance.llt().solve(Matrix6::Identity());
+    stiffness  = (0.5 * (stiffness + stiffness.transpose())).eval();
+  }
+
+
+
+  void
+  CrossSection::find_strains()
+  {
+    const dealii::QGauss<2>                      quadrature(mesh.degree + 1);
+    dealii::FEValues<2>                          values(mesh.mapping,
+                               fe,
+                               quadrature,
+                               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points);
+    const Columns                                XT = X * T;
+    const unsigned int                           n  = fe.n_dofs_per_cell();
+    Operators                                    at(n);
+    Columns                                      X_cell(n, 6), XT_cell(n, 6);
+    std::vector<dealii::types::global_dof_index> numbers(n);
+    auto                                         point = points.begin();
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        values.reinit(cell);
+        cell->get_dof_indices(numbers);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            X_cell.row(i)  = X.row(numbers[i]);
+            XT_cell.row(i) = XT.row(numbers[i]);
+          }
+        for (unsigned int q = 0; q < quadrature.size(); ++q, ++point)
+          {
+            const double g = root_g(k, point->place);
+            at.fill(values, q, k, g);
+            point->strain = S_times(shift_to(point->place)) * Y / g + at.B * X_cell - at.SN * XT_cell / g;
+          }
+      }
+  }
+
+
+
+  Eigen::Vector2d
+  CrossSection::shear_centre() const
+  {
+    const Matrix6 &F = compliance;
+    return {-F(3, 2) / F(3, 3), F(3, 1) / F(3, 3)};
+  }
+
+
+
+  Eigen::Vector2d
+  CrossSection::tension_centre() const
+  {
+    // a force at (y₂, y₃) has the moments M₂ = y₃ F, M₃ = −y₂ F; no bending: F₅₁ + F₅₅ y₃ − F₅₆ y₂ = 0, and for K₃
+    const Matrix6  &F = compliance;
+    Eigen::Matrix2d bending;
+    bending << -F(4, 5), F(4, 4), -F(5, 5), F(5, 4);
+    return bending.partialPivLu().solve(Eigen::Vector2d(-F(4, 0), -F(5, 0)));
+  }
+
+
+
+  Eigen::Vector2d
+  CrossSection::mass_centre() const
+  {
+    // [m I, −m c~; m c~, J] with c = (0, c₂, c₃)
+    return Eigen::Vector2d(-inertia(0, 5), inertia(0, 4)) / inertia(0, 0);
+  }
+
+
+
+  Vector6
+  CrossSection::stress_in_material(const StressPoint &point, const Vector6 &forces)
+  {
+    return elasticity::turn_of_stress(point.axes.transpose()) * stress(point, forces);
+  }
+} // namespace samara

@@ -1,0 +1,182 @@
+// Warping of a cross-section at unit section forces: one real and, for twisted or curved beams, one complex
+// factorisation.
+
+#include <samara/section/cross_section.h>
+
+#include <Eigen/CholmodSupport>
+
+#include <complex>
+#include <map>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    using Complex        = std::complex<double>;
+    using ComplexColumns = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
+
+    /** P(θ) = E + θ (Cᵀ − C) − θ² M, the pinned unknowns held; positive definite for θ = 0, Hermitian for θ = i|k|. */
+    template <typename Number>
+    class Warping
+    {
+    public:
+      Warping(const dealii::SparseMatrix<double> &E,
+              const dealii::SparseMatrix<double> &C,
+              const dealii::SparseMatrix<double> &M,
+              const Number                        theta,
+              const std::vector<bool>            &is_pinned)
+      {
+        const unsigned int                                n = E.m();
+        Eigen::SparseMatrix<Number, Eigen::ColMajor, int> lower(n, n);
+        const auto                                       &pattern = E.get_sparsity_pattern();
+        Eigen::VectorXi                                   sizes(n);
+        for (unsigned int j = 0; j < n; ++j)
+          sizes(j) = pattern.row_length(j);
+        lower.reserve(sizes);
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            if (is_pinned[j])
+              {
+                lower.insert(j, j) = E.diag_element(j);
+                continue;
+              }
+            // the pattern is symmetric: the row lists the column's entries, not in order
+            std::map<unsigned int, Number> column;
+            for (auto entry = pattern.begin(j); entry != pattern.end(j); ++entry)
+              {
+                const unsigned int i = entry->column();
+                if (i < j || is_pinned[i])
+                  continue;
+                Number value = E(i, j);
+                if (theta != Number(0))
+                  value += theta * (C(j, i) - C(i, j)) - theta * theta * M(i, j);
+                column[i] = value;
+              }
+            for (const auto &[i, value] : column)
+              lower.insert(i, j) = value;
+          }
+        lower.makeCompressed();
+        factors.compute(lower);
+        if (factors.info() != Eigen::Success)
+          throw std::invalid_argument(
+            "the warping of the section has no positive energy: check the materials, and that "
+            "the curvature times the depth of the section is well below one");
+      }
+
+      Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>
+      solve(const Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> &b) const
+      {
+        return factors.solve(b);
+      }
+
+    private:
+      Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<Number, Eigen::ColMajor, int>, Eigen::Lower> factors;
+    };
+
+
+
+    /** U with k~ U = U diag(θ), θ = (0, i|k|, −i|k|), the last two columns conjugate. */
+    Eigen::Matrix3cd
+    eigenvectors_of_skew(const Vector3 &k)
+    {
+      Eigen::Matrix3cd U = Eigen::Matrix3cd::Identity();
+      if (k.norm() == 0)
+        return U;
+      const Vector3 n = k.normalized(), a = n.unitOrthogonal(), b = n.cross(a);
+      U.col(0) = n.cast<Complex>();
+      U.col(1) = (a.cast<Complex>() - Complex(0, 1) * b.cast<Complex>()) / std::sqrt(2.);
+      U.col(2) = U.col(1).conjugate();
+      return U;
+    }
+  } // namespace
+
+
+
+  void
+  CrossSection::solve()
+  {
+    const unsigned int n     = dofs.n_dofs();
+    const double       kappa = k.norm();
+    std::vector<bool>  is_pinned(n, false);
+    for (const auto i : pinned)
+      is_pinned[i] = true;
+    const auto without_pins = [&](ComplexColumns x) {
+      for (const auto i : pinned)
+        x.row(i).setZero();
+      return x;
+    };
+
+    const Warping<double>             straight(E, C, M, 0., is_pinned);
+    std::unique_ptr<Warping<Complex>> turning;
+    if (kappa > 0)
+      turning = std::make_unique<Warping<Complex>>(E, C, M, Complex(0, kappa), is_pinned);
+
+    // [P(θ), R + θL; (R − θL)ᵀ, A] (x, y) = (f, g), by the Schur complement of P
+    const auto solve_with = [&](const Complex theta, const ComplexColumns &f, const ComplexColumns &g) {
+      const auto inverse = [&](const ComplexColumns &b) -> ComplexColumns {
+        if (theta != 0.)
+          return turning->solve(b);
+        ComplexColumns x(b.rows(), b.cols());
+        x.real() = straight.solve(b.real());
+        if (b.imag().isZero(0.))
+          x.imag().setZero();
+        else
+          x.imag() = straight.solve(b.imag());
+        return x;
+      };
+      const ComplexColumns border = without_pins(R.cast<Complex>() + theta * L.cast<Complex>()),
+                           rows   = without_pins(R.cast<Complex>() - theta * L.cast<Complex>()).transpose(),
+                           PB = inverse(border), x0 = inverse(without_pins(f));
+      const ComplexColumns y = (A.cast<Complex>() - rows * PB).partialPivLu().solve(g - rows * x0);
+      return std::make_pair(ComplexColumns(x0 - PB * y), y);
+    };
+
+    const Eigen::Matrix3cd U        = eigenvectors_of_skew(k);
+    const Complex          theta[3] = {0., Complex(0, kappa), Complex(0, -kappa)};
+    Matrix3                shift    = skew(Vector3(1, 0, 0));
+    const Eigen::Matrix3cd W        = U.adjoint() * shift.cast<Complex>() * U;
+
+    // unit moments, then unit forces, in the directions U; of a conjugate pair only the first is solved for
+    ComplexColumns x_moment(n, 3), y_moment(6, 3), x_force(n, 3), y_force(6, 3);
+    const auto times_complex = [&](const dealii::SparseMatrix<double> &matrix, const ComplexColumns &x, const bool t) {
+      Columns both = Columns::Zero(n, 6);
+      both.col(0)  = x.real();
+      both.col(1)  = x.imag();
+      both         = times(matrix, both, t);
+      return ComplexColumns(both.col(0).cast<Complex>() + Complex(0, 1) * both.col(1).cast<Complex>());
+    };
+    for (const bool forces : {false, true})
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          ComplexColumns &x = forces ? x_force : x_moment, &y = forces ? y_force : y_moment;
+          if (kappa > 0 && j == 2)
+            {
+              x.col(2) = x.col(1).conjugate();
+              y.col(2) = y.col(1).conjugate();
+              continue;
+            }
+          ComplexColumns f = ComplexColumns::Zero(n, 1), g = ComplexColumns::Zero(6, 1);
+          if (!forces)
+            g.bottomRows(3) = U.col(j);
+          else
+            {
+              Eigen::Vector3cd with_theta = theta[j] * W.col(j);
+              for (unsigned int i = 0; i < 3; ++i)
+                with_theta(i) += theta[i] * W(i, j);
+              const ComplexColumns x1 = x_moment * W.col(j), x2 = x_moment * with_theta, y1 = y_moment * W.col(j);
+              f = times_complex(C, x1, false) - times_complex(C, x1, true) + times_complex(M, x2, false) - L * y1;
+              g.topRows(3) = U.col(j);
+              g += L.transpose() * x1;
+            }
+          const auto solution = solve_with(theta[j], f, g);
+          x.col(j)            = solution.first;
+          y.col(j)            = solution.second;
+        }
+    X.resize(n, 6);
+    X.leftCols(3)  = (x_force * U.adjoint()).real();
+    X.rightCols(3) = (x_moment * U.adjoint()).real();
+    Y.leftCols(3)  = (y_force * U.adjoint()).real();
+    Y.rightCols(3) = (y_moment * U.adjoint()).real();
+  }
+} // namespace samara

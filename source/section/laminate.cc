@@ -1,0 +1,154 @@
+#include <samara/section/elasticity.h>
+#include <samara/section/laminate.h>
+
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    /** Voigt numbers of the in-plane strains 11, 12, 22 and of the transverse ones 13, 23. */
+    constexpr int in_plane[3] = {0, 5, 1}, transverse[2] = {4, 3};
+
+
+
+    /** In plane at σ₃₃ = 0, σ₂₃ and σ₁₃ being zero as well. */
+    Matrix3
+    reduced_stiffness(const Matrix6 &C)
+    {
+      const Matrix6 F = C.llt().solve(Matrix6::Identity());
+      Matrix3       in;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          in(i, j) = F(in_plane[i], in_plane[j]);
+      return in.inverse();
+    }
+  } // namespace
+
+
+
+  Laminate::Laminate(const std::vector<Lamina> &laminae)
+  {
+    if (laminae.empty())
+      throw std::invalid_argument("a laminate needs a ply");
+    for (const Lamina &lamina : laminae)
+      {
+        if (!(lamina.thickness > 0))
+          throw std::invalid_argument("a ply needs a thickness above zero");
+        if (lamina.stiffness.llt().info() != Eigen::Success)
+          throw std::invalid_argument("the stiffness of a ply's material is not positive definite");
+        thickness += lamina.thickness;
+      }
+    double z = -thickness / 2;
+    for (const Lamina &lamina : laminae)
+      {
+        const double c = std::cos(lamina.angle), s = std::sin(lamina.angle), t = lamina.thickness;
+        Layer        layer;
+        layer.axes << c, -s, 0, s, c, 0, 0, 0, 1;
+        layer.stiffness = elasticity::turned(lamina.stiffness, layer.axes);
+        layer.reduced   = reduced_stiffness(layer.stiffness);
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j)
+            layer.shear(i, j) = layer.stiffness(transverse[i], transverse[j]);
+        layer.bottom = z;
+        z += t;
+        layer.top = z;
+        layers.push_back(layer);
+        const double middle = z - t / 2;
+        mass += lamina.density * t;
+        mass_moment += lamina.density * t * middle;
+        rotary_inertia += lamina.density * (t * middle * middle + t * t * t / 12);
+      }
+    find_membrane_and_bending();
+    find_shear();
+  }
+
+
+
+  void
+  Laminate::find_membrane_and_bending()
+  {
+    // the warping gives each point the stresses of σ₃₃ = σ₁₃ = σ₂₃ = 0, so that its energy is that of the reduced
+    // stiffness
+    ABD.setZero();
+    for (const Layer &layer : layers)
+      {
+        const double a = layer.bottom, b = layer.top, z1 = (b * b - a * a) / 2, z2 = (b * b * b - a * a * a) / 3;
+        ABD.topLeftCorner<3, 3>() += (b - a) * layer.reduced;
+        ABD.topRightCorner<3, 3>() += z1 * layer.reduced;
+        ABD.bottomLeftCorner<3, 3>() += z1 * layer.reduced;
+        ABD.bottomRightCorner<3, 3>() += z2 * layer.reduced;
+      }
+    const Matrix6 compliance = ABD.llt().solve(Matrix6::Identity());
+    unit_moments.col(0)      = compliance.col(3);
+    unit_moments.col(1)      = compliance.col(5);
+  }
+
+
+
+  Eigen::Matrix2d
+  Laminate::shear_stresses(const Layer &layer, const double z) const
+  {
+    // M₁₁,₁ = Q₁ changes σ₁₁ and σ₁₂ along 1, M₂₂,₂ = Q₂ changes σ₁₂ and σ₂₂ along 2
+    const double                a = layer.bottom, z0 = z - a, z1 = (z * z - a * a) / 2;
+    Eigen::Matrix<double, 3, 2> integral =
+      layer.reduced * (z0 * unit_moments.topRows<3>() + z1 * unit_moments.bottomRows<3>());
+    Eigen::Matrix2d f;
+    f << integral(0, 0), integral(1, 1), integral(1, 0), integral(2, 1);
+    return layer.f_at_bottom - f;
+  }
+
+
+
+  void
+  Laminate::find_shear()
+  {
+    // f is quadratic in z, the integrand of fourth order: three Gauss points are exact
+    const double    point[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weight[3] = {5. / 18, 8. / 18, 5. / 18};
+    Eigen::Matrix2d compliance = Eigen::Matrix2d::Zero(), f = Eigen::Matrix2d::Zero();
+    for (Layer &layer : layers)
+      {
+        layer.f_at_bottom = f;
+        const double h    = layer.top - layer.bottom;
+        for (int g = 0; g < 3; ++g)
+          {
+            const Eigen::Matrix2d at = shear_stresses(layer, layer.bottom + h * (1 + point[g]) / 2);
+            compliance += weight[g] * h * at.transpose() * layer.shear.llt().solve(at);
+          }
+        f = shear_stresses(layer, layer.top);
+      }
+    shear = compliance.inverse();
+  }
+
+
+
+  std::array<double, 2>
+  Laminate::heights(const unsigned int index) const
+  {
+    return {{layers.at(index).bottom, layers.at(index).top}};
+  }
+
+
+
+  Vector6
+  Laminate::stress(const unsigned int index, const double z, const Vector6 &strains, const Eigen::Vector2d &Q) const
+  {
+    const Layer          &layer = layers.at(index);
+    const Vector3         plane = layer.reduced * (strains.head<3>() + z * strains.tail<3>());
+    const Eigen::Vector2d tau   = shear_stresses(layer, z) * Q;
+    Vector6               s     = Vector6::Zero();
+    for (int i = 0; i < 3; ++i)
+      s(in_plane[i]) = plane(i);
+    for (int i = 0; i < 2; ++i)
+      s(transverse[i]) = tau(i);
+    return s;
+  }
+
+
+
+  Vector6
+  Laminate::stress_in_material(const unsigned int index, const Vector6 &stress) const
+  {
+    return elasticity::turn_of_stress(layers.at(index).axes.transpose()) * stress;
+  }
+} // namespace samara

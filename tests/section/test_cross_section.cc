@@ -1,0 +1,358 @@
+/*
+ * Problem:   stiffness of cross-sections by warping analysis
+ * Reference: Saint-Venant's torsion in closed form; shear factors, composite boxes and twisted rectangles computed
+ *            independently (tests/reference/sections); Golovin's curved bar; symmetry: a twist of the axes of a body of
+ *            revolution means nothing.
+ * Expected:  torsion of a square of order 2 for p = 1, capped at 4 by its corners, where the warping behaves like r²
+ * log r.
+ */
+
+#include <samara/section/cross_section.h>
+#include <samara/section/elasticity.h>
+#include <samara/section/patches.h>
+
+#include "../reference.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace samara;
+using dealii::Point;
+
+namespace
+{
+  SectionMaterial
+  isotropic(const double E, const double nu)
+  {
+    return {elasticity::isotropic_stiffness(E, nu), 1.};
+  }
+
+
+
+  CrossSection
+  section_of(const SectionMesh &mesh, const SectionMaterial &material, const Vector3 &curvature = Vector3::Zero())
+  {
+    return CrossSection(mesh, {material}, curvature);
+  }
+
+
+
+  /** Torsion constant of a square of side one, E = 1. */
+  double
+  torsion_of_square()
+  {
+    double sum = 0;
+    for (int m = 399; m > 0; m -= 2)
+      sum += std::tanh(m * M_PI / 2) / std::pow(m, 5);
+    return 1. / 3 - 64 / std::pow(M_PI, 5) * sum;
+  }
+
+
+
+  /** Largest difference of two stiffnesses relative to the diagonal. */
+  double
+  difference(const Matrix6 &a, const Matrix6 &b)
+  {
+    const Vector6 size = b.diagonal().cwiseAbs().cwiseSqrt();
+    return ((a - b).array() / (size * size.transpose()).array()).abs().maxCoeff();
+  }
+
+
+
+  /** The files have the axes x, y across and z along the beam, and forces Tx Ty Tz Mx My Mz. */
+  Matrix6
+  reference_stiffness(const std::string &name)
+  {
+    const auto                        table = reference_rows("sections/" + name + ".csv");
+    const int                         of[6] = {2, 0, 1, 5, 3, 4};
+    const std::array<const char *, 6> names = {{"Tx", "Ty", "Tz", "Mx", "My", "Mz"}};
+    Matrix6                           K;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        K(i, j) = std::stod(table.at(of[i]).at(names[of[j]]));
+    return K;
+  }
+
+
+
+  SectionMaterial
+  graphite_epoxy()
+  {
+    // AS4/3501-6 as in the files of the boxes [psi]
+    return {elasticity::stiffness({20.59e6, 1.42e6, 1.42e6, .87e6, .87e6, .696e6, .42, .42, .42}), 1.};
+  }
+
+
+
+  std::vector<Ply>
+  layup(const std::vector<double> &degrees)
+  {
+    std::vector<Ply> plies;
+    for (const double angle : degrees)
+      plies.push_back({0, angle * M_PI / 180});
+    return plies;
+  }
+} // namespace
+
+
+
+TEST(CrossSection, TorsionOfASquareConvergesAsItsCornersAllow)
+{
+  const double J = torsion_of_square(), G = 1 / 2.6;
+  for (const unsigned int p : {1u, 2u, 3u})
+    {
+      std::vector<double> errors;
+      for (const unsigned int n : {4u, 8u})
+        {
+          const SectionMesh mesh(rectangle_patches(1, 1, n, n), p, 1e-9);
+          errors.push_back(section_of(mesh, isotropic(1, 0.3)).stiffness(3, 3) / G / J - 1);
+          EXPECT_GT(errors.back(), 0) << "the energy is an upper bound";
+        }
+      const double order = std::log2(errors[0] / errors[1]);
+      EXPECT_NEAR(order, p == 1 ? 2 : p == 2 ? 3.7 : 4, 0.15) << p;
+    }
+}
+
+
+
+TEST(CrossSection, EllipseHasExactAreasTorsionAndShearFactors)
+{
+  for (const double nu : {0., 0.3})
+    {
+      const double      a = 2, b = 1, G = 1 / (2 * (1 + nu)), area = M_PI * a * b;
+      const SectionMesh mesh(ellipse_patches(a, b, 6), 3, 1e-9);
+      const auto        section = section_of(mesh, isotropic(1, nu));
+      const Matrix6    &K       = section.stiffness;
+      EXPECT_NEAR(K(0, 0) / area, 1, 1e-6);
+      EXPECT_NEAR(K(4, 4) / (M_PI * a * b * b * b / 4), 1, 1e-6);
+      EXPECT_NEAR(K(5, 5) / (M_PI * a * a * a * b / 4), 1, 1e-6);
+      EXPECT_NEAR(K(3, 3) / (G * M_PI * std::pow(a * b, 3) / (a * a + b * b)), 1, 1e-6);
+      EXPECT_LT(section.reaction, 1e-10);
+      for (const auto &row : reference_rows("sections/isotropic_sections.csv"))
+        if (row.at("section") == "ellipse semi-axes x=2 y=1" && std::stod(row.at("nu")) == nu)
+          {
+            EXPECT_NEAR(K(1, 1) / (G * area), std::stod(row.at("k_x")), 2e-6);
+            EXPECT_NEAR(K(2, 2) / (G * area), std::stod(row.at("k_y")), 2e-6);
+          }
+    }
+}
+
+
+
+TEST(CrossSection, RectanglesAndTubesAgreeWithTheList)
+{
+  unsigned int n_compared = 0;
+  for (const auto &row : reference_rows("sections/isotropic_sections.csv"))
+    {
+      const std::string        &name = row.at("section");
+      const double              nu = std::stod(row.at("nu")), G = 1 / (2 * (1 + nu));
+      std::vector<SectionPatch> patches;
+      double                    area = 0;
+      if (name.find("rectangle asp=2 ") == 0)
+        {
+          patches = rectangle_patches(2, 1, 10, 6);
+          area    = 2;
+        }
+      else if (name == "tube ro=1 ri=0.5" || name == "tube ro=1 ri=0.9")
+        {
+          const double inner = name == "tube ro=1 ri=0.5" ? 0.5 : 0.9;
+          patches            = ring_patches(inner, 1, 12, inner == 0.5 ? 2 : 1);
+          area               = M_PI * (1 - inner * inner);
+        }
+      else
+        continue;
+      const SectionMesh mesh(patches, 4, 1e-9);
+      const auto        section = section_of(mesh, isotropic(1, nu));
+      EXPECT_NEAR(section.stiffness(1, 1) / (G * area), std::stod(row.at("k_x")), 1e-5) << name << " " << nu;
+      EXPECT_NEAR(section.stiffness(2, 2) / (G * area), std::stod(row.at("k_y")), 1e-5) << name << " " << nu;
+      EXPECT_NEAR(section.stiffness(3, 3) / G / std::stod(row.at("J_exact")), 1, 2e-6) << name << " " << nu;
+      ++n_compared;
+    }
+  EXPECT_EQ(n_compared, 10u);
+}
+
+
+
+TEST(CrossSection, TwoMaterialsHaveTheirCentres)
+{
+  // left half E = 100, right half E = 10
+  auto patches   = rectangle_patches(0.1, 0.1, 8, 8);
+  patches[0].ply = [](const unsigned int i, unsigned int) { return Ply{i < 4 ? 0u : 1u, 0.}; };
+  const SectionMesh  mesh(patches, 3, 1e-9);
+  const CrossSection section(mesh, {isotropic(100, 0.2), isotropic(10, 0.2)});
+  EXPECT_LT(difference(section.stiffness, reference_stiffness("becas_S2_two_materials")), 1e-4);
+  // EA of the halves at ∓0.025
+  EXPECT_NEAR(section.tension_centre()(0), 0.025 * (10 - 100) / 110, 1e-9);
+  EXPECT_NEAR(section.tension_centre()(1), 0, 1e-9);
+  EXPECT_NEAR(section.shear_centre()(1), 0, 1e-9);
+  EXPECT_LT(section.shear_centre()(0), 0);
+  EXPECT_NEAR(section.mass_centre().norm(), 0, 1e-12);
+}
+
+
+
+TEST(CrossSection, CompositeBoxesAgreeWithAllTheirCouplings)
+{
+  const std::vector<double> six_15(6, 15.), six_0(6, 0.), cross = {0, 90, 0, 90, 0, 90}, steps = {0, 30, 0, 30, 0, 30};
+  const std::vector<std::pair<std::string, std::array<std::vector<Ply>, 4>>> boxes = {
+    {"boxbeam_CUS_15_6", {{layup(six_15), layup(six_15), layup(six_15), layup(six_15)}}},
+    {"boxbeam_CUS_0_30_3", {{layup(steps), layup(steps), layup(steps), layup(steps)}}},
+    {"boxbeam_crossply_0_90", {{layup(six_0), layup(cross), layup(six_0), layup(cross)}}}};
+  for (const auto &[name, plies] : boxes)
+    {
+      const SectionMesh mesh(box_patches(0.953, 0.530, 0.030, plies, 8), 3, 1e-7);
+      const auto        section = section_of(mesh, graphite_epoxy());
+      EXPECT_LT(difference(section.stiffness, reference_stiffness(name)), 2e-4) << name;
+      EXPECT_LT(section.reaction, 1e-9) << name;
+    }
+}
+
+
+
+TEST(CrossSection, TwistOfADiscMeansNothing)
+{
+  const SectionMesh mesh(ellipse_patches(1, 1, 3), 4, 1e-9);
+  const auto        straight = section_of(mesh, isotropic(1, 0.3));
+  for (const double k : {0.1, 0.6})
+    {
+      const auto twisted = section_of(mesh, isotropic(1, 0.3), {k, 0, 0});
+      EXPECT_LT(difference(twisted.stiffness, straight.stiffness), 2e-7) << k;
+      EXPECT_LT(twisted.reaction, 1e-9);
+    }
+}
+
+
+
+TEST(CrossSection, TwistOfATubeOfHelicalPliesMeansNothing)
+{
+  auto patches   = ring_patches(0.4, 0.6, 8, 2);
+  patches[0].ply = [](unsigned int, unsigned int) { return Ply{0, 25 * M_PI / 180}; };
+  const SectionMesh mesh(patches, 4, 1e-9);
+  const auto        straight = section_of(mesh, graphite_epoxy());
+  EXPECT_GT(std::abs(straight.stiffness(0, 3)), 1e-2 * straight.stiffness(3, 3)) << "tension and torsion are coupled";
+  for (const double k : {0.2, -1.})
+    EXPECT_LT(difference(section_of(mesh, graphite_epoxy(), {k, 0, 0}).stiffness, straight.stiffness), 2e-6) << k;
+}
+
+
+
+TEST(CrossSection, PretwistedRectangleCouplesTensionAndTorsion)
+{
+  for (const auto &row : reference_rows("sections/pretwisted_rectangle.csv"))
+    {
+      const double      t = std::stod(row.at("t")), nu = std::stod(row.at("nu")), k = 0.01;
+      const SectionMesh mesh(rectangle_patches(1, t, 8, 4), 4, 1e-9);
+      const Matrix6     twisted = section_of(mesh, isotropic(1, nu), {k, 0, 0}).stiffness;
+      EXPECT_NEAR(twisted(0, 3) / k / std::stod(row.at("K14_over_k1")), 1, t > 0.7 ? 1e-5 : 1e-6) << t << " " << nu;
+      EXPECT_NEAR(twisted(0, 3) / k / std::stod(row.at("E_Ip_minus_J")), 1, 1e-4) << t << " " << nu;
+    }
+}
+
+
+
+TEST(CrossSection, CurvedBarIsGolovins)
+{
+  for (const auto &row : reference_rows("sections/curved_bar_pure_bending.csv"))
+    {
+      const double      ratio = std::stod(row.at("d_over_R"));
+      const SectionMesh mesh(rectangle_patches(1, 0.4, 6, 2), 4, 1e-9);
+      const auto        section = section_of(mesh, isotropic(1, 0), {0, 0, ratio});
+      EXPECT_NEAR(section.compliance(5, 5) / std::stod(row.at("F66")), 1, ratio > 0.7 ? 1e-8 : 1e-9) << ratio;
+    }
+}
+
+
+
+TEST(CrossSection, StressesOfAnEllipseInTorsionAndShear)
+{
+  const double a = 2, b = 1, nu = 0.3, I = M_PI * a * a * a * b / 4;
+  double       last = 0;
+  for (const unsigned int p : {2u, 3u, 4u})
+    {
+      const SectionMesh mesh(ellipse_patches(a, b, 6), p, 1e-9);
+      const auto        section = section_of(mesh, isotropic(1, nu));
+      Vector6           torsion = Vector6::Zero(), shear = Vector6::Zero();
+      torsion(3) = shear(1) = 1;
+      double error          = 0;
+      for (const auto &point : section.points)
+        {
+          const double  x = point.place[0], y = point.place[1];
+          const Vector6 s = CrossSection::stress(point, torsion), t = CrossSection::stress(point, shear);
+          // Saint-Venant, and Love for a force along 2
+          const double t12 = (2 * (1 + nu) * a * a + b * b) / ((1 + nu) * (3 * a * a + b * b)) / (2 * I) *
+                             (a * a - x * x - (1 - 2 * nu) * a * a / (2 * (1 + nu) * a * a + b * b) * y * y),
+                       t13 = -((1 + nu) * a * a + nu * b * b) / ((1 + nu) * (3 * a * a + b * b)) / I * x * y;
+          error            = std::max({error,
+                                       std::abs(s(5) + 2 * y / (M_PI * a * b * b * b)) * M_PI * a * b * b / 2,
+                                       std::abs(s(4) - 2 * x / (M_PI * a * a * a * b)) * M_PI * a * b * b / 2,
+                                       std::abs(t(5) - t12) * M_PI * a * b,
+                                       std::abs(t(4) - t13) * M_PI * a * b});
+        }
+      EXPECT_LT(error, p == 2 ? 6e-2 : p == 3 ? 6e-3 : 6e-4) << p;
+      if (p > 2)
+        {
+          EXPECT_LT(error, last / 5);
+        }
+      last = error;
+    }
+}
+
+
+
+TEST(CrossSection, ForcesAreTheResultantsOfTheStresses)
+{
+  const auto        plies = layup({15, -30, 60});
+  const SectionMesh mesh(box_patches(0.953, 0.530, 0.030, {{plies, plies, plies, plies}}, 4), 3, 1e-7);
+  const Vector3     curvature(0.2, 0.1, -0.15);
+  const auto        section = section_of(mesh, graphite_epoxy(), curvature);
+  Vector6           forces;
+  forces << 1, -2, 3, 0.4, 0.5, -0.6;
+  Vector6 sum = Vector6::Zero();
+  for (const auto &point : section.points)
+    {
+      const Vector6 s = CrossSection::stress(point, forces);
+      const Vector3 t(s(0), s(5), s(4)), x(0, point.place[0], point.place[1]);
+      sum.head<3>() += point.weight * t;
+      sum.tail<3>() += point.weight * x.cross(t);
+    }
+  EXPECT_LT((sum - forces).norm(), 1e-9);
+}
+
+
+
+TEST(SectionMesh, SaysWhatIsWrong)
+{
+  const auto refusal = [](const std::vector<SectionPatch> &patches) {
+    try
+      {
+        SectionMesh(patches, 2, 1e-9);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        return std::string(problem.what());
+      }
+    return std::string();
+  };
+  auto bent     = rectangle_patches(1, 1, 2, 2);
+  bent[0].place = [](const double u, const double v) { return Point<2>(u, v * (u - 0.3)); };
+  EXPECT_NE(refusal(bent).find("cell (0, "), std::string::npos) << refusal(bent);
+  auto pointed     = rectangle_patches(1, 1, 2, 2);
+  pointed[0].place = [](const double u, const double v) { return Point<2>(u, v * u); };
+  EXPECT_NE(refusal(pointed).find("two corners in one place"), std::string::npos) << refusal(pointed);
+  auto apart = rectangle_patches(1, 1, 1, 1), other = apart;
+  other[0].place = [](const double u, const double v) { return Point<2>(u + 3, v); };
+  apart.push_back(other[0]);
+  EXPECT_NE(refusal(apart).find("patch 1"), std::string::npos) << refusal(apart);
+  EXPECT_EQ(refusal(rectangle_patches(1, 1, 2, 2)), "");
+}
+
+
+
+TEST(CrossSection, TooMuchCurvatureIsRefused)
+{
+  const SectionMesh mesh(rectangle_patches(1, 1, 2, 2), 2, 1e-9);
+  EXPECT_THROW(section_of(mesh, isotropic(1, 0), {0, 0, 2.5}), std::invalid_argument);
+  EXPECT_THROW(elasticity::isotropic_stiffness(1, 0.5), std::invalid_argument);
+  EXPECT_THROW(elasticity::isotropic_stiffness(-1, 0.3), std::invalid_argument);
+}

@@ -1,0 +1,201 @@
+/*
+ * Problem:   stiffness of laminates by warping of dimension 1
+ * Reference: classical lamination (tests/reference/sections/laminate_ABD_*.csv, analytic); simply supported plates
+ * under a sinusoidal load solved as 3D solids (tests/reference/sections/pagano_plates.csv); 5/6 of a homogeneous plate.
+ */
+
+#include <samara/section/elasticity.h>
+#include <samara/section/laminate.h>
+
+#include "../reference.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace samara;
+
+namespace
+{
+  Laminate
+  laminate(const std::vector<double> &degrees, const elasticity::Orthotropic &material, const double total)
+  {
+    std::vector<Lamina> plies;
+    for (const double angle : degrees)
+      plies.push_back({elasticity::stiffness(material), angle * M_PI / 180, total / degrees.size(), 1.});
+    return Laminate(plies);
+  }
+
+
+
+  const elasticity::Orthotropic AS4 = {142e9, 9.8e9, 9.8e9, 6e9, 6e9, 4.8e9, 0.3, 0.3, 0.3};
+
+  /** The material of Pagano's plates: E₁ = 25 E₂, G₁₂ = G₁₃ = E₂/2, G₂₃ = E₂/5, ν = 1/4. */
+  const elasticity::Orthotropic pagano = {25, 1, 1, 0.5, 0.5, 0.2, 0.25, 0.25, 0.25};
+
+
+
+  /** Mean deflection of a square, simply supported plate of side a under sin sin, by Navier's solution with shear. */
+  double
+  deflection(const Matrix6 &ABD, const Eigen::Matrix2d &G, const double a)
+  {
+    // unknowns U cos sin, V sin cos, W sin sin, and the rotations φ₁ cos sin, φ₂ sin cos; the energy is a quadratic
+    // form
+    const double                k = M_PI / a;
+    Eigen::Matrix<double, 8, 5> B; // strains: ε₁₁ γ₁₂ ε₂₂ κ₁₁ 2κ₁₂ κ₂₂ γ₁₃ γ₂₃
+    Eigen::Matrix<double, 8, 8> C = Eigen::Matrix<double, 8, 8>::Zero();
+    B << -k, 0, 0, 0, 0, k, k, 0, 0, 0, 0, -k, 0, 0, 0, 0, 0, 0, -k, 0, 0, 0, 0, k, k, 0, 0, 0, 0, -k, 0, 0, k, 1, 0, 0,
+      0, k, 0, 1;
+    C.topLeftCorner<6, 6>()          = ABD;
+    C.bottomRightCorner<2, 2>()      = G;
+    Eigen::Matrix<double, 5, 1> load = Eigen::Matrix<double, 5, 1>::Zero();
+    load(2)                          = 1;
+    return (B.transpose() * C * B).llt().solve(load)(2);
+  }
+} // namespace
+
+
+
+TEST(Laminate, IsClassicalLamination)
+{
+  unsigned int n = 0;
+  for (const auto &row : reference_rows("sections/laminate_ABD_AS4.csv"))
+    {
+      const auto     angles = layup_angles(row.at("layup_bottom_to_top"));
+      const Laminate own    = laminate(angles, AS4, angles.size() * 0.127e-3);
+      // the file's order is 11 22 12
+      const int         of[3]    = {0, 2, 1};
+      const char *const block[3] = {"A", "B", "D"};
+      const char *const name[3]  = {"1", "2", "6"};
+      for (int b = 0; b < 3; ++b)
+        for (int i = 0; i < 3; ++i)
+          for (int j = i; j < 3; ++j)
+            {
+              const double value = own.ABD(of[i] + (b == 2 ? 3 : 0), of[j] + (b > 0 ? 3 : 0));
+              const double size  = own.ABD(0, 0) * std::pow(own.thickness, b);
+              EXPECT_NEAR(value, std::stod(row.at(std::string(block[b]) + name[i] + name[j])), 1e-9 * size)
+                << row.at("layup_bottom_to_top") << " " << block[b] << name[i] << name[j];
+            }
+      ++n;
+    }
+  EXPECT_GT(n, 4u);
+}
+
+
+
+TEST(Laminate, HomogeneousPlateHasFiveSixths)
+{
+  for (const unsigned int n : {1u, 4u})
+    {
+      const Laminate own = laminate(std::vector<double>(n, 0.), pagano, 0.2);
+      EXPECT_NEAR(own.shear(0, 0) / (pagano.G13 * 0.2), 5. / 6, 1e-14);
+      EXPECT_NEAR(own.shear(1, 1) / (pagano.G23 * 0.2), 5. / 6, 1e-14);
+      EXPECT_NEAR(own.shear(0, 1), 0, 1e-15);
+    }
+}
+
+
+
+TEST(Laminate, PlatesAgreeWithThreeDimensionalElasticity)
+{
+  unsigned int n = 0;
+  for (const auto &row : reference_rows("sections/pagano_plates.csv"))
+    {
+      const std::string &layup = row.at("layup");
+      if (layup.find("sandwich") != std::string::npos)
+        continue;
+      const Laminate own = laminate(layup_angles(layup), pagano, 1);
+      EXPECT_NEAR(own.shear(0, 0), std::stod(row.at("G11_rule")), 2e-8) << layup;
+      EXPECT_NEAR(own.shear(1, 1), std::stod(row.at("G22_rule")), 2e-8) << layup;
+      const double a = std::stod(row.at("a_over_h"));
+      const double w = 100 * deflection(own.ABD, own.shear, a) / std::pow(a, 4);
+      EXPECT_NEAR(w / std::stod(row.at("w_mean")),
+                  1,
+                  a < 5  ? 0.11 :
+                  a < 15 ? 0.017 :
+                  a < 50 ? 4e-3 :
+                           2e-4)
+        << layup << " " << a;
+      ++n;
+    }
+  EXPECT_EQ(n, 16u);
+}
+
+
+
+/** Stresses are in balance: their resultants are the forces, and shear vanishes on both faces. */
+TEST(Laminate, StressesHaveTheForcesAsResultants)
+{
+  const Laminate        own = laminate(layup_angles("[0/±45/90_2]"), AS4, 1e-3);
+  const Eigen::Vector2d Q(120, -70);
+  Vector6               strains;
+  strains << 1e-4, -2e-4, 3e-4, 0.5, -0.7, 0.2;
+  const Vector6   forces = own.ABD * strains;
+  Vector6         sum    = Vector6::Zero();
+  Eigen::Vector2d shear  = Eigen::Vector2d::Zero();
+  for (unsigned int i = 0; i < 5; ++i)
+    {
+      const auto [bottom, top] = own.heights(i);
+      const double middle = (bottom + top) / 2, half = (top - bottom) / 2;
+      for (const double x : {-std::sqrt(0.6), 0., std::sqrt(0.6)})
+        {
+          const double  z = middle + half * x, w = half * (x == 0 ? 8. / 9 : 5. / 9);
+          const Vector6 s = own.stress(i, z, strains, Q);
+          const Vector3 plane(s(0), s(5), s(1));
+          sum.head<3>() += w * plane;
+          sum.tail<3>() += w * z * plane;
+          shear += w * Eigen::Vector2d(s(4), s(3));
+        }
+    }
+  EXPECT_LT((sum - forces).norm(), 1e-12 * forces.norm());
+  EXPECT_LT((own.stress(0, own.heights(0)[0], strains, Q)).segment<2>(3).norm(), 1e-9);
+  EXPECT_LT((own.stress(4, own.heights(4)[1], strains, Q)).segment<2>(3).norm(), 1e-6);
+  // moments that grow along 1 and 2 by Q give the force Q only where no other forces change; here to the rule's own sum
+  EXPECT_GT(shear(0), 0);
+  EXPECT_LT(shear(1), 0);
+}
+
+
+
+TEST(Laminate, SymmetricLaminateCarriesItsShearForce)
+{
+  const Laminate        own = laminate(layup_angles("[0/90]s"), AS4, 1e-3);
+  const Eigen::Vector2d Q(120, -70);
+  Eigen::Vector2d       sum = Eigen::Vector2d::Zero();
+  for (unsigned int i = 0; i < 4; ++i)
+    for (const double x : {-std::sqrt(0.6), 0., std::sqrt(0.6)})
+      {
+        const auto [bottom, top] = own.heights(i);
+        const double  half       = (top - bottom) / 2;
+        const Vector6 s          = own.stress(i, (bottom + top) / 2 + half * x, Vector6::Zero(), Q);
+        sum += half * (x == 0 ? 8. / 9 : 5. / 9) * Eigen::Vector2d(s(4), s(3));
+      }
+  EXPECT_LT((sum - Q).norm(), 1e-12 * Q.norm());
+}
+
+
+
+TEST(Laminate, ShorthandOfLayups)
+{
+  using Angles = std::vector<double>;
+  EXPECT_EQ(layup_angles("0"), Angles({0}));
+  EXPECT_EQ(layup_angles("0/90"), Angles({0, 90}));
+  EXPECT_EQ(layup_angles("[0/45/-45/90]s"), Angles({0, 45, -45, 90, 90, -45, 45, 0}));
+  EXPECT_EQ(layup_angles("[0/±45_2]"), Angles({0, 45, -45, 45, -45}));
+  EXPECT_EQ(layup_angles("[0_3 / +-30]_2"), Angles({0, 0, 0, 30, -30, 0, 0, 0, 30, -30}));
+  EXPECT_EQ(layup_angles("[0/90~]s"), Angles({0, 90, 0}));
+  EXPECT_EQ(layup_angles("[45/[0/90]s/-45]"), Angles({45, 0, 90, 90, 0, -45}));
+  EXPECT_EQ(layup_angles("[22.5/-67.5]_2s"), Angles({22.5, -67.5, 22.5, -67.5, -67.5, 22.5, -67.5, 22.5}));
+  for (const std::string wrong :
+       {"", "[0/90", "0/90]", "0//90", "0/x", "0_0", "0_2000", "[0/90~]", "[0~/90]s", "900", "nan"})
+    EXPECT_THROW(layup_angles(wrong), std::invalid_argument) << wrong;
+}
+
+
+
+TEST(Laminate, RefusesWhatIsNone)
+{
+  EXPECT_THROW(Laminate({}), std::invalid_argument);
+  EXPECT_THROW(laminate({0}, AS4, 0.), std::invalid_argument);
+  EXPECT_THROW(Laminate({{Matrix6::Zero(), 0, 1, 1}}), std::invalid_argument);
+  EXPECT_THROW(elasticity::stiffness({142e9, 9.8e9, 9.8e9, 6e9, 6e9, 4.8e9, 4., 4., 0.3}), std::invalid_argument);
+}
