@@ -59,6 +59,7 @@ namespace
   {
     for (unsigned int i = begin; i < end; ++i)
       pictures.add(box_at(i), time_of(i));
+    pictures.finish();
   }
 } // namespace
 
@@ -227,6 +228,7 @@ TEST(Resume, PicturesWithoutSeriesBeginAfresh)
   Pictures            pictures(folder.path, "dynamic", 3.);
   EXPECT_FALSE(std::filesystem::exists(folder.path + "/dynamic.pvd"));
   pictures.add(box_at(0), 4);
+  pictures.finish();
   EXPECT_TRUE(std::filesystem::exists(folder.path + "/pictures/dynamic.0000.vtu"));
 }
 
