@@ -1,10 +1,13 @@
 #include <samara/base/text.h>
 #include <samara/base/threads.h>
+#include <samara/cosserat/section.h>
 #include <samara/input.h>
 #include <samara/solvers/linear.h>
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <set>
 
 namespace samara
 {
@@ -97,21 +100,40 @@ namespace samara
 
 
 
-  Input::Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides)
+  namespace
   {
-    Complaints complaints;
-    Outline    outline = Outline::of_file(file, complaints);
-    // so that overrides find settings of which the file does not speak
-    std::vector<std::string> settings = {"Output"};
-    for (const auto &kind : catalogue.analyses.kinds())
-      settings.push_back(subsection_of_analysis(kind));
-    for (const auto &name : settings)
-      if (outline.section(name) == nullptr)
-        {
-          outline.sections.emplace_back();
-          outline.sections.back().name  = name;
-          outline.sections.back().where = file;
-        }
+    /** Settings of which the file does not speak, so that overrides find them. */
+    void
+    add_settings(const Catalogue &catalogue, Outline &outline)
+    {
+      std::vector<std::string> settings = {"Output"};
+      for (const auto &kind : catalogue.analyses.kinds())
+        settings.push_back(subsection_of_analysis(kind));
+      for (const auto &name : settings)
+        if (outline.section(name) == nullptr)
+          {
+            outline.sections.emplace_back();
+            outline.sections.back().name  = name;
+            outline.sections.back().where = outline.where;
+          }
+    }
+  } // namespace
+
+
+
+  Input::Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides)
+    : Input(catalogue, InputFile(file), overrides)
+  {}
+
+
+
+  Input::Input(const Catalogue &catalogue, InputFile file, const std::vector<std::string> &overrides)
+  {
+    Outline    &outline    = file.outline;
+    Complaints &complaints = file.complaints;
+    if (outline.is_broken) // what else is wrong there may be right
+      complaints.throw_if_any();
+    add_settings(catalogue, outline);
     for (const auto &override : overrides)
       outline.set(override, complaints);
     adapt_to_kinds(catalogue, outline);
@@ -134,17 +156,91 @@ namespace samara
 
     read_objects(catalogue, outline, quantities, complaints);
     read_analyses(catalogue, outline, quantities, complaints);
-    complaints.throw_if_any();
-
-    // in the order of the catalogue, so that what is referred to comes before what refers to it
-    for (auto &contribution : model.contributions)
-      contribution->initialize(model);
-    if (!rotor_speeds.empty() && model.rotations.empty())
+    initialize_objects();
+    outlines.clear();
+    if (!rotor_speeds.empty() && model.rotations.empty() && model.unmade.empty())
       model.complaints.add(root.where("Rotor speeds"),
                            "<Rotor speeds> need a load of type <steady rotation> that says what turns");
-    model.complaints.throw_if_any();
+    complaints.add_all(model.complaints.all());
+    if (!complaints.empty())
+      find_more_mistakes(complaints);
+    complaints.throw_if_any();
     if (model.nodes.size() == 1)
-      throw InputError(file + ": the model has no body; add one to subsection <Bodies>.");
+      throw InputError((outline.section("Bodies") != nullptr ? outline.section("Bodies")->where : outline.where) +
+                       ": the model has no body; add one to subsection <Bodies>.");
+  }
+
+
+
+  namespace
+  {
+    /**
+     * Complain about names that are not known, as initialize() would, for an object that has other mistakes and is not
+     * initialized.
+     */
+    void
+    check_references(const Outline &object, Model &model)
+    {
+      const std::set<std::string> points = {"Body A", "Body B", "At", "Point A", "Point B"},
+                                  joints = {"Joint", "Joint A", "Joint B"};
+      for (const auto &entry : object.entries)
+        try
+          {
+            if (entry.inherited || entry.value.empty())
+              continue;
+            if (points.count(entry.name) > 0)
+              model.frame(entry.value);
+            else if (entry.name == "Body")
+              model.find<Body>(entry.value, "body");
+            else if (entry.name == "Section")
+              model.find<Section>(entry.value, "section");
+            else if (joints.count(entry.name) > 0)
+              model.find<Contribution>(trim(entry.value.substr(0, entry.value.find('.'))), "joint");
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            model.complaints.add(entry.where, problem.what());
+          }
+    }
+  } // namespace
+
+
+
+  void
+  Input::initialize_objects()
+  {
+    // in the order of the catalogue, so that what is referred to comes before what refers to it
+    for (unsigned int i = 0; i < model.contributions.size(); ++i)
+      {
+        Contribution &contribution = *model.contributions[i];
+        const auto    before       = model.complaints.count();
+        if (contribution.is_faulty)
+          check_references(*outlines[i], model);
+        else
+          contribution.initialize(model);
+        contribution.is_faulty = contribution.is_faulty || model.complaints.count() != before;
+      }
+  }
+
+
+
+  void
+  Input::find_more_mistakes(Complaints &complaints)
+  {
+    const auto is_right     = [](const auto &c) { return !c->is_faulty; };
+    const auto first_faulty = std::stable_partition(model.contributions.begin(), model.contributions.end(), is_right);
+    const std::vector<std::unique_ptr<Contribution>> faulty(std::make_move_iterator(first_faulty),
+                                                            std::make_move_iterator(model.contributions.end()));
+    model.contributions.erase(first_faulty, model.contributions.end());
+    try
+      {
+        const Layout layout(model);
+      }
+    catch (const InputError &error)
+      {
+        complaints.add_all(error.complaints);
+      }
+    find_probes(complaints);
   }
 
 
@@ -166,9 +262,14 @@ namespace samara
           {
             const std::string kind = object.value("Type");
             if (kind.empty() && object.entry("Copy of") != nullptr)
-              continue; // there is a complaint about the original, or that there is none
+              {
+                // there is a complaint about the original, or that there is none
+                model.unmade.insert(object.name);
+                continue;
+              }
             if (!group.kinds.contains(kind))
               {
+                model.unmade.insert(object.name);
                 complaints.add(object.entry("Type") != nullptr ? object.entry("Type")->where : object.where,
                                kind.empty() ? group.noun + " <" + object.name + "> has no <Type>" +
                                                 did_you_mean("", group.kinds.kinds()) :
@@ -183,9 +284,12 @@ namespace samara
             contribution->kind       = kind;
             contribution->parameters = Parameters(object.name, kind);
             contribution->add_parameters(contribution->parameters);
+            const auto before = complaints.count();
             contribution->parameters.parse(object, quantities, complaints);
+            contribution->is_faulty = complaints.count() != before;
             model.contributions.push_back(std::move(contribution));
             subsections.push_back(group.subsection);
+            outlines.push_back(&object);
           }
       }
   }
@@ -206,8 +310,12 @@ namespace samara
         auto             &analysis = all[kind] = catalogue.analyses.make(kind);
         analysis->parameters                   = Parameters(name, "analysis");
         analysis->add_parameters(analysis->parameters);
+        const auto before = complaints.count();
         if (const auto *section = outline.section(name))
           analysis->parameters.parse(*section, quantities, complaints);
+        const bool is_asked_for = std::find(analysis_names.begin(), analysis_names.end(), kind) != analysis_names.end();
+        if (is_asked_for && complaints.count() == before)
+          analysis->check(rotor_speeds, complaints);
       }
     for (const auto &kind : analysis_names)
       if (!catalogue.analyses.contains(kind))
@@ -226,11 +334,40 @@ namespace samara
 
 
 
+  std::unique_ptr<System>
+  Input::assemble()
+  {
+    try
+      {
+        return std::make_unique<System>(model);
+      }
+    catch (const InputError &error)
+      {
+        Complaints complaints;
+        complaints.add_all(error.complaints);
+        find_probes(complaints);
+        complaints.throw_if_any();
+        throw;
+      }
+  }
+
+
+
   std::vector<Probe>
   Input::make_probes() const
   {
+    Complaints complaints;
+    auto       result = find_probes(complaints);
+    complaints.throw_if_any();
+    return result;
+  }
+
+
+
+  std::vector<Probe>
+  Input::find_probes(Complaints &complaints) const
+  {
     std::vector<Probe> result;
-    Complaints         complaints;
     for (const auto &path : probes)
       try
         {
@@ -240,7 +377,6 @@ namespace samara
         {
           complaints.add(const_cast<Parameters &>(root).subsection("Output").where("Probes"), problem.what());
         }
-    complaints.throw_if_any();
     return result;
   }
 

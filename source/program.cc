@@ -2,6 +2,7 @@
 #include <samara/analysis/dynamic.h>
 #include <samara/analysis/static.h>
 #include <samara/automatic_mesh.h>
+#include <samara/base/interrupt.h>
 #include <samara/base/text.h>
 #include <samara/input.h>
 #include <samara/output/file.h>
@@ -9,6 +10,7 @@
 #include <samara/program.h>
 #include <samara/study.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -22,17 +24,29 @@ namespace samara
     void
     run_all(const Input &input, Context &context)
     {
+      // what an analysis refuses stands in its subsection, unless it says where
+      const auto run_one = [&](Analysis &analysis) {
+        throw_if_interrupted();
+        try
+          {
+            analysis.run(context);
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(with_place(error.complaints, analysis.parameters.where()));
+          }
+      };
       const auto run_once = [&]() {
         for (const auto &analysis : input.analyses)
-          analysis->run(context);
+          run_one(*analysis);
       };
       if (context.restart)
         {
           // the state is in the checkpoint: what was done before it is not repeated
           for (const auto &analysis : input.analyses)
             if (analysis->can_restart())
-              return analysis->run(context);
-          throw InputError("--restart: there is no dynamic analysis among the <Analyses>");
+              return run_one(*analysis);
+          throw InputError(input.where("Analyses") + ": --restart: there is no dynamic analysis among the <Analyses>");
         }
       for (const auto &analysis : input.analyses)
         analysis->start(context);
@@ -50,11 +64,32 @@ namespace samara
 
 
 
+    /** results/<name of the model>; a name of nothing but dots would be another folder than that. */
     std::string
     folder_of_results(const Options &options)
     {
-      return options.output.empty() ? "results/" + std::filesystem::path(options.model).stem().string() :
-                                      options.output;
+      if (!options.output.empty())
+        return options.output;
+      const std::string name = std::filesystem::path(options.model).stem().string();
+      return "results/" + (name.find_first_not_of('.') == std::string::npos ? "model" : name);
+    }
+
+
+
+    /** Before anything is computed: a folder that cannot be made, or not be written to, is a wrong argument. */
+    void
+    prepare_folder(const std::string &folder)
+    {
+      try
+        {
+          make_folder(folder);
+          const std::string probe = folder + "/used.prm";
+          open_file(probe, true);
+        }
+      catch (const CannotWrite &problem)
+        {
+          throw InputError(std::string("samara: ") + problem.what() + " Choose another folder by --output.");
+        }
     }
 
 
@@ -85,21 +120,47 @@ namespace samara
 
     /** Whether the file is a parameter study; it is done then. */
     bool
-    run_study(const Options &options, Log &log)
+    run_study(const Options &options, InputFile file, Log &log)
     {
-      Complaints complaints;
-      Outline    outline = Outline::of_file(options.model, complaints);
-      if (!Study::is_study(outline))
+      if (!Study::is_study(file.outline))
         return false; // mistakes are for those who read models
       for (const auto &override : options.overrides)
-        outline.set(override, complaints);
-      complaints.throw_if_any();
-      Study study(options.model, outline);
+        file.outline.set(override, file.complaints);
+      Study study(options.model, file);
       if (options.check)
         log.line(options.model + ": no mistakes found\n  members           " + std::to_string(study.members.size()));
       else
         study.run(folder_of_results(options), options.jobs, options.program, log);
       return true;
+    }
+
+
+
+    /** Whether a beam may have a mesh that is to be found; then the model is read once more for each attempt. */
+    bool
+    has_automatic_meshes(const Outline &outline, const std::vector<std::string> &overrides)
+    {
+      const auto is_automatic  = [](const std::string &value) { return value.find("automatic") != std::string::npos; };
+      const auto *const bodies = outline.section("Bodies");
+      return std::any_of(overrides.begin(), overrides.end(), is_automatic) ||
+             (bodies != nullptr && std::any_of(bodies->sections.begin(), bodies->sections.end(), [&](const auto &body) {
+                return is_automatic(body.value("Elements"));
+              }));
+    }
+
+
+
+    /** Something must be able to move. */
+    void
+    check_size(const Input &input, const System &system)
+    {
+      if (system.size() > 0)
+        return;
+      const auto &all  = input.model.contributions;
+      const auto  weld = std::find_if(all.begin(), all.end(), [](const auto &c) { return c->kind == "rigid"; });
+      throw InputError((weld == all.end() ? input.where("Title") : (*weld)->parameters.where()) +
+                       ": every body is welded to the ground: nothing can move, and there is nothing to compute. Leave "
+                       "out a rigid joint, or give it <Reaction = true>.");
     }
   } // namespace
 
@@ -112,20 +173,20 @@ namespace samara
       return print_reference(std::cout, options.help_about);
     if (options.model.empty())
       throw InputError("no input file is given; write samara model.prm, or samara --help");
-    if (run_study(options, log))
-      return;
-
     const auto start           = std::chrono::steady_clock::now();
     const auto processor_start = std::clock();
+    InputFile  file(options.model);
+    if (run_study(options, file, log))
+      return;
+
     // a mere check solves nothing, and sees the first mesh of automatic elements
-    const auto   overrides =
-      options.check ? options.overrides : find_meshes(Catalogue(), options.model, options.overrides, log);
-    Input        input(Catalogue(), options.model, overrides);
-    System     system(input.model);
-    if (system.size() == 0)
-      throw InputError(options.model +
-                       ": every body is welded to the ground: nothing can move, and there is nothing to "
-                       "compute. Leave out a rigid joint, or give it <Reaction = true>.");
+    const bool is_automatic = !options.check && has_automatic_meshes(file.outline, options.overrides);
+    const auto overrides =
+      is_automatic ? find_meshes(Catalogue(), options.model, options.overrides, log) : options.overrides;
+    Input      input(Catalogue(), std::move(file), overrides);
+    const auto owner  = input.assemble();
+    System    &system = *owner;
+    check_size(input, system);
     const auto probes = input.make_probes();
     const auto counts = check_model(system);
     if (options.check)
@@ -137,7 +198,7 @@ namespace samara
       return;
 
     const std::string folder = folder_of_results(options);
-    make_folder(folder);
+    prepare_folder(folder);
     std::ofstream used = open_file(folder + "/used.prm");
     input.print(used);
     flush(used, folder + "/used.prm");
@@ -151,9 +212,16 @@ namespace samara
       speeds.push_back(rotation.speed);
     Context context{system, log, folder, probes, input.pictures, system.reference(), speeds, input.rotor_speeds};
     context.restart = options.restart;
+    const InterruptGuard guard;
     try
       {
         run_all(input, context);
+      }
+    catch (const Interrupted &)
+      {
+        for (const auto &analysis : input.analyses)
+          analysis->finish(context);
+        throw;
       }
     catch (const NotConverged &problem)
       {

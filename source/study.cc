@@ -5,6 +5,7 @@
 #include <samara/input.h>
 #include <samara/study.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +15,8 @@ namespace samara
 {
   namespace
   {
+    constexpr std::size_t most_members = 10'000, most_faults = 100;
+
     /** Whether @p piece begins a new override: has an "=" that is not one of ==, <=, >=, !=. */
     bool
     is_assignment(const std::string &piece)
@@ -32,7 +35,9 @@ namespace samara
     {
       std::vector<std::string> result;
       for (const auto &piece : split_top_level(text, ';'))
-        if (result.empty() || is_assignment(piece))
+        if (piece.empty())
+          continue;
+        else if (result.empty() || is_assignment(piece))
           result.push_back(piece);
         else
           result.back() += "; " + piece;
@@ -50,13 +55,14 @@ namespace samara
 
 
 
-    /** A name that every file system takes. */
+    /** A name that every file system takes, and that is not another folder: no "..". */
     std::string
     file_name(const std::string &text)
     {
-      std::string result;
-      for (const char c : text)
-        if (std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' || c == '+')
+      constexpr std::size_t most_letters = 80;
+      std::string           result;
+      for (const char c : text.substr(0, most_letters))
+        if (std::isalnum(static_cast<unsigned char>(c)) || (c == '.' && !result.empty()) || c == '-' || c == '+')
           result += c;
         else if (!result.empty() && result.back() != '_')
           result += '_';
@@ -120,6 +126,16 @@ namespace samara
             (kind == "dynamic" && dynamic_cast<DynamicAnalysis *>(analysis.get()) != nullptr))
           return true;
       return false;
+    }
+
+
+
+    /** Whether there is such a file; a name that no file can have is one of none. */
+    bool
+    is_file(const std::string &name)
+    {
+      std::error_code ignored;
+      return std::filesystem::is_regular_file(name, ignored);
     }
 
 
@@ -227,11 +243,14 @@ namespace samara
 
 
 
-  Study::Study(const std::string &file, const Outline &outline)
-    : file(file)
+  Study::Study(const std::string &name, InputFile input)
+    : file(name)
     , settings("Study", "study")
   {
-    Complaints       complaints;
+    const Outline &outline    = input.outline;
+    Complaints    &complaints = input.complaints;
+    if (outline.is_broken)
+      complaints.throw_if_any();
     const Quantities quantities;
     std::string      analyses;
     root.add("Title", title, "One line that says what the study is.");
@@ -244,7 +263,7 @@ namespace samara
     if (const auto *const section = outline.section("Study"))
       settings.parse(*section, quantities, complaints);
     else
-      complaints.add(file, "a study needs a subsection <Study> with a <Quantity>");
+      complaints.add(root.where("Analyses"), "a study needs a subsection <Study> with a <Quantity>");
     if (outline.section("Study") != nullptr && settings.require("Quantity", complaints))
       try
         {
@@ -255,11 +274,14 @@ namespace samara
           complaints.add(settings.where("Quantity"), std::string("<Quantity>: ") + problem.what());
         }
     read_methods(outline, complaints);
-    complaints.throw_if_any();
-
     for (unsigned int i = 0; i < methods.size(); ++i)
       make_members(*methods[i], i, complaints);
-    add_reference(complaints);
+    if (complaints.empty())
+      add_reference(complaints);
+    if (members.size() > most_members)
+      complaints.add(settings.where("Values"),
+                     "these are " + std::to_string(members.size()) + " members; a study has at most " +
+                       std::to_string(most_members));
     complaints.throw_if_any();
     name_folders();
     check_members(complaints);
@@ -310,15 +332,18 @@ namespace samara
     base.model                   = beside(file, own_model);
     if (own_model.empty())
       return complaints.add(root.where("Model"), "<Model> must be given: the input file that is studied");
-    if (!std::filesystem::is_regular_file(base.model))
+    if (!is_file(base.model))
       return complaints.add(model_at, "<Model>: there is no file <" + base.model + ">");
     base.add_overrides(quantity.overrides(), settings.where("Quantity"));
     base.add_overrides(overrides_of(overrides), settings.where("Overrides"));
     base.add_overrides(overrides_of(method.overrides), method.parameters.where("Overrides"));
 
     const bool own_vary = !method.vary.empty(), own_values = !method.values.empty();
-    const auto names     = split_top_level(own_vary ? method.vary : vary, ';');
-    const auto lists     = split_top_level(own_values ? method.values : values, ';');
+    const auto names = split_top_level(own_vary ? method.vary : vary, ';');
+    const auto lists = split_top_level(own_values ? method.values : values, ';');
+    if (std::count(names.begin(), names.end(), "") > 0)
+      return complaints.add(own_vary ? method.parameters.where("Vary") : settings.where("Vary"),
+                            "<Vary>: an entry is missing; is there a semicolon too many?");
     const auto vary_at   = own_vary ? method.parameters.where("Vary") : settings.where("Vary");
     const auto values_at = own_values ? method.parameters.where("Values") : settings.where("Values");
     if (names.empty() != lists.empty())
@@ -331,6 +356,9 @@ namespace samara
     for (const auto &list : lists)
       {
         columns.push_back(split_top_level(list, ','));
+        const auto &values_of_list = columns.back();
+        if (values_of_list.empty() || std::count(values_of_list.begin(), values_of_list.end(), "") > 0)
+          return complaints.add(values_at, "<Values>: <" + list + ">: a value is missing; is there a comma too many?");
         if (columns.back().size() != columns[0].size())
           return complaints.add(values_at, "<Values>: the lists have different numbers of values");
       }
@@ -390,7 +418,7 @@ namespace samara
         reference_column = colon == std::string::npos ? quantity.name : trim(reference.substr(colon + 1));
         try
           {
-            if (!std::filesystem::is_regular_file(reference_file))
+            if (!is_file(reference_file))
               throw std::runtime_error("<" + reference + "> is not a number, and there is no file <" + reference_file +
                                        ">; write a number, a file, or <finest>");
             read_series(reference_file, reference_column);
@@ -427,8 +455,8 @@ namespace samara
   {
     try
       {
-        Input        input(Catalogue(), member.model, texts);
-        const System system(input.model);
+        Input      input(Catalogue(), member.model, texts);
+        const auto system = input.assemble();
         input.make_probes();
         if (texts.size() == member.overrides.size() && !has_analysis(input, quantity.analysis()))
           return {settings.where("Quantity") + ": <Quantity>: there is no " + quantity.analysis() +
@@ -448,6 +476,8 @@ namespace samara
   {
     for (const auto &member : members)
       {
+        if (complaints.count() > most_faults)
+          break; // the others would say the same
         const auto texts = member.override_texts();
         for (const auto &fault : faults_of(member, texts))
           {

@@ -2,10 +2,23 @@
 #define samara_input_h
 
 #include <samara/catalogue.h>
-#include <samara/model/model.h>
+#include <samara/model/system.h>
 
 namespace samara
 {
+  /** A file as it was read, once for all who want to know what it says, with what is wrong in it. */
+  struct InputFile
+  {
+    explicit InputFile(const std::string &name)
+      : outline(Outline::of_file(name, complaints))
+    {}
+
+    Complaints complaints;
+    Outline    outline;
+  };
+
+
+
   /** What an input file says: a model, and what is to be done with it. */
   class Input
   {
@@ -16,6 +29,8 @@ namespace samara
      */
     Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides = {});
 
+    Input(const Catalogue &catalogue, InputFile file, const std::vector<std::string> &overrides = {});
+
     /** An empty one, for the documentation of its entries. */
     Input() = default;
 
@@ -25,11 +40,21 @@ namespace samara
     std::vector<std::unique_ptr<Analysis>> analyses;
     std::vector<std::string>               probes;
     std::vector<double>                    rotor_speeds;
-    bool                                   pictures = true;
+    bool                                   pictures       = true;
     bool                                   drop_redundant = false;
+
+    /** The system; if it cannot be made, wrong probes are complained about, too. @throws InputError */
+    std::unique_ptr<System> assemble();
 
     /** The probes, once the system is assembled. @throws InputError */
     std::vector<Probe> make_probes() const;
+
+    /** "file:line" of an entry that stands outside of named objects; of the file's beginning if it was not given. */
+    std::string
+    where(const std::string &entry) const
+    {
+      return root.where(entry);
+    }
 
     /** All values as they are used, in SI units, as a .prm file that says the same: without constants, copies,
      * includes. */
@@ -45,8 +70,19 @@ namespace samara
     std::string              redundant = "refuse", linear_solver = "KLU";
     unsigned int             threads = 0;
 
-    void read_objects(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);
-    void read_analyses(const Catalogue &catalogue, const Outline &outline, const Quantities &quantities, Complaints &complaints);
+    std::vector<const Outline *> outlines; ///< of each contribution, while it is read
+
+    void               read_objects(const Catalogue  &catalogue,
+                                    const Outline    &outline,
+                                    const Quantities &quantities,
+                                    Complaints       &complaints);
+    void               initialize_objects();
+    void               find_more_mistakes(Complaints &complaints);
+    std::vector<Probe> find_probes(Complaints &complaints) const;
+    void               read_analyses(const Catalogue  &catalogue,
+                                     const Outline    &outline,
+                                     const Quantities &quantities,
+                                     Complaints       &complaints);
   };
 
   /** "static" -> "Static", the name of the subsection of an analysis. */

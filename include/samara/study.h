@@ -4,6 +4,7 @@
 #include <samara/base/log.h>
 #include <samara/base/parameters.h>
 #include <samara/base/process.h>
+#include <samara/input.h>
 #include <samara/study_quantity.h>
 
 #include <memory>
@@ -86,7 +87,7 @@ namespace samara
     Study() = default;
 
     /** Read one. @throws InputError with every complaint, those about its members among them. */
-    Study(const std::string &file, const Outline &outline);
+    Study(const std::string &name, InputFile file);
 
     void add_parameters(Parameters &prm);
 

@@ -14,6 +14,13 @@
 
 namespace samara
 {
+  namespace
+  {
+    constexpr double most_steps = 1e10; ///< of a run: nobody waits for more
+  }
+
+
+
   void
   DynamicAnalysis::add_parameters(Parameters &prm)
   {
@@ -73,6 +80,42 @@ namespace samara
             seconds_between_checkpoints,
             "Seconds of computing between two checkpoints for --restart [s].",
             Double(0));
+  }
+
+
+
+  void
+  DynamicAnalysis::check(const std::vector<double> &rotor_speeds, Complaints &complaints) const
+  {
+    const auto complain = [&](const std::string &entry, const std::string &text) {
+      complaints.add(parameters.where(entry), text);
+    };
+    if (!(end_time > start_time))
+      complain("End time", "the <End time> must be later than the <Start time>");
+    if (!(step > 0))
+      complain("Step", "the <Step> must be positive");
+    else if ((end_time - start_time) / step > most_steps)
+      complain("Step",
+               "with this <Step> there are " + short_text((end_time - start_time) / step) +
+                 " steps to the <End time>");
+    if (!(newton_tolerance > 0))
+      complain("Newton tolerance", "the <Newton tolerance> must be positive");
+    if (!rotor_speeds.empty())
+      complaints.add(parameters.where(),
+                     "a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
+    if (control != "adaptive")
+      return;
+    if (integrator != "family")
+      complain("Integrator",
+               "<Step control = adaptive> judges steps by the energy that the integrator family dissipates; take fixed "
+               "steps with the integrator <" +
+                 integrator + ">");
+    if (!(tolerance > 0 && tolerance < 1))
+      complain("Tolerance", "the <Tolerance> of adaptive steps lies between 0 and 1");
+    if (!(smallest_step > 0))
+      complain("Smallest step", "the <Smallest step> of adaptive steps must be positive");
+    else if (largest_step > 0 && smallest_step > largest_step)
+      complain("Smallest step", "the <Smallest step> must not be larger than the <Largest step>");
   }
 
 
@@ -396,19 +439,9 @@ namespace samara
     const auto    clock_start     = Clock::now();
     const auto    processor_start = std::clock();
     const System &system          = context.system;
-    if (!(end_time > start_time))
-      throw InputError(parameters.where("End time") + ": the <End time> must be later than the <Start time>");
-    if (!(step > 0))
-      throw InputError(parameters.where("Step") + ": the <Step> must be positive");
-    if (!context.sweep.empty())
-      throw InputError(parameters.where() +
-                       ": a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
-
-    if (integrator != "family" && control == "adaptive")
-      throw InputError(parameters.where("Integrator") +
-                       ": <Step control = adaptive> judges steps by the energy that the "
-                       "integrator family dissipates; take fixed steps with the integrator <" +
-                       integrator + ">");
+    Complaints    complaints;
+    check(context.sweep, complaints);
+    complaints.throw_if_any();
 
     const std::unique_ptr<Integrator> owner  = make_integrator(system, newton_tolerance),
                                       halves = make_integrator(system, newton_tolerance);

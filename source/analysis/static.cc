@@ -33,6 +33,17 @@ namespace samara
 
 
 
+  void
+  StaticAnalysis::check(const std::vector<double> &, Complaints &complaints) const
+  {
+    if (!(tolerance > 0))
+      complaints.add(parameters.where("Tolerance"), "the <Tolerance> must be positive");
+    if (!(smallest_step > 0))
+      complaints.add(parameters.where("Smallest step"), "the <Smallest step> must be positive");
+  }
+
+
+
   namespace
   {
     std::vector<double>

@@ -1,11 +1,29 @@
 #include <samara/base/errors.h>
+#include <samara/base/text.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace samara
 {
   namespace
   {
+    constexpr std::size_t most_shown = 1000; ///< complaints at once; nobody reads more
+
+    /** The file and the line of "file:line: what is wrong"; the line is 0 if there is none. */
+    std::pair<std::string, unsigned long>
+    place_of(const std::string &complaint)
+    {
+      for (auto colon = complaint.find(':'); colon != std::string::npos; colon = complaint.find(':', colon + 1))
+        {
+          const auto digits = std::min(complaint.find_first_not_of("0123456789", colon + 1), complaint.size());
+          if (digits > colon + 1 && digits < colon + 10 && complaint.compare(digits, 2, ": ") == 0)
+            return {complaint.substr(0, colon), std::stoul(complaint.substr(colon + 1, digits - colon - 1))};
+        }
+      return {"", 0};
+    }
+
     std::string
     joined(const std::vector<std::string> &lines)
     {
@@ -31,12 +49,35 @@ namespace samara
 
 
 
+  std::vector<std::string>
+  with_place(const std::vector<std::string> &complaints, const std::string &where)
+  {
+    auto result = complaints;
+    for (auto &complaint : result)
+      if (place_of(complaint).second == 0)
+        complaint = where + ": " + complaint;
+    return result;
+  }
+
+
+
   void
   Complaints::add(const std::string &where, const std::string &text)
   {
-    const std::string complaint = where.empty() ? text : where + ": " + text;
-    if (std::find(complaints.begin(), complaints.end(), complaint) == complaints.end())
-      complaints.push_back(complaint);
+    if (text.empty())
+      ++n_follow_ups;
+    else
+      add_all({where.empty() ? readable(text) : where + ": " + readable(text)});
+  }
+
+
+
+  void
+  Complaints::add_all(const std::vector<std::string> &others)
+  {
+    for (const auto &complaint : others)
+      if (known.insert(complaint).second)
+        complaints.push_back(complaint);
   }
 
 
@@ -49,10 +90,31 @@ namespace samara
 
 
 
-  const std::vector<std::string> &
+  std::size_t
+  Complaints::count() const
+  {
+    return complaints.size() + n_follow_ups;
+  }
+
+
+
+  std::vector<std::string>
   Complaints::all() const
   {
-    return complaints;
+    using Key =
+      std::tuple<std::size_t, unsigned long, std::size_t>; // number of the file, line, number of the complaint
+    std::map<std::string, std::size_t> files;
+    std::vector<Key>                   order;
+    for (std::size_t i = 0; i < complaints.size(); ++i)
+      {
+        const auto [file, line] = place_of(complaints[i]);
+        order.emplace_back(files.emplace(file, files.size()).first->second, line, i);
+      }
+    std::sort(order.begin(), order.end());
+    std::vector<std::string> result;
+    for (const auto &key : order)
+      result.push_back(complaints[std::get<2>(key)]);
+    return result;
   }
 
 
@@ -60,7 +122,14 @@ namespace samara
   void
   Complaints::throw_if_any() const
   {
-    if (!complaints.empty())
-      throw InputError(complaints);
+    if (complaints.empty())
+      return;
+    auto shown = all();
+    if (shown.size() > most_shown)
+      {
+        shown.resize(most_shown);
+        shown.push_back("... and " + std::to_string(complaints.size() - most_shown) + " more mistakes.");
+      }
+    throw InputError(shown);
   }
 } // namespace samara

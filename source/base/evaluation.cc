@@ -1,3 +1,4 @@
+#include <samara/base/errors.h>
 #include <samara/base/evaluation.h>
 #include <samara/base/text.h>
 
@@ -78,14 +79,17 @@ namespace samara
         const auto word = words.find(token.text);
         if (contains(variables, token.text))
           used.push_back({token.text, Meaning(), true});
+        else if (word != words.end() && word->second.is_faulty)
+          throw FollowUp();
         else if (word != words.end())
           used.push_back({token.text, word->second, false});
         else
           {
             auto candidates = function_names();
             candidates.insert(candidates.end(), variables.begin(), variables.end());
-            for (const auto &known : words)
-              candidates.push_back(known.first);
+            if (may_suggest())
+              for (const auto &known : words)
+                candidates.push_back(known.first);
             throw std::invalid_argument("<" + text + ">: <" + token.text +
                                         "> is neither a constant nor a unit nor a function" +
                                         did_you_mean(token.text, candidates));

@@ -7,6 +7,7 @@ namespace samara
   namespace
   {
     volatile std::sig_atomic_t signal_seen = 0;
+    unsigned int               n_guards    = 0;
 
     void
     note(const int signal)
@@ -20,6 +21,8 @@ namespace samara
 
   InterruptGuard::InterruptGuard()
   {
+    if (n_guards++ > 0)
+      return;
     signal_seen = 0;
     std::signal(SIGINT, note);
     std::signal(SIGTERM, note);
@@ -29,6 +32,8 @@ namespace samara
 
   InterruptGuard::~InterruptGuard()
   {
+    if (--n_guards > 0)
+      return;
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
   }
@@ -39,5 +44,14 @@ namespace samara
   InterruptGuard::was_interrupted() const
   {
     return signal_seen != 0;
+  }
+
+
+
+  void
+  throw_if_interrupted()
+  {
+    if (n_guards > 0 && signal_seen != 0)
+      throw Interrupted("interrupted; what was computed up to there is written");
   }
 } // namespace samara

@@ -3,19 +3,53 @@
 #include <samara/base/text.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace samara
 {
+  namespace
+  {
+    /** Read by @p read; a second time by indentation if subsections and ends do not match, where that explains it. */
+    template <typename Read>
+    Outline
+    read_outline(const std::string &filename, const Read &read, Complaints &complaints)
+    {
+      const auto attempt = [&](const bool by_indentation, Outline &root, Complaints &found, unsigned int &n_unmatched) {
+        OutlineReader reader(found, by_indentation);
+        root.where = filename + ":1";
+        read(reader, root);
+        n_unmatched = reader.n_unmatched;
+        return reader.is_indented;
+      };
+      Outline      root;
+      Complaints   found;
+      unsigned int n_unmatched = 0;
+      const bool   is_indented = attempt(false, root, found, n_unmatched);
+      root.is_broken           = n_unmatched > 0;
+      if (root.is_broken && is_indented)
+        {
+          Outline      other;
+          Complaints   found_there;
+          unsigned int n_there = 0;
+          attempt(true, other, found_there, n_there);
+          if (n_there > 0 && n_there <= 2 * n_unmatched + 2)
+            {
+              root  = std::move(other);
+              found = std::move(found_there);
+            }
+        }
+      complaints.add_all(found.all());
+      root.resolve_copies(complaints);
+      return root;
+    }
+  } // namespace
+
+
+
   Outline
   Outline::of_file(const std::string &filename, Complaints &complaints)
   {
-    OutlineReader reader(complaints);
-    Outline       root;
-    root.where = filename;
-    reader.read_file(filename, "", root);
-    root.resolve_copies(complaints);
-    return root;
+    const auto read = [&](OutlineReader &reader, Outline &root) { reader.read_file(filename, "", root); };
+    return read_outline(filename, read, complaints);
   }
 
 
@@ -34,13 +68,8 @@ namespace samara
   Outline
   Outline::of_text(const std::string &text, const std::string &filename, Complaints &complaints)
   {
-    OutlineReader      reader(complaints);
-    std::istringstream in(text);
-    Outline            root;
-    root.where = filename;
-    reader.read(in, filename, root);
-    root.resolve_copies(complaints);
-    return root;
+    const auto read = [&](OutlineReader &reader, Outline &root) { reader.read(text, filename, root); };
+    return read_outline(filename, read, complaints);
   }
 
 

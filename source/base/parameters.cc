@@ -2,6 +2,7 @@
 #include <samara/base/text.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 namespace samara
@@ -9,7 +10,6 @@ namespace samara
   namespace
   {
     using dealii::ExcMessage;
-    using dealii::ParameterHandler;
     using dealii::Patterns::PatternBase;
 
     /** What stands in the last brackets; "1" if nothing does. */
@@ -112,7 +112,6 @@ namespace samara
   Parameters::Parameters(const std::string &name, const std::string &kind)
     : name(name)
     , kind(kind)
-    , handler(std::make_shared<ParameterHandler>())
   {}
 
 
@@ -127,10 +126,22 @@ namespace samara
     AssertThrow(!has_unit || Quantities::is_si_unit(entry.unit),
                 ExcMessage("The documentation of the entry <" + entry.name + "> declares [" + entry.unit +
                            "], which is not an SI unit."));
-    inside([&](ParameterHandler &prm) {
-      prm.declare_entry(entry.name, entry.default_value, *entry.pattern, entry.documentation);
-    });
     entries.push_back(std::move(entry));
+  }
+
+
+
+  void
+  Parameters::add_file(const std::string &wanted, std::string &variable, const std::string &documentation)
+  {
+    add(wanted, variable, documentation);
+    // what is printed holds wherever it is read
+    entries.back().read = [&variable](const std::string &text, const Quantities &, const Entry &self) {
+      variable = text.empty() ? "" : file_beside(self.where, text);
+      std::error_code ignored;
+      const auto      absolute = std::filesystem::absolute(variable, ignored);
+      return variable.empty() || ignored ? variable : absolute.string();
+    };
   }
 
 
@@ -139,12 +150,10 @@ namespace samara
   Parameters::subsection(const std::string &wanted)
   {
     for (const auto &s : subsections)
-      if (s->path.back() == wanted)
+      if (s->step == wanted)
         return *s;
-    auto nested     = std::make_unique<Parameters>(name.empty() ? wanted : name + "/" + wanted, kind);
-    nested->path    = path;
-    nested->handler = handler;
-    nested->path.push_back(wanted);
+    auto nested  = std::make_unique<Parameters>(name.empty() ? wanted : name + "/" + wanted, kind);
+    nested->step = wanted;
     subsections.push_back(std::move(nested));
     return *subsections.back();
   }
@@ -179,7 +188,7 @@ namespace samara
     for (const auto &given : section.entries)
       {
         Complaints &complaints = is_copy && given.inherited ? of_original : all_complaints;
-        const auto mine =
+        const auto  mine =
           std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == given.name; });
         if (mine != entries.end())
           read_entry(*mine, given, quantities, complaints);
@@ -188,9 +197,8 @@ namespace samara
       }
     for (const auto &given : section.sections)
       {
-        const auto mine = std::find_if(subsections.begin(), subsections.end(), [&](const auto &s) {
-          return s->path.back() == given.name;
-        });
+        const auto mine =
+          std::find_if(subsections.begin(), subsections.end(), [&](const auto &s) { return s->step == given.name; });
         if (mine != subsections.end())
           (*mine)->parse(given, quantities, all_complaints, is_copy);
         else if (is_copy && given.inherited)
@@ -198,6 +206,8 @@ namespace samara
         else if (std::find(ignored.begin(), ignored.end(), given.name) == ignored.end())
           complain_about_subsection(given, all_complaints);
       }
+    if (!of_original.empty())
+      all_complaints.add("", ""); // a copy is as wrong as its original
   }
 
 
@@ -212,7 +222,10 @@ namespace samara
     try
       {
         entry.value = entry.read(given.value, quantities, entry);
-        inside([&](ParameterHandler &prm) { prm.set(entry.name, entry.value); });
+      }
+    catch (const FollowUp &)
+      {
+        complaints.add("", "");
       }
     catch (const std::invalid_argument &e)
       {
@@ -257,7 +270,7 @@ namespace samara
   {
     std::vector<std::string> names = ignored;
     for (const auto &s : subsections)
-      names.push_back(s->path.back());
+      names.push_back(s->step);
     complaints.add(given.where,
                    "<" + given.name + "> is not a subsection " + (name.empty() ? "here" : "of " + description()) +
                      did_you_mean(given.name, names));
@@ -320,7 +333,7 @@ namespace samara
       out << indent << (e.where.empty() ? "# set " : "set ") << e.name << " = " << e.value << '\n';
     for (const auto &s : subsections)
       {
-        out << indent << "subsection " << s->path.back() << '\n';
+        out << indent << "subsection " << s->step << '\n';
         s->print(out, indent + "  ");
         out << indent << "end\n";
       }
@@ -348,7 +361,7 @@ namespace samara
             << (choices.empty() ? "" : " One of: " + cell(join(choices, ", ")) + ".") << " |\n";
       }
     for (const auto &s : subsections)
-      s->document_rows(prefix + s->path.back() + " / ", out);
+      s->document_rows(prefix + s->step + " / ", out);
   }
 
 
@@ -369,15 +382,4 @@ namespace samara
     return "<" + name + ">" + (kind.empty() ? "" : " (" + kind + ")");
   }
 
-
-
-  void
-  Parameters::inside(const std::function<void(ParameterHandler &)> &action) const
-  {
-    for (const auto &step : path)
-      handler->enter_subsection(step);
-    action(*handler);
-    for (unsigned int i = 0; i < path.size(); ++i)
-      handler->leave_subsection();
-  }
 } // namespace samara

@@ -133,9 +133,16 @@ namespace samara
             m[i] = m[1 - i];
         words[name] = {{{{m[0].value, m[0].dimension}, {m[1].value, m[1].dimension}}}, false};
       }
+    catch (const FollowUp &)
+      {
+        words[name].is_faulty = true;
+      }
     catch (const std::invalid_argument &e)
       {
         complaints.add(where, "constant <" + name + ">: " + e.what());
+        Meaning nothing;
+        nothing.is_faulty = true;
+        words.emplace(name, nothing);
       }
   }
 
@@ -153,7 +160,7 @@ namespace samara
     if (std::find(functions.begin(), functions.end(), name) != functions.end())
       return "there is a function of that name; choose another.";
     const auto word = words.find(name);
-    if (word == words.end())
+    if (word == words.end() || word->second.is_faulty)
       return "";
     return word->second.is_unit ? "there is a unit of that name; choose another." :
                                   "there is already a constant of that name.";
@@ -226,16 +233,19 @@ namespace samara
   bool
   Quantities::is_si_unit(const std::string &text)
   {
-    try
-      {
-        const Evaluation evaluation(text, known_to_all());
-        const auto       measure = evaluation.measure(0);
-        return measure.is_consistent && std::abs(measure.value - 1) < 1e-12 && !evaluation.uses("lb");
-      }
-    catch (const std::invalid_argument &)
-      {
-        return false;
-      }
+    // asked for each entry of each object, always about the same few
+    static std::map<std::string, bool> answers;
+    const auto                         answer = answers.emplace(text, false);
+    if (answer.second)
+      try
+        {
+          const Evaluation evaluation(text, known_to_all());
+          const auto       measure = evaluation.measure(0);
+          answer.first->second = measure.is_consistent && std::abs(measure.value - 1) < 1e-12 && !evaluation.uses("lb");
+        }
+      catch (const std::invalid_argument &)
+        {}
+    return answer.first->second;
   }
 
 

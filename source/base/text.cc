@@ -3,25 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numeric>
 
 namespace samara
 {
-  namespace
-  {
-    std::string
-    lower_case(std::string text)
-    {
-      for (char &c : text)
-        if (c >= 'A' && c <= 'Z')
-          c = static_cast<char>(c - 'A' + 'a');
-      return text;
-    }
-  } // namespace
-
-
-
   std::string
   trim(const std::string &text)
   {
@@ -93,28 +80,10 @@ namespace samara
 
 
   std::string
-  did_you_mean(const std::string &wrong, const std::vector<std::string> &candidates)
+  file_beside(const std::string &where, const std::string &name)
   {
-    // Beyond this distance a suggestion is a riddle; and a word of which no letter is kept is no suggestion at all.
-    const auto size     = static_cast<unsigned int>(wrong.size());
-    const auto accepted = size == 0 ? 0 : std::min(1 + size / 3, size - 1);
-
-    std::string  nearest;
-    unsigned int smallest = accepted + 1;
-    for (const auto &candidate : candidates)
-      {
-        const auto distance = edit_distance(lower_case(wrong), lower_case(candidate));
-        if (distance < smallest)
-          {
-            smallest = distance;
-            nearest  = candidate;
-          }
-      }
-    if (!nearest.empty())
-      return "; did you mean <" + nearest + ">?";
-    if (!candidates.empty() && candidates.size() <= 12)
-      return "; known: " + join(candidates, ", ") + ".";
-    return ".";
+    const std::filesystem::path file(where.substr(0, where.rfind(':')));
+    return (file.parent_path() / name).lexically_normal().string();
   }
 
 

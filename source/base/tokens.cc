@@ -10,6 +10,10 @@ namespace samara
 {
   namespace
   {
+    // who reads what this makes goes as deep as it is nested, and has a stack that ends
+    constexpr std::size_t  most_tokens         = 5000;
+    constexpr unsigned int deepest_parenthesis = 100;
+
     bool
     is_digit(const char c)
     {
@@ -150,12 +154,16 @@ namespace samara
     void
     check_parentheses(const std::string &text, const std::vector<Token> &tokens)
     {
-      int depth = 0;
+      if (tokens.size() > most_tokens)
+        throw std::invalid_argument("<" + text + ">: this is too long; name parts of it as constants.");
+      unsigned int depth = 0;
       for (const auto &token : tokens)
         {
-          depth += is_symbol(token, "(") - is_symbol(token, ")");
-          if (depth < 0)
+          if (depth == 0 && is_symbol(token, ")"))
             throw std::invalid_argument("<" + text + ">: a <)> has no <(>.");
+          depth += is_symbol(token, "(") - is_symbol(token, ")");
+          if (depth > deepest_parenthesis)
+            throw std::invalid_argument("<" + text + ">: parentheses are nested too deeply.");
         }
       if (depth > 0)
         throw std::invalid_argument("<" + text + ">: a <(> is not closed.");

@@ -59,7 +59,8 @@ namespace samara
   void
   Beam::initialize(Model &model_)
   {
-    model = &model_;
+    model             = &model_;
+    const auto before = model->complaints.count();
     try
       {
         if (parameters.require("Section", model->complaints))
@@ -76,10 +77,10 @@ namespace samara
     if (damping_ratio != std::vector<double>(damping_ratio.size(), 0.) && damping_frequency == 0)
       model->complaints.add(parameters.where("Damping ratio"),
                             "a damping ratio needs the <Damping frequency> it holds at");
-    if (!find_curve() || section == nullptr || !model->complaints.empty())
+    if (!find_curve() || section == nullptr || model->complaints.count() != before)
       return;
     make_cells();
-    if (model->complaints.empty())
+    if (model->complaints.count() == before)
       make_nodes_and_elements();
   }
 

@@ -9,11 +9,16 @@ namespace samara
   {
     ElementsWish wish;
     const auto   words = split_top_level(text, ',');
-    if (trim(words[0]) != "automatic")
+    if (words.empty())
+      throw std::invalid_argument("a value is missing.");
+    if (words[0] != "automatic")
       {
         wish.number = Value<unsigned int>::read(text, "", quantities);
         if (wish.number == 0)
           throw std::invalid_argument("<" + text + ">: a beam has at least one element.");
+        if (wish.number > most_elements_of_beam)
+          throw std::invalid_argument("<" + text + ">: a beam has at most " + std::to_string(most_elements_of_beam) +
+                                      " elements.");
         return wish;
       }
     wish.error = words.size() == 2 ? quantities.number(words[1], "") : 0.;

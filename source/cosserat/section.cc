@@ -1,8 +1,8 @@
 #include <samara/base/text.h>
+#include <samara/base/text_file.h>
 #include <samara/cosserat/section.h>
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace samara
@@ -210,11 +210,12 @@ namespace samara
             stations,
             "Sections at relative abscissae, linear in between: root at 0, tip at 1. Two sections at the same abscissa "
             "make a jump.");
-    prm.add("File",
+    prm.add_file(
+            "File",
             file,
             "Instead of stations: a CSV file whose first line names the columns: x (relative abscissa) and any of EA, "
             "GA2, GA3, GJ, EI2, EI3, EI23, mass, I2, I3, I23, y2 shear, y3 shear, y2 tension, y3 tension, y2 mass, y3 mass, "
-            "in SI units; relative to the working directory.");
+            "in SI units; relative to the .prm file that says it.");
   }
 
 
@@ -260,13 +261,13 @@ namespace samara
   void
   TableSection::read_file(Model &)
   {
-    std::ifstream in(file);
-    std::string   line;
-    if (!in || !std::getline(in, line))
-      throw std::invalid_argument("cannot read the file <" + file + ">");
+    std::istringstream in(text_of_file(file));
+    std::string        line;
+    std::getline(in, line);
     const auto columns = split_top_level(line, ',');
-    while (std::getline(in, line))
+    for (unsigned int number = 2; std::getline(in, line); ++number)
       {
+        const std::string place = " in " + file + ":" + std::to_string(number);
         EngineeringConstants c;
         const std::map<std::string, double *> variables = {
           {"EA", &c.EA},     {"GA2", &c.GA2},   {"GA3", &c.GA3}, {"GJ", &c.GJ},
@@ -279,12 +280,12 @@ namespace samara
         if (cells.empty())
           continue;
         if (cells.size() != columns.size())
-          throw std::invalid_argument("<" + line + "> has not as many numbers as the first line has names");
+          throw std::invalid_argument("<" + line + ">" + place + " has not as many numbers as the first line has names");
         for (unsigned int i = 0; i < cells.size(); ++i)
           {
             double number = 0;
             if (!text_to_number(cells[i], number))
-              throw std::invalid_argument("<" + cells[i] + "> in the file <" + file + "> is not a number");
+              throw std::invalid_argument("<" + cells[i] + ">" + place + " is not a number");
             if (columns[i] == "x")
               abscissae.push_back(number);
             else if (variables.count(columns[i]) == 1)

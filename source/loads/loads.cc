@@ -252,7 +252,7 @@ namespace samara
       {
         for (const auto &station : model.find<Body>(body, "body").stations())
           points.push_back({station.frame, station.weight, station.abscissa, {}});
-        if (points.empty() && model.complaints.empty())
+        if (points.empty())
           throw std::invalid_argument("body <" + body + "> has no length along which a load could act");
       }
     catch (const std::invalid_argument &problem)

@@ -56,7 +56,7 @@ namespace samara
   void
   Model::weld(const Frame &a, const Frame &b)
   {
-    Frame        A = root_of(a), B = root_of(b);
+    Frame A = root_of(a), B = root_of(b);
     if (B.node < A.node) // the ground must stay a root
       std::swap(A, B);
     if (A.node == B.node)
@@ -143,13 +143,27 @@ namespace samara
 
 
 
-  std::string
-  Model::nearest_name(const std::string &wrong, const std::vector<const Contribution *> &of) const
+  const std::vector<Contribution *> &
+  Model::named(const std::string &name) const
   {
+    for (; n_indexed < contributions.size(); ++n_indexed)
+      contributions_by_name[contributions[n_indexed]->name].push_back(contributions[n_indexed].get());
+    static const std::vector<Contribution *> none;
+    const auto                               found = contributions_by_name.find(name);
+    return found == contributions_by_name.end() ? none : found->second;
+  }
+
+
+
+  void
+  Model::refuse(const std::string &name, const std::string &noun, const std::vector<const Contribution *> &others) const
+  {
+    if (unmade.count(name) > 0)
+      throw FollowUp();
     std::vector<std::string> names;
-    for (const auto *c : of)
+    for (const auto *const c : others)
       names.push_back(c->name);
-    return did_you_mean(wrong, names);
+    throw std::invalid_argument("there is no " + noun + " <" + name + ">" + did_you_mean(name, names));
   }
 
 
@@ -173,9 +187,9 @@ namespace samara
     const std::string name   = trim(path.substr(0, dot)),
                       motion = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
     Contribution *joint      = &find<Contribution>(name, "joint");
-    for (const auto &c : contributions) // a body may have the same name
-      if (c->name == name && !c->rotation_names().empty())
-        joint = c.get();
+    for (auto *const c : named(name)) // a body may have the same name
+      if (!c->rotation_names().empty())
+        joint = c;
     const auto rotations = joint->rotation_names();
     if (rotations.empty())
       throw std::invalid_argument(joint->kind + " <" + name + "> has no free rotation that could be used");
@@ -195,20 +209,22 @@ namespace samara
   Model::probe(const std::string &path) const
   {
     const auto        dot  = path.find('.');
-    const std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const std::string name = trim(path.substr(0, dot)),
+                      rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
     // a section and a body may have the same name; the section has nothing to tell
     std::vector<std::string> known;
-    for (const auto &c : contributions)
-      if (c->name == name)
-        {
-          if (auto probe = c->probe(rest))
-            {
-              probe->name = path;
-              return *probe;
-            }
-          for (const auto &candidate : c->probe_names())
-            known.push_back(candidate);
-        }
+    for (const auto *const c : named(name))
+      {
+        if (c->is_faulty)
+          throw FollowUp();
+        if (auto probe = c->probe(rest))
+          {
+            probe->name = path;
+            return *probe;
+          }
+        for (const auto &candidate : c->probe_names())
+          known.push_back(candidate);
+      }
     find<Contribution>(name, "body or joint"); // complains if there is none
     throw std::invalid_argument("<" + name + "> has no <" + rest + ">" + did_you_mean(rest, known));
   }

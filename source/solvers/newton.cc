@@ -1,3 +1,4 @@
+#include <samara/base/interrupt.h>
 #include <samara/solvers/newton.h>
 
 #include <algorithm>
@@ -68,6 +69,7 @@ namespace samara
     double       smallest = 1e300;
     while (result.iterations < max_iterations)
       {
+        throw_if_interrupted();
         system.stresses(state, stress);
         system.residual(state, stress, residual);
         system.tangent(state, K);

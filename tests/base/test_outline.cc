@@ -39,7 +39,7 @@ namespace
                                     "  subsection hub\n"
                                     "  end\n"
                                     "end\n");
-    EXPECT_EQ(outline.where, "a.prm");
+    EXPECT_EQ(outline.where, "a.prm:1");
     EXPECT_EQ(outline.value("Title"), "A = b");
     ASSERT_NE(outline.section("Bodies"), nullptr);
     const auto &bodies = *outline.section("Bodies");

@@ -40,7 +40,7 @@ namespace
     run(const std::string &results = "results", const unsigned int n_jobs = 1)
     {
       Log   log(said);
-      Study study(file(), Outline::of_file(file()));
+      Study study(file(), InputFile(file()));
       study.run(folder.path + "/" + results, n_jobs, program, log);
       return study.members;
     }
@@ -164,7 +164,7 @@ TEST(Study, FinestLevelIsTheReference)
                               "  set Tolerance = 1e-3\n");
   text.replace(text.find("-0.8106090248815"), 16, "finest");
   study.write(text);
-  EXPECT_EQ(Study(study.file(), Outline::of_file(study.file())).reference_member, 3);
+  EXPECT_EQ(Study(study.file(), InputFile(study.file())).reference_member, 3);
 }
 
 

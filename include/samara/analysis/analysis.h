@@ -42,6 +42,11 @@ namespace samara
 
     virtual void add_parameters(Parameters &prm) = 0;
 
+    /** Complain about settings that do not fit each other, before anything is computed. */
+    virtual void
+    check(const std::vector<double> & /*rotor_speeds*/, Complaints &) const
+    {}
+
     /** Whether it writes checkpoints that a run can be continued from; the analyses before it are left out then. */
     virtual bool
     can_restart() const

@@ -24,6 +24,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void check(const std::vector<double> &rotor_speeds, Complaints &complaints) const override;
     void run(Context &context) override;
 
     bool

@@ -25,6 +25,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void check(const std::vector<double> &rotor_speeds, Complaints &complaints) const override;
     void start(Context &context) override;
     void run(Context &context) override;
     void finish(Context &context) override;

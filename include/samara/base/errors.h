@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace samara
@@ -34,6 +35,11 @@ namespace samara
 
 
 
+  /** These complaints, with @p where in front of those that do not say "file:line". */
+  std::vector<std::string> with_place(const std::vector<std::string> &complaints, const std::string &where);
+
+
+
   /** The input makes sense, but the computation did not arrive; what() says where it stopped. */
   class NotConverged : public std::runtime_error
   {
@@ -52,25 +58,51 @@ namespace samara
 
 
 
-  /** Collects what is wrong with the input in the order in which it was found. */
+  /**
+   * What is wrong follows from a mistake elsewhere, about which there is a complaint: nothing more is to be said.
+   * Thrown where a name belongs to something that could not be made; complaining about it counts, but has no words.
+   */
+  class FollowUp : public std::invalid_argument
+  {
+  public:
+    FollowUp()
+      : std::invalid_argument("")
+    {}
+  };
+
+
+
+  /** Collects what is wrong with the input. */
   class Complaints
   {
   public:
     /**
      * Note that @p text is wrong at @p where ("file:line", or "" when there is no place). The same words about the same
-     * place count once: several readers may stumble over one mistake.
+     * place count once: several readers may stumble over one mistake. Without a text it is a FollowUp. A text is cut in
+     * its middle if it is long, and what is not printable is escaped.
      */
     void add(const std::string &where, const std::string &text);
 
+    /** Add a complaint that has its place in front: what another collection has found. */
+    void add_all(const std::vector<std::string> &complaints);
+
+    /** Whether there are none that have words. */
     bool empty() const;
 
-    const std::vector<std::string> &all() const;
+    /** How often something was wrong so far; follow-ups count, too. */
+    std::size_t count() const;
 
-    /** Throw an InputError with all complaints, if there are any. */
+    /** By file, in the order in which files were first complained about, and by line. */
+    std::vector<std::string> all() const;
+
+    /** Throw an InputError with all complaints, if there are any; of very many the first ones, and how many there are.
+     */
     void throw_if_any() const;
 
   private:
-    std::vector<std::string> complaints;
+    std::vector<std::string>        complaints; ///< in the order in which they were found
+    std::unordered_set<std::string> known;
+    std::size_t                     n_follow_ups = 0;
   };
 } // namespace samara
 

@@ -21,7 +21,8 @@ namespace samara
   struct Meaning
   {
     std::array<Quantity, 2> readings;
-    bool                    is_unit = false;
+    bool                    is_unit   = false;
+    bool                    is_faulty = false; ///< a constant that could not be read: who uses it throws a FollowUp
   };
 
 

@@ -15,7 +15,8 @@ namespace samara
 
 
   /**
-   * While one lives, SIGINT and SIGTERM do not end the program but are only noted; a second one ends it at once.
+   * While one lives, SIGINT and SIGTERM do not end the program but are only noted; a second one ends it at once. One
+   * may live within the life of another.
    */
   class InterruptGuard
   {
@@ -27,6 +28,9 @@ namespace samara
 
     bool was_interrupted() const;
   };
+
+  /** To be called now and then by what takes long and has nothing to write. @throws Interrupted */
+  void throw_if_interrupted();
 } // namespace samara
 
 #endif

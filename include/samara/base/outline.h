@@ -32,10 +32,13 @@ namespace samara
     };
 
     std::string          name;
-    std::string          where;             ///< "file:line"; for the whole file its name
+    std::string          where;             ///< "file:line"; for the whole file its first line
     std::vector<Entry>   entries;           ///< own ones first, then those inherited
     std::vector<Outline> sections;          ///< the same
     bool                 inherited = false; ///< came here by `Copy of`, all of it
+
+    /** Of a whole file: subsections and ends do not match, and its indentation does not tell where. */
+    bool is_broken = false;
 
     /** Read a file and everything it includes, and resolve `Copy of`. Whatever is wrong goes to @p complaints. */
     static Outline of_file(const std::string &filename, Complaints &complaints);

@@ -6,7 +6,7 @@
 #include <samara/base/quantity.h>
 #include <samara/base/value.h>
 
-#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
 
 #include <functional>
 #include <memory>
@@ -20,7 +20,7 @@ namespace samara
    * The entries which one object has in its subsection of a .prm file, bound to its variables.
    *
    * An object declares each entry once with add(); there is no twin function that parses. parse() reads what the
-   * Outline has, with units and constants, checks it by the patterns of dealii::ParameterHandler, and writes the
+   * Outline has, with units and constants, checks it by the patterns of dealii::Patterns, and writes the
    * variables, which must stay where they are until then. A variable of which the file says nothing keeps its value.
    *
    * The unit of a number is what stands in the last brackets of its documentation, "Mass [kg].". Numbers without
@@ -38,6 +38,9 @@ namespace samara
              T                                   &variable,
              const std::string                   &documentation,
              const dealii::Patterns::PatternBase &pattern = *Value<T>::pattern());
+
+    /** The same for the name of a file, which is relative to the file that says it. */
+    void add_file(const std::string &name, std::string &variable, const std::string &documentation);
 
     /** The entries of the nested subsection @p name; a new one at the first call. */
     Parameters &subsection(const std::string &name);
@@ -110,17 +113,13 @@ namespace samara
     /** "<hub> (rigid body)" */
     std::string description() const;
 
-    /** Call @p action while the handler is inside of our subsection. */
-    void inside(const std::function<void(dealii::ParameterHandler &)> &action) const;
-
-    std::string                               name;
-    std::string                               kind;
-    std::string                               place;
-    std::vector<Entry>                        entries;
-    std::vector<std::unique_ptr<Parameters>>  subsections;
-    std::vector<std::string>                  ignored;
-    std::vector<std::string>                  path;    ///< of this subsection in the handler
-    std::shared_ptr<dealii::ParameterHandler> handler; ///< one for all nested subsections
+    std::string                              name;
+    std::string                              kind;
+    std::string                              place;
+    std::vector<Entry>                       entries;
+    std::vector<std::unique_ptr<Parameters>> subsections;
+    std::vector<std::string>                 ignored;
+    std::string                              step; ///< name of this subsection in the one around it
   };
 
 

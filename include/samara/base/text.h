@@ -23,9 +23,22 @@ namespace samara
 
   /**
    * The end of a complaint about a @p wrong name: "; did you mean <X>?" with the nearest candidate; if none is near,
-   * "; known: a, b, c." provided that they are few; and otherwise ".". Upper and lower case are not told apart.
+   * "; known: a, b, c." provided that they are few; and otherwise ".". Upper and lower case are not told apart. What
+   * other programs call it, "pin" for a revolute joint, is known.
    */
   std::string did_you_mean(const std::string &wrong, const std::vector<std::string> &candidates);
+
+  /**
+   * @p text for people: bytes that are no printable UTF-8 are escaped, "\\x1b", but for line feeds; a line of more than
+   * some hundred letters is cut in its middle, for what was said stands at its beginning and what is wrong at its end.
+   */
+  std::string readable(const std::string &text);
+
+  /** The name of a file that was written at the place "file:line", which it is relative to; "--set" has no folder. */
+  std::string file_beside(const std::string &where, const std::string &name);
+
+  /** Whether did_you_mean() still looks for names: of ten thousand mistakes only the first hundreds need advice. */
+  bool may_suggest();
 
   /** The shortest text that reads as exactly this number. */
   std::string number_to_text(double number);

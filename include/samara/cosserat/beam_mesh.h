@@ -11,6 +11,9 @@ namespace samara
   /** Of the polynomials of an element. */
   constexpr unsigned int highest_beam_degree = 6;
 
+  /** More would not fit into the memory, and is a mistyped number. */
+  constexpr unsigned int most_elements_of_beam = 1'000'000;
+
 
 
   /** What a user says of the elements of a beam: how many, "4", or how accurate, "automatic, 1e-4". */

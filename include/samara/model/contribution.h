@@ -52,6 +52,9 @@ namespace samara
     std::string name, kind;
     Parameters  parameters;
 
+    /** There has been a complaint about it: it is not initialized, or not to its end, and must not be used. */
+    bool is_faulty = false;
+
     /** Bind every entry this kind has in the input file to a variable. */
     virtual void
     add_parameters(Parameters &)

@@ -2,11 +2,14 @@
 #define samara_model_model_h
 
 #include <samara/base/errors.h>
+#include <samara/base/text.h>
 #include <samara/model/contribution.h>
 #include <samara/model/frame.h>
 
 #include <map>
 #include <memory>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace samara
 {
@@ -52,8 +55,8 @@ namespace samara
     struct Node
     {
       std::string name;
-      Vector3     x; ///< reference position [m]
-      Matrix3     D; ///< reference triad
+      Vector3     x;       ///< reference position [m]
+      Matrix3     D;       ///< reference triad
       Matrix6     inertia; ///< in the node's frame: [m I, −m c~; m c~, J], J about the node [kg, kg m, kg m²]
     };
 
@@ -89,7 +92,7 @@ namespace samara
     /** A frame by its path: "ground", "shaft 1.start". @throws std::invalid_argument saying what is known. */
     Frame frame(const std::string &path) const;
 
-    /** A contribution by name, as the type that is wanted. @throws std::invalid_argument */
+    /** A contribution by name, as the type that is wanted. @throws std::invalid_argument, FollowUp if it is faulty */
     template <typename Kind>
     Kind &find(const std::string &name, const std::string &noun) const;
 
@@ -109,14 +112,14 @@ namespace samara
     struct Rotation
     {
       std::string name;
-      double      speed      = 0; ///< [rad/s]
+      double      speed      = 0;  ///< [rad/s]
       int         coordinate = -1; ///< of the joint; negative: the whole model turns
       Vector3     axis = Vector3::UnitZ(), through = Vector3::Zero();
     };
     std::vector<Rotation> rotations;
 
     std::vector<std::unique_ptr<Contribution>> contributions;
-    std::vector<Node>                          nodes;       ///< after close(): those that are left
+    std::vector<Node>                          nodes; ///< after close(): those that are left
     std::vector<std::string>                   coordinates, coordinate_units;
 
     /** The multiplier that keeps the angle of each rotation at a joint: the rotation's own, or a prescribed one. */
@@ -127,12 +130,23 @@ namespace samara
 
     Complaints complaints;
 
+    /** Names of what could not even be constructed; there is a complaint about each. */
+    std::unordered_set<std::string> unmade;
+
   private:
-    std::string nearest_name(const std::string &wrong, const std::vector<const Contribution *> &of) const;
+    /** All contributions of that name, in their order. Contributions are added, and never taken away nor renamed. */
+    const std::vector<Contribution *> &named(const std::string &name) const;
+
+    /** Complains about a name that find() has not found. @throws std::invalid_argument, FollowUp */
+    [[noreturn]] void
+    refuse(const std::string &name, const std::string &noun, const std::vector<const Contribution *> &others) const;
 
     std::vector<Frame> parent;  // of every node that was added: a frame on the node it is welded to, or itself
     std::vector<int>   kept_as; // number of a root among the nodes that are left
     Frame              root_of(const Frame &frame) const;
+
+    mutable std::unordered_map<std::string, std::vector<Contribution *>> contributions_by_name;
+    mutable std::size_t                                                  n_indexed = 0; ///< contributions in it
   };
 
 
@@ -141,15 +155,19 @@ namespace samara
   Kind &
   Model::find(const std::string &name, const std::string &noun) const
   {
-    std::vector<const Contribution *> candidates;
-    for (const auto &c : contributions)
-      if (auto *const wanted = dynamic_cast<Kind *>(c.get()))
+    for (auto *const c : named(name))
+      if (auto *const wanted = dynamic_cast<Kind *>(c))
         {
-          if (c->name == name)
-            return *wanted;
-          candidates.push_back(c.get());
+          if (c->is_faulty)
+            throw FollowUp();
+          return *wanted;
         }
-    throw std::invalid_argument("there is no " + noun + " <" + name + ">" + nearest_name(name, candidates));
+    std::vector<const Contribution *> others;
+    if (may_suggest())
+      for (const auto &c : contributions)
+        if (dynamic_cast<Kind *>(c.get()) != nullptr)
+          others.push_back(c.get());
+    refuse(name, noun, others);
   }
 } // namespace samara
 

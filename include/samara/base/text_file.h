@@ -1,0 +1,16 @@
+#ifndef samara_base_text_file_h
+#define samara_base_text_file_h
+
+#include <string>
+
+namespace samara
+{
+  /**
+   * All that a text file says, read at once, without a byte order mark, and with a line feed at the end of each line.
+   * What is no file is refused before it is opened, so that nobody waits for a pipe; so is a file of more than 256 MiB.
+   * @throws std::invalid_argument naming the file and what is wrong with it
+   */
+  std::string text_of_file(const std::string &name);
+} // namespace samara
+
+#endif
