@@ -276,8 +276,7 @@ namespace samara
     read_methods(outline, complaints);
     for (unsigned int i = 0; i < methods.size(); ++i)
       make_members(*methods[i], i, complaints);
-    if (complaints.empty())
-      add_reference(complaints);
+    add_reference(complaints);
     if (members.size() > most_members)
       complaints.add(settings.where("Values"),
                      "these are " + std::to_string(members.size()) + " members; a study has at most " +
@@ -408,7 +407,7 @@ namespace samara
         for (unsigned int i = 0; i < members.size(); ++i)
           if (members[i].method == 0 || is_ladder)
             reference_member = i;
-        if (members.size() == 1)
+        if (members.size() == 1 && complaints.empty())
           complaints.add(where, "there is one member only, and nothing to compare it with; give a <Reference>");
       }
     else if (!text_to_number(reference, number))
@@ -421,7 +420,8 @@ namespace samara
             if (!is_file(reference_file))
               throw std::runtime_error("<" + reference + "> is not a number, and there is no file <" + reference_file +
                                        ">; write a number, a file, or <finest>");
-            read_series(reference_file, reference_column);
+            if (!reference_column.empty()) // a quantity that could not be read has no name
+              read_series(reference_file, reference_column);
           }
         catch (const std::runtime_error &problem)
           {

@@ -40,7 +40,7 @@ namespace samara
       {"rigid body", "mass, point mass, lumped mass, body, rigid"},
       {"tube", "pipe, circle, circular, round"},
       {"rectangle", "box"},
-      {"matrix", "stiffness"},
+      {"matrices", "matrix, stiffness, stiffness matrix"},
       {"gravity", "weight"},
       {"point load", "force, moment, torque"},
       {"line load", "distributed load, pressure"},

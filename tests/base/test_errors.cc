@@ -44,6 +44,61 @@ namespace
 
 
 
+  TEST(Complaints, StandInTheOrderOfTheFile)
+  {
+    Complaints complaints;
+    complaints.add("b.prm:10", "ten");
+    complaints.add("a.prm:3", "three");
+    complaints.add("b.prm:9", "nine");
+    complaints.add("b.prm:10", "ten again: see a.prm:2: there");
+    EXPECT_EQ(complaints.all(),
+              (std::vector<std::string>{"b.prm:9: nine",
+                                        "b.prm:10: ten",
+                                        "b.prm:10: ten again: see a.prm:2: there",
+                                        "a.prm:3: three"}));
+  }
+
+
+
+  TEST(Complaints, FollowUpsCountAndHaveNoWords)
+  {
+    Complaints complaints;
+    complaints.add("a.prm:1", FollowUp().what());
+    EXPECT_EQ(complaints.count(), 1u);
+    EXPECT_TRUE(complaints.empty());
+    EXPECT_NO_THROW(complaints.throw_if_any());
+  }
+
+
+
+  TEST(Complaints, OfVeryManyTheFirstOnesAreShown)
+  {
+    Complaints complaints;
+    for (unsigned int i = 1; i <= 5000; ++i)
+      complaints.add("a.prm:" + std::to_string(i), "wrong");
+    try
+      {
+        complaints.throw_if_any();
+        FAIL() << "nothing was thrown";
+      }
+    catch (const InputError &e)
+      {
+        ASSERT_EQ(e.complaints.size(), 1001u);
+        EXPECT_EQ(e.complaints[999], "a.prm:1000: wrong");
+        EXPECT_EQ(e.complaints[1000], "... and 4000 more mistakes.");
+      }
+  }
+
+
+
+  TEST(InputError, GetsThePlaceThatItDoesNotHave)
+  {
+    EXPECT_EQ(with_place({"a.prm:1: wrong", "wrong: 3"}, "b.prm:7"),
+              (std::vector<std::string>{"a.prm:1: wrong", "b.prm:7: wrong: 3"}));
+  }
+
+
+
   TEST(InputError, OfOneLine)
   {
     const InputError error("a.prm:1: wrong");

@@ -97,8 +97,8 @@ namespace
                        "a.prm:11: this subsection has no name.",
                        "a.prm:13: this 'set' has no name before the '='.",
                        "a.prm:14: this 'include' names no file.",
-                       "a.prm:16: subsection <deep> has no 'end'.",
-                       "a.prm:15: subsection <open> has no 'end'."}));
+                       "a.prm:15: subsection <open> has no 'end'.",
+                       "a.prm:16: subsection <deep> has no 'end'."}));
   }
 
 

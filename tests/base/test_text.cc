@@ -55,6 +55,69 @@ namespace
 
 
 
+  TEST(Text, KnowsWhatOtherProgramsCallIt)
+  {
+    EXPECT_EQ(did_you_mean("pin", {"spherical", "revolute"}), "; did you mean <revolute>?");
+    EXPECT_EQ(did_you_mean("Pin Joint", {"spherical", "revolute"}), "; did you mean <revolute>?");
+    EXPECT_EQ(did_you_mean("rod", {"rigid body", "beam"}), "; did you mean <beam>?");
+    EXPECT_EQ(did_you_mean("rod", {"revolute", "distance"}), "; did you mean <distance>?");
+    EXPECT_EQ(did_you_mean("pin", {"x"}), "; known: x.") << "who is not there is not suggested";
+  }
+
+
+
+  TEST(Text, LongWordsAreNoMistypedOnes)
+  {
+    EXPECT_EQ(did_you_mean(std::string(1'000'000, 'a'), {std::string(999'999, 'a')}),
+              "; known: " + std::string(999'999, 'a') + ".");
+  }
+
+
+
+  TEST(Text, WhatIsNotPrintableIsEscaped)
+  {
+    EXPECT_EQ(readable("a\x1b[31m\x7f\tb"), "a\\x1b[31m\\x7f b");
+    EXPECT_EQ(readable("two\nlines"), "two\nlines");
+    EXPECT_EQ(readable("Träger 5 µm €"), "Träger 5 µm €");
+    EXPECT_EQ(readable("Tr\xe4ger"), "Tr\\xe4ger") << "Latin-1 is not UTF-8";
+    EXPECT_EQ(readable("\xc2\x9b"), "\\xc2\\x9b") << "a control character of two bytes";
+    EXPECT_EQ(readable(std::string(1, '\0')), "\\x00");
+    EXPECT_EQ(readable("\xe2\x82"), "\\xe2\\x82") << "cut in its middle";
+  }
+
+
+
+  TEST(Text, LongLinesAreCutInTheirMiddle)
+  {
+    const std::string exactly(400, 'x');
+    EXPECT_EQ(readable(exactly), exactly);
+    for (const std::size_t size : {401, 5000, 1'000'000})
+      {
+        const std::string text = readable("begin" + std::string(size, 'x') + "end\n" + exactly);
+        EXPECT_EQ(text.size(), 240 + 5 + 140 + 1 + 400u);
+        EXPECT_EQ(text.substr(0, 6), "beginx");
+        EXPECT_EQ(text.substr(240, 5), " ... ");
+        EXPECT_EQ(text.substr(240 + 5 + 136, 5), "xend\n");
+      }
+    std::string euros;
+    for (unsigned int i = 0; i < 5000; ++i)
+      euros += "€";
+    EXPECT_EQ(readable(euros).size(), 3 * (240 + 140) + 5u) << "no letter of several bytes is cut";
+  }
+
+
+
+  TEST(Text, FilesAreRelativeToThoseThatNameThem)
+  {
+    EXPECT_EQ(file_beside("models/rotor.prm:12", "blade.csv"), "models/blade.csv");
+    EXPECT_EQ(file_beside("models/rotor.prm:12", "../blade.csv"), "blade.csv");
+    EXPECT_EQ(file_beside("models/rotor.prm:12", "/data/blade.csv"), "/data/blade.csv");
+    EXPECT_EQ(file_beside("rotor.prm:12", "blade.csv"), "blade.csv");
+    EXPECT_EQ(file_beside("--set", "blade.csv"), "blade.csv");
+  }
+
+
+
   TEST(Text, NumbersSurviveTheWayThroughText)
   {
     for (const double x : {0.1, 1. / 3, -2.5e-300, 6.02214076e23, 0., 4.})
