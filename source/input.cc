@@ -158,10 +158,14 @@ namespace samara
     read_analyses(catalogue, outline, quantities, complaints);
     initialize_objects();
     outlines.clear();
-    if (!rotor_speeds.empty() && model.rotations.empty() && model.unmade.empty())
+    const auto turns = [](const auto &c) { return c->kind == "steady rotation"; };
+    if (!rotor_speeds.empty() && model.unmade.empty() &&
+        std::none_of(model.contributions.begin(), model.contributions.end(), turns))
       model.complaints.add(root.where("Rotor speeds"),
                            "<Rotor speeds> need a load of type <steady rotation> that says what turns");
     complaints.add_all(model.complaints.all());
+    Assert(!complaints.empty() || model.complaints.count() == 0,
+           dealii::ExcMessage("something follows from a mistake about which there is no complaint"));
     if (!complaints.empty())
       find_more_mistakes(complaints);
     complaints.throw_if_any();

@@ -1,16 +1,42 @@
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/text.h>
 #include <samara/base/threads.h>
 #include <samara/program.h>
 
 #include <CLI/CLI.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <iostream>
+#include <new>
 
 #ifndef SAMARA_VERSION
 #  define SAMARA_VERSION "unknown"
 #endif
+
+namespace
+{
+  /**
+   * More memory than the machine has is refused, with a message, instead of bringing the machine down. The address
+   * sanitizer reserves more than there is and cannot be limited.
+   */
+  void
+  limit_memory()
+  {
+#ifndef __SANITIZE_ADDRESS__
+    rlimit       limit = {};
+    const rlim_t all   = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGE_SIZE));
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur <= all)
+      return;
+    limit.rlim_cur = all;
+    setrlimit(RLIMIT_AS, &limit);
+#endif
+  }
+} // namespace
+
+
 
 int
 main(int argc, char **argv)
@@ -37,7 +63,7 @@ main(int argc, char **argv)
     }
   catch (const CLI::ParseError &error)
     {
-      std::cerr << "samara: " << error.what() << "; see samara --help\n";
+      std::cerr << "samara: " << samara::readable(error.what()) << "; see samara --help\n";
       return samara::input_error;
     }
   if (help->count() > 0 && options.help_about.empty())
@@ -49,6 +75,7 @@ main(int argc, char **argv)
     {
       // no MPI, which would want to start a daemon and complains where it cannot; one thread, until the model says more
       samara::set_threads(1);
+      limit_memory();
       std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
       samara::Log log(std::cout, options.quiet);
       samara::run(options, log);
@@ -56,27 +83,32 @@ main(int argc, char **argv)
     }
   catch (const samara::InputError &error)
     {
-      std::cerr << error.what() << '\n';
+      std::cerr << samara::readable(error.what()) << '\n';
       return samara::input_error;
     }
   catch (const samara::NotConverged &error)
     {
-      std::cerr << error.what() << '\n';
+      std::cerr << samara::readable(error.what()) << '\n';
       return samara::not_converged;
     }
   catch (const samara::Interrupted &stop)
     {
-      std::cerr << stop.what() << '\n';
+      std::cerr << samara::readable(stop.what()) << '\n';
       return samara::interrupted;
     }
   catch (const samara::CannotWrite &error)
     {
-      std::cerr << "samara: " << error.what() << '\n';
+      std::cerr << "samara: " << samara::readable(error.what()) << '\n';
+      return samara::internal_error;
+    }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "samara: there is not enough memory for this model\n";
       return samara::internal_error;
     }
   catch (const std::exception &error)
     {
-      std::cerr << "samara: internal error: " << error.what() << '\n';
+      std::cerr << "samara: internal error: " << samara::readable(error.what()) << '\n';
       return samara::internal_error;
     }
 }

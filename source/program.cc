@@ -118,20 +118,16 @@ namespace samara
 
 
 
-    /** Whether the file is a parameter study; it is done then. */
-    bool
+    void
     run_study(const Options &options, InputFile file, Log &log)
     {
-      if (!Study::is_study(file.outline))
-        return false; // mistakes are for those who read models
       for (const auto &override : options.overrides)
         file.outline.set(override, file.complaints);
-      Study study(options.model, file);
+      Study study(options.model, std::move(file));
       if (options.check)
         log.line(options.model + ": no mistakes found\n  members           " + std::to_string(study.members.size()));
       else
         study.run(folder_of_results(options), options.jobs, options.program, log);
-      return true;
     }
 
 
@@ -176,8 +172,8 @@ namespace samara
     const auto start           = std::chrono::steady_clock::now();
     const auto processor_start = std::clock();
     InputFile  file(options.model);
-    if (run_study(options, file, log))
-      return;
+    if (Study::is_study(file.outline))
+      return run_study(options, std::move(file), log);
 
     // a mere check solves nothing, and sees the first mesh of automatic elements
     const bool is_automatic = !options.check && has_automatic_meshes(file.outline, options.overrides);

@@ -9,7 +9,7 @@ namespace samara
 {
   namespace
   {
-    constexpr std::size_t most_shown = 1000; ///< complaints at once; nobody reads more
+    constexpr std::size_t most_shown = 1000, most_kept = 100'000; ///< complaints; nobody reads more
 
     /** The file and the line of "file:line: what is wrong"; the line is 0 if there is none. */
     std::pair<std::string, unsigned long>
@@ -76,7 +76,9 @@ namespace samara
   Complaints::add_all(const std::vector<std::string> &others)
   {
     for (const auto &complaint : others)
-      if (known.insert(complaint).second)
+      if (complaints.size() >= most_kept)
+        ++n_follow_ups; // too many to be kept
+      else if (known.insert(complaint).second)
         complaints.push_back(complaint);
   }
 
@@ -128,7 +130,8 @@ namespace samara
     if (shown.size() > most_shown)
       {
         shown.resize(most_shown);
-        shown.push_back("... and " + std::to_string(complaints.size() - most_shown) + " more mistakes.");
+        shown.push_back("... and " + std::string(complaints.size() < most_kept ? "" : "more than ") +
+                        std::to_string(complaints.size() - most_shown) + " more mistakes.");
       }
     throw InputError(shown);
   }

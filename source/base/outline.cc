@@ -124,6 +124,8 @@ namespace samara
     const std::string value = trim(path_and_value.substr(equal + 1));
     if (value.find('{') != std::string::npos)
       return complaints.add(where, "<" + path + ">: a value must not contain '{'.");
+    if (std::any_of(value.begin(), value.end(), [](const unsigned char c) { return c < 0x20 && c != '\t'; }))
+      return complaints.add(where, "<" + path + ">: there is a control character in <" + value + ">.");
 
     Outline    *target = this;
     std::size_t begin  = 0;

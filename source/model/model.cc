@@ -85,6 +85,11 @@ namespace samara
   void
   Model::close()
   {
+    // a node is welded to one with a smaller number, of which the root is known by then: chains of welds may be long
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      if (parent[i].node != i)
+        parent[i] = parent[parent[i].node].then(parent[i].arm, parent[i].rotation);
+
     std::vector<Node> kept;
     kept_as.assign(nodes.size(), -1);
     for (unsigned int i = 0; i < nodes.size(); ++i)

@@ -181,6 +181,26 @@ TEST(Growth, OfBodiesAndJoints)
 
 
 
+// A chain of bodies, each welded to the one before it, from its end to its beginning.
+TEST(Growth, OfWelds)
+{
+  EXPECT_LT(growth(10'000,
+                   [](const unsigned int n) {
+                     Model              model;
+                     std::vector<Frame> frames;
+                     for (unsigned int i = 0; i < n; ++i)
+                       frames.push_back(model.add_node("node", Vector3(i, 0, 0), Matrix3::Identity()));
+                     for (unsigned int i = n - 1; i > 0; --i)
+                       model.weld(frames[i - 1], frames[i]);
+                     model.close();
+                     EXPECT_EQ(model.nodes.size(), 2u);
+                     EXPECT_EQ(model.resolved(frames.back()).arm, Vector3(n - 1., 0, 0));
+                   }),
+            between_linear_and_quadratic);
+}
+
+
+
 // Ten thousand bodies with their joints fit into some hundred megabytes.
 TEST(Growth, OfMemory)
 {
