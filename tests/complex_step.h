@@ -15,8 +15,8 @@ namespace samara
   class ComplexStep
   {
   public:
-    /** Triads are not @p orthonormal unless wanted: tangents must not rely on that. All switches are on, or off. */
-    explicit ComplexStep(const System &system, const bool orthonormal = false, const bool switched_on = false)
+    /** Triads are not @p orthonormal unless wanted: tangents must not rely on that. Stops act if @p with_stops. */
+    explicit ComplexStep(const System &system, const bool orthonormal = false, const bool with_stops = false)
       : system(system)
       , n(system.size())
       , state(system.reference())
@@ -30,7 +30,7 @@ namespace samara
         state.q[i] += 0.2 * number(random);
       for (auto &lambda : state.multipliers)
         lambda = 5 * number(random);
-      std::fill(state.switches.begin(), state.switches.end(), switched_on);
+      state.stops  = with_stops;
       state.time   = 0.4;
       state.factor = 0.8;
       system.stresses(state, state.stress);
@@ -154,7 +154,7 @@ namespace samara
                                    state.time,
                                    state.factor,
                                    state.held,
-                                   state.switches.data()};
+                                   state.stops};
         for (const auto &c : system.model.contributions)
           {
             const unsigned int first = c->first_strain;

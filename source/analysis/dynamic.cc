@@ -62,6 +62,11 @@ namespace samara
       "Newton's method stops when velocities change by less, relative to the largest, and the energy statement is "
       "satisfied to this part of the energy [1].",
       Double(0));
+    prm.add("Energy balance",
+            energy_balance,
+            "What to do when the energy account misses more than the Newton tolerance explains: refuse the results, which "
+            "are written, with exit code 3; or warn.",
+            Selection("refuse|warn"));
     prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
     prm.add(
       "Inconsistent velocities",
@@ -196,6 +201,16 @@ namespace samara
       return sum;
     }
 
+    /** Of all bodies [rad/s]. */
+    double
+    largest_spin(const State &state)
+    {
+      double square = 0;
+      for (unsigned int i = 6; i < state.y.size(); i += 6)
+        square = std::max(square, Eigen::Map<const Vector3>(&state.y[i + 3]).squaredNorm());
+      return std::sqrt(square);
+    }
+
     /** What a checkpoint must fit: the unknowns with their names. */
     std::string
     fingerprint_of(const System &system)
@@ -207,7 +222,7 @@ namespace samara
         text += name + ';';
       for (const auto &name : system.layout.multiplier_names)
         text += name + ';';
-      return text + std::to_string(system.layout.n_strains) + ';' + std::to_string(system.layout.n_switches);
+      return text + std::to_string(system.layout.n_strains) + ';' + std::to_string(system.layout.stops.size());
     }
 
     std::string
@@ -301,6 +316,9 @@ namespace samara
     budget.dissipated = n.at("numerical dissipation");
     budget.start      = n.at("energy at start");
     n_rows            = n.at("rows");
+    n_judged          = n.at("judged steps");
+
+    report.largest_energy = n.at("largest energy");
     state             = checkpoint.state;
     if (control == "adaptive")
       stepper.next_step = checkpoint.step;
@@ -324,6 +342,8 @@ namespace samara
                               {"damper loss", budget.viscous},
                               {"numerical dissipation", budget.dissipated},
                               {"energy at start", budget.start},
+                              {"largest energy", report.largest_energy},
+                              {"judged steps", n_judged},
                               {"rows", n_rows},
                               {"reference energy", stepper.controller ? stepper.controller->E_ref : 0.}};
     samara::write_checkpoint(checkpoint_file(context), checkpoint);
@@ -456,7 +476,7 @@ namespace samara
     report          = {};
     budget          = {};
     State state     = context.state;
-    n_rows          = 0;
+    n_rows = n_judged = 0;
     if (context.restart)
       restore(context, state, stepper);
     else
@@ -469,11 +489,11 @@ namespace samara
     if (!context.restart)
       budget.start = budget.kinetic + budget.strain + budget.potential;
 
+    set_energy_floor(system);
     InterruptGuard interrupt;
     Projection     projection(system);
     Output         output(context, *this, begin);
     auto           last_progress = clock_start, last_checkpoint = clock_start;
-    double         largest_energy = 1e-300;
     const auto     seconds_since  = [](const Clock::time_point &t) {
       return std::chrono::duration<double>(Clock::now() - t).count();
     };
@@ -524,14 +544,14 @@ namespace samara
               before = state;
             const double  from    = state.time;
             const Advance advance = stepper.advance(state, goal);
+            const double  before_step = budget.balance();
             account(context, state, advance.step);
+            judge(context, advance, from, before_step);
             report.n_rejected += advance.n_rejected;
             report.n_failed += advance.n_failed;
-            report.n_events += advance.n_events;
-            largest_energy = std::max(
-              {largest_energy, budget.kinetic + budget.strain, std::abs(budget.loads), std::abs(budget.drives)});
-            report.largest_balance = std::max(report.largest_balance, std::abs(budget.balance()) / largest_energy);
-            double second          = std::nan("");
+            report.n_touches += advance.step.touches.size();
+            report.turn   = std::max(report.turn, advance.h * largest_spin(state));
+            double second = std::nan("");
             if (second_estimate)
               {
                 halves->forget_history();
@@ -577,6 +597,7 @@ namespace samara
       }
     close();
     summarize(context, integrator);
+    conclude(context);
   }
 
 
@@ -591,10 +612,11 @@ namespace samara
     if (report.n_rejected + report.n_failed > 0)
       text += ", " + std::to_string(report.n_rejected) + " rejected, " + std::to_string(report.n_failed) +
               " without solution";
-    if (report.n_events > 0)
-      text += ", " + std::to_string(report.n_events) + " events";
+    if (report.n_touches > 0)
+      text += ", " + std::to_string(report.n_touches) + " times a stop was touched or left";
     text += "; " + format("%.3g", report.seconds) + " s, " + format("%.3g", report.processor_seconds) +
-            " s of the processor; the energy budget closes to " + format("%.1e", report.largest_balance);
+            " s of the processor; the energy budget closes to " + format("%.1e", report.largest_balance) +
+            (report.largest_energy > energy_floor ? " of the largest energy" : ": nothing moves") + resolution(integrator);
     context.log.line(text);
   }
 } // namespace samara

@@ -52,6 +52,16 @@ namespace samara
         if (used[i]->has_upper_stop)
           stops.push_back({i, used[i]->upper_stop, 1.});
       }
+    for (const Stop &s : stops)
+      {
+        const FreeMotion &m = *used[s.motion];
+        layout.stops.push_back({static_cast<unsigned int>(m.coordinate),
+                                s.place,
+                                s.side,
+                                m.stop_stiffness,
+                                m.stop_damping,
+                                "joint " + name + (s.side > 0 ? ", upper" : ", lower") + " stop of the " + m.name});
+      }
 
     first_multiplier = layout.add_multipliers(rows);
     first_row        = layout.of_multiplier(first_multiplier);
@@ -86,23 +96,6 @@ namespace samara
 
 
 
-  unsigned int
-  Joint::n_switches() const
-  {
-    return stops.size();
-  }
-
-
-
-  void
-  Joint::switch_values(const Point<double> &point, double *values) const
-  {
-    for (unsigned int i = 0; i < stops.size(); ++i)
-      values[i] = stops[i].side * (point.coordinates[used[stops[i].motion]->coordinate] - stops[i].place);
-  }
-
-
-
   double
   Joint::next_corner(const double from, const double to) const
   {
@@ -118,7 +111,9 @@ namespace samara
   double
   Joint::touches(const Point<Number> &point, const unsigned int i) const
   {
-    return point.switches != nullptr && point.switches[first_switch + i] != 0 ? 1. : 0.;
+    const Stop  &s   = stops[i];
+    const double gap = s.side * (std::real(point.coordinates[used[s.motion]->coordinate]) - s.place);
+    return point.stops && gap > 0 ? 1. : 0.;
   }
 
 
@@ -272,8 +267,10 @@ namespace samara
       }
     if constexpr (with_forces)
       {
+        // a damper that would pull is cut
         for (unsigned int i = 0; i < stops.size(); ++i)
-          r[block.row(12 + stops[i].motion)] += touches(point, i) * stress[used.size() + i];
+          if (stops[i].side * std::real(stress[used.size() + i]) > 0)
+            r[block.row(12 + stops[i].motion)] += touches(point, i) * stress[used.size() + i];
         add_no_slip_forces(pair, lambda + row, r);
         forces.add_to_nodes(pair, r + block.row(0), r + block.row(6));
       }

@@ -17,10 +17,8 @@ namespace samara
       {
         const unsigned int multipliers_before = n_multipliers;
         c->first_strain                       = n_strains;
-        c->first_switch                       = n_switches;
         c->connect(*this);
         n_strains += c->n_strains();
-        n_switches += c->n_switches();
         if (n_multipliers > multipliers_before)
           constraining.push_back(c.get());
       }

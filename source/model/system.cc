@@ -44,7 +44,6 @@ namespace samara
     state.y.assign(6 * layout.n_nodes, 0.);
     state.multipliers.assign(layout.n_multipliers, 0.);
     state.stress.assign(layout.n_strains, 0.);
-    state.switches.assign(layout.n_switches, 0);
     state.motion.resize(layout.n_nodes);
     return state;
   }

@@ -206,7 +206,6 @@ namespace samara
       for (const auto &[path, vector] : vectors_of_state)
         write(file, path, state.*vector);
       write(file, "state/motion", numbers_of(state.motion));
-      write(file, "state/switches", state.switches);
       write(file, "state/time", std::vector<double>{state.time});
       write(file, "state/factor", std::vector<double>{state.factor});
       write(file, "state/held", std::vector<double>{state.held ? 1. : 0.});
@@ -220,11 +219,10 @@ namespace samara
       State state;
       for (const auto &[path, vector] : vectors_of_state)
         state.*vector = read<double>(file, path);
-      state.motion   = motion_of(read<double>(file, "state/motion"));
-      state.switches = read<char>(file, "state/switches");
-      state.time     = read_number(file, "state/time");
-      state.factor   = read_number(file, "state/factor");
-      state.held     = read_number(file, "state/held") != 0;
+      state.motion = motion_of(read<double>(file, "state/motion"));
+      state.time   = read_number(file, "state/time");
+      state.factor = read_number(file, "state/factor");
+      state.held   = read_number(file, "state/held") != 0;
       return state;
     }
 

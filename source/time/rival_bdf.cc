@@ -235,10 +235,9 @@ namespace samara
     begin.held         = false;
     if (rivals::is_corner(system, state.time, tiny))
       is_running = false;
-    work.switches = state.switches;
-    work.held     = false;
-    work.factor   = state.factor;
-    last_time     = rivals::is_corner(system, end, tiny) ? end - tiny : end;
+    work.held   = false;
+    work.factor = state.factor;
+    last_time   = rivals::is_corner(system, end, tiny) ? end - tiny : end;
 
     Ida     &i          = *ida;
     long int iterations = 0, done = 0, steps = 0, steps_done = 0;

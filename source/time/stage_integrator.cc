@@ -104,18 +104,16 @@ namespace samara
     StepResult result;
     state.held = false;
     // where the last step ended, strains are known
-    if (!e_end.empty() && state.q == final_q && state.coordinates == final_coordinates &&
-        state.switches == switches_at_end)
+    if (!e_end.empty() && state.q == final_q && state.coordinates == final_coordinates)
       std::swap(e_start, e_end);
     else
       system.strains(state, e_start);
     e_end.clear();
     const auto energy = system.energy(state, e_start);
     energy_scale      = energy.kinetic + energy.strain;
+    start_stops(state);
     predict(state, h);
     bool converged = false;
-    if (frozen.switches != state.switches)
-      factored_step = 0;
     if (std::abs(factored_step / h - 1) < 1e-9)
       {
         converged = iterate(state, h, 0.3, result);
@@ -322,7 +320,6 @@ namespace samara
       {
         Stage &stage      = stages[k];
         stage.time        = state.time + tableau.c(k) * h;
-        stage.switches    = state.switches.data();
         stage.multipliers = state.multipliers;
         stage.stress      = state.stress;
         stage.y           = state.y;
@@ -395,7 +392,6 @@ namespace samara
       }
     state.time += h;
     system.strains(state, e_end);
-    switches_at_end = state.switches;
     system.stresses(state, e_end, state.stress);
   }
 } // namespace samara

@@ -2,6 +2,8 @@
 
 #include <samara/time/stage_integrator.h>
 
+#include <cmath>
+
 namespace samara
 {
   void
@@ -36,6 +38,20 @@ namespace samara
           result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
       }
 
+    // where most work is left by Newton's method, for messages
+    double most = -1;
+    for (const Stage &stage : stages)
+      for (unsigned int i = 0; i < static_cast<unsigned int>(system.layout.of_multiplier(0)); ++i)
+        {
+          const unsigned int n_nodal = 6 * (system.layout.n_nodes - 1);
+          const double       work    = std::abs(stage.residual[i] * (i < n_nodal ? stage.y[6 + i] : stage.rates[i - n_nodal]));
+          if (work > most)
+            {
+              most         = work;
+              result.worst = i;
+            }
+        }
+
     // dampers: the power of the viscous stresses is the product with their own strain rates
     if (has_damping)
       {
@@ -51,6 +67,8 @@ namespace samara
                 result.viscous_loss += h * tableau.b(k) * c->power(stress_increment.data() + c->first_strain, rates);
               }
       }
+
+    account_for_stops(state, h, result);
 
     // constraints do the work −λ·(ġ − ∂g/∂t); for those that do not depend on time it vanishes over the step
     for (unsigned int k = 0; k < s && system.layout.n_multipliers > 0; ++k)

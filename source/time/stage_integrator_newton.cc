@@ -24,8 +24,9 @@ namespace samara
   StageIntegrator::freeze(const State &state, const double h)
   {
     // the mean of the stages; places and triads half a step after the start
-    frozen      = state;
-    frozen.time = state.time + 0.5 * h;
+    frozen       = state;
+    frozen.time  = state.time + 0.5 * h;
+    frozen.stops = false;
     for (auto *const values : {&frozen.y, &frozen.rates, &frozen.multipliers, &frozen.stress})
       std::fill(values->begin(), values->end(), 0.);
     const auto add = [](const double b, const std::vector<double> &from, std::vector<double> &to) {
@@ -100,6 +101,7 @@ namespace samara
     factored_step        = h;
     n_steps_with_factors = 0;
     extra_iterations     = 0;
+    forget_columns();
   }
 
 
@@ -146,6 +148,9 @@ namespace samara
           factors[j].complex->solve(x.data());
         }
     });
+
+    if (!correct_for_stops(h))
+      return std::nan("");
 
     // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
     for (unsigned int j = 0; j < factors.size(); ++j)

@@ -372,6 +372,7 @@ namespace samara
           }
         kinetic_energy += tableau.b(k) * add_inertia(k, state, h);
       }
+    evaluate_stops(h);
     evaluate_constraints(state, h);
   }
 } // namespace samara

@@ -113,16 +113,23 @@ namespace samara
 
 
   StepController::Decision
-  StepController::decide(const double indicator, const double h)
+  StepController::decide(const double indicator, const double work_defect, const double h)
   {
     // nothing dissipated: nothing to resolve, whatever the reference
     const double zeta   = indicator == 0 ? 0. : indicator / E_ref;
     const double wanted = settings.safety * std::sqrt(Y_target / relation.inverse(zeta));
-    const double ratio  = std::clamp(wanted,
-                                    settings.least_ratio,
-                                    hold > 0 ? 1. : std::min(settings.largest_ratio, 1.2 * std::max(1., last_ratio)));
-    last_ratio          = wanted;
-    const bool good     = zeta <= settings.reject_factor * zeta_target;
+    const double by_energy =
+      std::clamp(wanted,
+                 settings.least_ratio,
+                 hold > 0 ? 1. : std::min(settings.largest_ratio, 1.2 * std::max(1., last_ratio)));
+    last_ratio = wanted;
+
+    // contact: N/E ~ h^2.5 where a stop is touched or left within the step
+    const double defect    = work_defect == 0 ? 0. : work_defect / E_ref / settings.tolerance;
+    const bool   resolves  = defect <= 3;
+    const double of_defect = std::max(0.2, (resolves ? 0.9 : 0.8) * std::pow(defect, -0.4));
+    const double ratio     = std::min(by_energy, of_defect);
+    const bool   good      = resolves && zeta <= settings.reject_factor * zeta_target;
 
     Decision decision;
     decision.accept = good || h <= settings.smallest_step;

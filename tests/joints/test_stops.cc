@@ -1,7 +1,5 @@
-// Stops: linear springs and dampers that act on a free motion while their switches are on. Closed forms.
-//
-// Statics do not turn switches; here they are turned by hand, so that what a stop does can be told by equilibria and
-// modes.
+// Stops in statics and modes: linear springs and dampers that push on a free motion while their gap is positive. Closed
+// forms.
 
 #include "../scene.h"
 #include <gtest/gtest.h>
@@ -31,13 +29,6 @@ namespace
     throw std::logic_error("no joint");
   }
 
-  /** The first of the joint's switches is that of the lower stop. */
-  void
-  turn_on(Scene &scene, const unsigned int i)
-  {
-    scene.context.state.switches.at(joint(scene).first_switch + i) = 1;
-  }
-
   std::string
   complaint(const std::string &text)
   {
@@ -55,20 +46,20 @@ namespace
 
 
 
-// What is positive is touched: lower − θ, θ − upper.
-TEST(Stops, SwitchFunctions)
+// They are all that an integrator sees: coordinates, places, sides.
+TEST(Stops, AreListedInTheLayout)
 {
-  Scene  scene(model("revolute", "rotation", both_stops));
-  State &state = scene.context.state;
-  ASSERT_EQ(scene.system.layout.n_switches, 2u);
-  ASSERT_EQ(state.switches.size(), 2u);
-  for (const double theta : {-0.7, -0.1, 3.})
+  const Scene scene(model("revolute", "rotation", both_stops + "set Stop damping = 3\n"));
+  ASSERT_EQ(scene.system.layout.stops.size(), 2u);
+  for (unsigned int i = 0; i < 2; ++i)
     {
-      state.coordinates[0] = theta;
-      double values[2];
-      joint(scene).switch_values(state.point(), values);
-      EXPECT_DOUBLE_EQ(values[0], -0.5 - theta);
-      EXPECT_DOUBLE_EQ(values[1], theta - 0.4);
+      const Layout::Stop &stop = scene.system.layout.stops[i];
+      EXPECT_EQ(stop.coordinate, 0u);
+      EXPECT_EQ(stop.place, i == 0 ? -0.5 : 0.4);
+      EXPECT_EQ(stop.side, i == 0 ? -1. : 1.);
+      EXPECT_EQ(stop.stiffness, 10.);
+      EXPECT_EQ(stop.damping, 3.);
+      EXPECT_EQ(stop.name, std::string("joint j, ") + (i == 0 ? "lower" : "upper") + " stop of the rotation");
     }
 }
 
@@ -76,13 +67,11 @@ TEST(Stops, SwitchFunctions)
 
 TEST(Stops, OnlyOnOneSide)
 {
-  Scene upper(model("prismatic", "displacement", "set Upper stop = 0.4\nset Stop stiffness = 10\n"));
-  ASSERT_EQ(upper.system.layout.n_switches, 1u);
-  double value;
-  joint(upper).switch_values(upper.context.state.point(), &value);
-  EXPECT_DOUBLE_EQ(value, -0.4);
-  Scene none(model("prismatic", "displacement", "set Stop stiffness = 10\n"));
-  EXPECT_EQ(none.system.layout.n_switches, 0u);
+  const Scene upper(model("prismatic", "displacement", "set Upper stop = 0.4\nset Stop stiffness = 10\n"));
+  ASSERT_EQ(upper.system.layout.stops.size(), 1u);
+  EXPECT_EQ(upper.system.layout.stops[0].side, 1.);
+  const Scene none(model("prismatic", "displacement", "set Stop stiffness = 10\n"));
+  EXPECT_TRUE(none.system.layout.stops.empty());
 }
 
 
@@ -94,7 +83,7 @@ TEST(Stops, UseTheMotion)
   Scene scene(model("revolute", "rotation", "set Lower stop = 0\nset Stop stiffness = 10\n"));
   EXPECT_EQ(scene.system.layout.n_coordinates, 1u);
   EXPECT_EQ(scene.system.layout.n_strains, 2u);
-  EXPECT_EQ(scene.system.layout.n_switches, 1u);
+  EXPECT_EQ(scene.system.layout.stops.size(), 1u);
 }
 
 
@@ -107,7 +96,6 @@ TEST(Stops, HoldAgainstAMoment)
       const double stop = upper ? 0.4 : -0.5, M = upper ? 3 : -3;
       Scene        scene(
         model("revolute", "rotation", both_stops + "set Spring = 2\nset Moment = " + (upper ? "3\n" : "-3\n")));
-      turn_on(scene, upper ? 1 : 0);
       scene.equilibrium();
       const double theta = (M + 10 * stop) / 12;
       EXPECT_NEAR(scene.value("j.rotation") * M_PI / 180, theta, 1e-10);
@@ -125,7 +113,6 @@ TEST(Stops, ForceOfTheJoint)
   Scene scene(model("prismatic", "displacement", both_stops) +
               "subsection Loads\n subsection f\n set Type = point load\n set At = body.centre\n"
               " set Force = 0, 0, 7\n end\nend\n");
-  turn_on(scene, 1);
   scene.equilibrium();
   EXPECT_NEAR(scene.value("j.displacement"), 0.4 + 7. / 10, 1e-10);
   EXPECT_NEAR(scene.value("j.force 3"), -7., 1e-9);
@@ -133,31 +120,38 @@ TEST(Stops, ForceOfTheJoint)
 
 
 
-// A stop whose switch is off does nothing, wherever the motion is; neither does one without switches.
-TEST(Stops, NothingWhileOff)
+// Short of the stop the spring is alone; where stops are left to an integrator they do nothing, wherever the motion is.
+TEST(Stops, NothingWhileNotTouched)
 {
-  Scene scene(model("revolute", "rotation", both_stops + "set Spring = 2\nset Moment = 3\nset Stop damping = 4\n"));
+  Scene scene(model("revolute", "rotation", both_stops + "set Spring = 10\nset Moment = 3\nset Stop damping = 4\n"));
   scene.equilibrium();
-  EXPECT_NEAR(scene.value("j.rotation") * M_PI / 180, 1.5, 1e-10);
-  EXPECT_NEAR(scene.system.energy(scene.context.state).strain, 0.5 * 2 * 1.5 * 1.5, 1e-9);
-  Point<double> point = scene.context.state.point();
-  point.switches      = nullptr;
+  EXPECT_NEAR(scene.value("j.rotation") * M_PI / 180, 0.3, 1e-10);
+  EXPECT_NEAR(scene.system.energy(scene.context.state).strain, 0.5 * 10 * 0.3 * 0.3, 1e-9);
+  State state          = scene.context.state;
+  state.coordinates[0] = 1.5;
   double e[3];
-  joint(scene).strains(point, e);
-  EXPECT_NEAR(e[0], 1.5, 1e-10);
+  joint(scene).strains(state.point(), e);
+  EXPECT_EQ(e[1], 0.);
+  EXPECT_NEAR(e[2], 1.1, 1e-15);
+  state.stops = false;
+  joint(scene).strains(state.point(), e);
+  EXPECT_NEAR(e[0], 1.5, 1e-15);
   EXPECT_EQ(e[1], 0.);
   EXPECT_EQ(e[2], 0.);
 }
 
 
 
-// A body that touches a stop and stays there: m d¨ + c ḋ + k d = 0, m = 2, k = 8, c = 0.8. Touching nothing it is free.
+// Pressed on its stop by F = 4, a body of m = 2 moves as m d¨ + c ḋ + k d = F, k = 8, c = 0.8. Touching nothing it is
+// free.
 TEST(Stops, Modes)
 {
   const std::string text =
     model("prismatic", "displacement", "set Upper stop = 0\nset Stop stiffness = 8\nset Stop damping = 0.8\n");
-  Scene touching(text);
-  turn_on(touching, 0);
+  Scene touching(text + "subsection Loads\n subsection f\n set Type = point load\n set At = body.centre\n"
+                        " set Force = 0, 0, 4\n end\nend\n");
+  touching.equilibrium();
+  EXPECT_NEAR(touching.value("j.displacement"), 0.5, 1e-10);
   ASSERT_EQ(touching.modes().size(), 1u);
   EXPECT_NEAR(touching.modes()[0].frequency(), 2., 1e-10);
   EXPECT_NEAR(touching.modes()[0].damping_ratio(), 0.1, 1e-10);

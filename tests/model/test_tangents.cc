@@ -99,7 +99,7 @@ end
 )",
                  ""};
     const std::string used = "set Spring = 2\n set Damper = 0.3\n set Rest = 0.2\n set Prescribed = 0.1 + 0.2*t\n"
-                             " set Lower stop = -0.1\n set Upper stop = 0.3\n set Stop stiffness = 1.5\n"
+                             " set Lower stop = 0.4\n set Upper stop = 0.5\n set Stop stiffness = 1.5\n"
                              " set Stop damping = 0.4\n end\n";
     const std::map<std::string, std::vector<std::string>> motions = {{"revolute", {"rotation"}},
                                                                      {"prismatic", {"displacement"}},
@@ -179,10 +179,10 @@ TEST(Tangents, AgreeWithComplexStep)
     {
       const Scene scene(text.model());
       for (const bool orthonormal : {true, false})
-        for (const bool switched_on : {false, true})
+        for (const bool with_stops : {false, true})
           {
-            const ComplexStep check(scene.system, orthonormal, switched_on);
-            const std::string where = kind + (orthonormal ? "" : ", triads deformed") + (switched_on ? ", on stops" : "");
+            const ComplexStep check(scene.system, orthonormal, with_stops);
+            const std::string where = kind + (orthonormal ? "" : ", triads deformed") + (with_stops ? ", on stops" : "");
             EXPECT_LT(check.error_of_tangent(), 2e-14) << where;
             EXPECT_LT(check.error_of_damping(), 2e-14) << where << ", damping";
           }
@@ -194,6 +194,6 @@ TEST(Tangents, AgreeWithComplexStep)
 TEST(Tangents, StrainRatesAreDerivativesOfStrains)
 {
   for (const auto &[kind, text] : scenes())
-    for (const bool switched_on : {false, true})
-      EXPECT_LT(ComplexStep(Scene(text.model()).system, false, switched_on).error_of_strain_rates(), 1e-13) << kind;
+    for (const bool with_stops : {false, true})
+      EXPECT_LT(ComplexStep(Scene(text.model()).system, false, with_stops).error_of_strain_rates(), 1e-13) << kind;
 }

@@ -60,7 +60,6 @@ namespace
     state.motion[0].spin     = {1, 2, 1. / 7};
     state.motion[1].velocity = {-0., 4, 5};
     state.motion[1].at       = {6, 7, 8};
-    state.switches           = {0, 1, 1, 0, 1};
     state.time               = 0.1 + 0.2;
     state.factor             = std::nextafter(1., 2.);
     state.held               = false;
@@ -92,7 +91,6 @@ namespace
         for (unsigned int d = 0; d < 3; ++d)
           EXPECT_EQ(bits({(a.state.motion[node].*vector)(d)}), bits({(b.state.motion[node].*vector)(d)}));
 
-    EXPECT_EQ(a.state.switches, b.state.switches);
     EXPECT_EQ(bits({a.state.time, a.state.factor, a.step}), bits({b.state.time, b.state.factor, b.step}));
     EXPECT_EQ(a.state.held, b.state.held);
     EXPECT_EQ(a.fingerprint, b.fingerprint);

@@ -122,7 +122,7 @@ TEST(StepController, ReachesTheRightStepAtOnce)
     for (const double factor : {0.5, 0.7, 0.85, 1., 2.5})
       {
         const double h        = factor * right;
-        const auto   decision = control.decide(3. * control.relation.value(std::pow(w * h, 2)), h);
+        const auto   decision = control.decide(3. * control.relation.value(std::pow(w * h, 2)), 0., h);
         const bool   stays    = factor > 0.8 && factor < 1.03; // not worth a change
         EXPECT_NEAR(decision.next_h / right, stays ? factor : 0.9, 1e-12);
         EXPECT_EQ(decision.accept, factor <= 1);
@@ -145,23 +145,23 @@ TEST(StepController, Limits)
   EXPECT_EQ(control.E_ref, 2);
   const double target = 2 * control.zeta_target;
 
-  auto d = control.decide(1e-6 * target, 0.1);
+  auto d = control.decide(1e-6 * target, 0., 0.1);
   EXPECT_TRUE(d.accept);
   EXPECT_DOUBLE_EQ(d.next_h, 0.2); // at most twice as long
-  EXPECT_DOUBLE_EQ(control.decide(1e-6 * target, 0.4).next_h, 0.5);
-  EXPECT_TRUE(control.decide(1.99 * target, 0.1).accept);
+  EXPECT_DOUBLE_EQ(control.decide(1e-6 * target, 0., 0.4).next_h, 0.5);
+  EXPECT_TRUE(control.decide(1.99 * target, 0., 0.1).accept);
 
-  d = control.decide(2.01 * target, 0.1);
+  d = control.decide(2.01 * target, 0., 0.1);
   EXPECT_FALSE(d.accept);
   EXPECT_LT(d.next_h, 0.09);
-  d = control.decide(100., 0.1); // more than any oscillator can lose
+  d = control.decide(100., 0., 0.1); // more than any oscillator can lose
   EXPECT_FALSE(d.accept);
   EXPECT_DOUBLE_EQ(d.next_h, 0.03);
-  d = control.decide(100., 2e-3);
+  d = control.decide(100., 0., 2e-3);
   EXPECT_FALSE(d.accept);
   EXPECT_DOUBLE_EQ(d.next_h, 1e-3);
   EXPECT_EQ(control.n_forced, 0u);
-  d = control.decide(100., 1e-3);
+  d = control.decide(100., 0., 1e-3);
   EXPECT_TRUE(d.accept); // the smallest step is accepted
   EXPECT_DOUBLE_EQ(d.next_h, 1e-3);
   EXPECT_EQ(control.n_forced, 1u);
@@ -174,14 +174,14 @@ TEST(StepController, NoLongerStepAfterARejectionOrFailure)
 {
   StepController control(Tableau(3, 0.5), {});
   control.update(1);
-  EXPECT_FALSE(control.decide(1., 0.1).accept);
-  EXPECT_DOUBLE_EQ(control.decide(0., 0.1).next_h, 0.1);
-  EXPECT_DOUBLE_EQ(control.decide(0., 0.1).next_h, 0.2);
+  EXPECT_FALSE(control.decide(1., 0., 0.1).accept);
+  EXPECT_DOUBLE_EQ(control.decide(0., 0., 0.1).next_h, 0.1);
+  EXPECT_DOUBLE_EQ(control.decide(0., 0., 0.1).next_h, 0.2);
   EXPECT_DOUBLE_EQ(control.after_failure(0.2), 0.1);
-  EXPECT_FALSE(control.decide(1., 0.1).accept);
+  EXPECT_FALSE(control.decide(1., 0., 0.1).accept);
   for (unsigned int i = 0; i < 10; ++i)
-    EXPECT_DOUBLE_EQ(control.decide(0., 0.1).next_h, 0.1);
-  EXPECT_DOUBLE_EQ(control.decide(0., 0.1).next_h, 0.2);
+    EXPECT_DOUBLE_EQ(control.decide(0., 0., 0.1).next_h, 0.1);
+  EXPECT_DOUBLE_EQ(control.decide(0., 0., 0.1).next_h, 0.2);
   EXPECT_EQ(control.n_rejections, 2u);
   EXPECT_EQ(control.n_failures, 1u);
 }
@@ -203,10 +203,10 @@ TEST(StepController, FailureAtTheSmallestStepIsTheEnd)
 TEST(StepController, WithoutEnergy)
 {
   StepController control(Tableau(2, 0.), {});
-  EXPECT_TRUE(control.decide(0., 0.1).accept);
-  EXPECT_FALSE(control.decide(1e-20, 0.1).accept);
+  EXPECT_TRUE(control.decide(0., 0., 0.1).accept);
+  EXPECT_FALSE(control.decide(1e-20, 0., 0.1).accept);
   control.update(1e-10); // the least that matters
-  EXPECT_TRUE(control.decide(1e-20, 0.1).accept);
+  EXPECT_TRUE(control.decide(1e-20, 0., 0.1).accept);
 }
 
 
@@ -344,7 +344,7 @@ namespace
         const double work = 2 * problem.torque * std::asin(state.q(0) * next.q(1) - state.q(1) * next.q(0));
         EXPECT_NEAR(after - before, work - t.alpha * indicator, 1e-11 * std::pow(problem.size(), 2));
         control.update(after);
-        const auto decision = control.decide(indicator, step);
+        const auto decision = control.decide(indicator, 0., step);
         h                   = decision.next_h;
         if (decision.accept)
           {

@@ -36,9 +36,23 @@ namespace samara
     /** What the run took. */
     struct Report
     {
-      unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0, n_rejected = 0, n_failed = 0, n_events = 0;
+      unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0, n_rejected = 0, n_failed = 0, n_touches = 0;
       double       seconds = 0, processor_seconds = 0; ///< by the clock; of the processor, all threads [s]
-      double       largest_balance = 0;                ///< of the energy that does not close, relative
+
+      /** @name The energy account, relative to the largest energy that moved (DynamicAnalysis::judge()) @{ */
+      double      largest_balance = 0; ///< of the energy that does not close
+      double      largest_miss    = 0; ///< of a single step, which is this one:
+      double      worst_time      = 0; ///< [s]
+      std::string worst_place;         ///< where Newton's method left most work in it
+      bool        does_close = true;   ///< within what the Newton tolerance explains
+      /** @} */
+
+      /** @name What a step is, at most @{ */
+      double turn           = 0; ///< of a body [rad]
+      double indicator      = 0; ///< D/α [J]
+      double work_defect    = 0; ///< of the stops [J]
+      double largest_energy = 0; ///< of what moved [J]
+      /** @} */
     };
     Report report;
 
@@ -65,11 +79,21 @@ namespace samara
     double start_time = 0, end_time = 1, step = 1e-3, tolerance = 1e-4, smallest_step = 1e-10, largest_step = 0,
            spectral_radius = 0.5, newton_tolerance = 1e-10, seconds_between_checkpoints = 60;
     unsigned int n_stages = 3, output_every = 1, n_pictures = 100, max_iterations = 50;
-    std::string  control = "fixed", inconsistent = "project", integrator = "family";
+    std::string  control = "fixed", inconsistent = "project", integrator = "family", energy_balance = "refuse";
     bool         second_estimate = false;
 
   private:
     struct Output;
+    double energy_floor = 0; ///< of a motion by a millionth of the model in the run [J]
+    double n_judged     = 0; ///< steps so far
+
+    void set_energy_floor(const System &system);
+    /** Judge the account of a step: what it misses, relative to the energies that moved so far. */
+    void judge(const Context &context, const Advance &advance, double time, double balance_before);
+    /** What a step is, in radians and as an error; nothing for integrators that do not tell. */
+    std::string resolution(const Integrator &integrator) const;
+    /** Say what does not hold. @throws NotConverged if the energy account does not close, unless told otherwise. */
+    void conclude(const Context &context) const;
     double n_rows = 0; ///< steps on the grid since the start; of each of <Output every> a row is written
 
     std::unique_ptr<Integrator> make_integrator(const System &system, double tolerance) const;

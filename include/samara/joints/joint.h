@@ -125,7 +125,8 @@ namespace samara
    *     screw             d − p θ = 0
    *     no slip           0; b·y = 0 is a constraint on velocities alone, its tangent row is b
    *
-   * Strains are d − rest of the motions in use, then d − stop of their stops, 0 while the stop's switch is 0.
+   * Strains are d − rest of the motions in use, then d − stop of their stops, 0 while the stop is not touched. In time steps
+   * of the integrator family Layout::stops stand for them.
    */
   class Joint : public Evaluated<Joint>
   {
@@ -150,10 +151,7 @@ namespace samara
 
     std::unique_ptr<LinearStrains> linear_strains() const override;
 
-    /** One switch a stop: how far it is passed. */
-    unsigned int n_switches() const override;
-    void         switch_values(const Point<double> &point, double *values) const override;
-    double       next_corner(double from, double to) const override;
+    double next_corner(double from, double to) const override;
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;
@@ -238,7 +236,7 @@ namespace samara
     std::vector<Stop>         stops;
     std::vector<std::string>  rows; ///< names of the multipliers
 
-    /** Whether the switch of stop @p i is on, as a factor. */
+    /** Whether stop @p i is touched, as a factor. */
     template <typename Number>
     double touches(const Point<Number> &point, unsigned int i) const;
 

@@ -161,26 +161,14 @@ namespace samara
     /** @} */
 
     /**
-     * @name Events
-     * A switch is 1 while its function of the state is positive: a stop that is touched. Time steps end where the
-     * function changes its sign, and at corners of what depends on time.
-     * @{
+     * First time in (from, to) where something this contribution prescribes has a corner or a jump; infinity if none.
+     * Time steps end there.
      */
-    virtual unsigned int
-    n_switches() const
-    {
-      return 0;
-    }
-    /** The functions, starting at this contribution's own first switch. */
-    virtual void switch_values(const Point<double> &, double *) const {}
-
-    /** First time in (from, to) where something this contribution prescribes has a corner or a jump; infinity if none. */
     virtual double
     next_corner(double /*from*/, double /*to*/) const
     {
       return std::numeric_limits<double>::infinity();
     }
-    /** @} */
 
     /** Add what the user says of this contribution's velocities at the start to the twists of its nodes. */
     virtual void
@@ -207,8 +195,6 @@ namespace samara
 
     /** First strain of this contribution in the state's stress, set by the layout. */
     unsigned int first_strain = 0;
-    /** The same of its switches. */
-    unsigned int first_switch = 0;
   };
 
 

@@ -23,7 +23,7 @@ namespace samara
     double        time        = 0;       ///< [s], of functions of time
     double        factor      = 1;       ///< of all loads and prescribed motions; the load steps of statics
     bool          held        = true;    ///< steady rotations hold their joints (statics), or leave them free
-    const char   *switches    = nullptr; ///< 0 or 1, see Contribution::switch_values(); null: all 0
+    bool          stops       = true;    ///< touched by the sign of their gap here; or left to who integrates in time
   };
 
 
@@ -44,9 +44,9 @@ namespace samara
     std::vector<Motion> motion;
 
     double time = 0, factor = 1;
-    bool   held = true;
+    bool   held  = true;
+    bool   stops = true; ///< see Point::stops
 
-    std::vector<char>   switches;      ///< 0 or 1, see Contribution::switch_values()
     std::vector<double> accelerations; ///< ẏ, 6 a node, and of the joint coordinates; empty where they are not known
 
     Vector3
@@ -65,7 +65,7 @@ namespace samara
     point() const
     {
       return {q.data(),      coordinates.data(), y.data(), rates.data(), multipliers.data(),
-              stress.data(), time,               factor,   held,         switches.data()};
+              stress.data(), time,               factor,   held,         stops};
     }
   };
 } // namespace samara

@@ -16,7 +16,7 @@ namespace samara
 
     const Model &model;
 
-    unsigned int n_nodes = 0, n_coordinates = 0, n_multipliers = 0, n_strains = 0, n_switches = 0;
+    unsigned int n_nodes = 0, n_coordinates = 0, n_multipliers = 0, n_strains = 0;
 
     unsigned int
     n_unknowns() const
@@ -62,6 +62,19 @@ namespace samara
       unsigned int multiplier, coordinate;
     };
     std::vector<Correction> corrections;
+
+    /**
+     * What presses on a joint coordinate from one side only: with the gap g = side (coordinate − place), positive where
+     * it is touched, the force k g⁺ + c ġ against growing g, never pulling.
+     */
+    struct Stop
+    {
+      unsigned int coordinate;
+      double       place, side;        ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
+      double       stiffness, damping; ///< k [N/m] or [N m/rad], c [N s/m] or [N m s/rad]
+      std::string  name;               ///< for messages: "joint hinge, upper stop of the rotation"
+    };
+    std::vector<Stop> stops;
 
     /**
      * Multipliers of constraints on velocities alone, b(q) y = 0 (rolling): only constraint_rates() says what they are.

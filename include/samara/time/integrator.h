@@ -1,7 +1,7 @@
 #ifndef samara_time_integrator_h
 #define samara_time_integrator_h
 
-#include <samara/model/system.h>
+#include <samara/time/stage_stops.h>
 
 namespace samara
 {
@@ -16,8 +16,11 @@ namespace samara
     double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate; see wants_indicator
     double       work_of_loads = 0, viscous_loss = 0;
     double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
+    double       work_defect     = 0; ///< Σ|N| of stops: what their energy would change by without correction
     double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
-    unsigned int worst           = 0; ///< unknown with the largest force left, if not converged
+    unsigned int worst           = 0; ///< unknown with the largest force left; if converged, with the most work left
+
+    std::vector<Touch> touches; ///< stops that were touched or left in the step
   };
 
 

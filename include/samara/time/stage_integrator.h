@@ -4,6 +4,7 @@
 #include <samara/solvers/linear.h>
 #include <samara/time/integrator.h>
 #include <samara/time/projection.h>
+#include <samara/time/stage_stops.h>
 #include <samara/time/tableau.h>
 
 namespace samara
@@ -66,7 +67,7 @@ namespace samara
       std::vector<double> excess; ///< what the configuration's stress has more than it
       std::vector<double> strain_rates, residual, constraint_rates;
       double              time;
-      const char         *switches;
+      bool                stops = false; ///< these act in all stages at once
 
       Point<double>
       point() const
@@ -80,7 +81,7 @@ namespace samara
                 time,
                 1.,
                 false,
-                switches};
+                stops};
       }
     };
     std::vector<Stage> stages;
@@ -106,7 +107,6 @@ namespace samara
 
     std::vector<double> e_start, final_q, final_coordinates, constraints_at_end;
     std::vector<double> e_end; ///< strains where the last step ended; empty: not known
-    std::vector<char>   switches_at_end;
 
     /** Velocities at the start and the stages of the last step, and whether extrapolating them was a good start. */
     std::vector<std::vector<double>> previous;
@@ -150,6 +150,35 @@ namespace samara
     /** λ̄ ρ, the force of a correction per rate. */
     double force_of(const Layout::Correction &correction, double h) const;
     double solve(double h);
+
+    /** @name Stops; gaps at the start, forces of the last evaluation @{ */
+    std::vector<double>     gaps, free_rates;
+    std::vector<StopForces> stop_forces_now;
+    /** Answers of the factors to unit forces on joint coordinates. */
+    struct Column
+    {
+      bool                              is_known = false;
+      std::vector<double>               real;
+      std::vector<std::complex<double>> complex;
+    };
+    std::vector<Column>       columns;
+    std::vector<unsigned int> touched;
+    Eigen::VectorXd           stop_free, rate_changes, force_changes;
+    Eigen::MatrixXd           stop_compliance, stop_matrix;
+
+    void          start_stops(const State &state);
+    void          evaluate_stops(double h);
+    const Column &column(unsigned int coordinate);
+    void          forget_columns();
+    const double *gap_rates(unsigned int i, double *rates) const;
+    double        free_rate(unsigned int i, unsigned int k, double h) const;
+    void          compliance(unsigned int a, unsigned int b, double h, Eigen::Ref<Eigen::MatrixXd> W);
+    bool          find_stop_forces(double h, bool from_free);
+    bool          correct_for_stops(double h);
+    void          add_stop_reactions(double h);
+    void          account_for_stops(const State &state, double h, StepResult &result);
+    /** @} */
+
     /** Call f(j) for the factors j, side by side if they are large. */
     void for_factors(const std::function<void(unsigned int)> &f) const;
     void correct_stresses();

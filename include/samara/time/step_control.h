@@ -100,14 +100,17 @@ namespace samara
     void update(double energy);
 
     /**
-     * @param indicator D/α = h²/(2(2s−1)) |Σ b_k p_k F_k|², which is there for α = 0, too.
-     * @param h         the step that was made. After one cut short to meet a time, go on with the step proposed before.
+     * @param indicator   D/α = h²/(2(2s−1)) |Σ b_k p_k F_k|², which is there for α = 0, too.
+     * @param work_defect Σ|N| of stops; it may be `tolerance` times the reference energy, and a step is rejected from
+     *                    three times that. The shorter of both steps is taken.
+     * @param h          the step that was made. After one cut short to meet a time, go on with the step proposed
+     * before.
      *
      * A step in which an oscillation turns around has an indicator near zero: it alone makes the next one longer by a
      * fifth at most. The step after a rejection is not made longer, nor are `patience` steps after a failure. At the
      * smallest step everything is accepted.
      */
-    Decision decide(double indicator, double h);
+    Decision decide(double indicator, double work_defect, double h);
 
     /**
      * The step to try when the equations of a step @p h could not be solved: half of it.

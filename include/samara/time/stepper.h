@@ -14,14 +14,13 @@ namespace samara
     StepResult   step;
     double       h          = 0;
     unsigned int n_rejected = 0, n_failed = 0; ///< attempts before it, too inaccurate or without a solution
-    unsigned int n_events = 0;                 ///< switches that changed at its end
   };
 
 
 
   /**
-   * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner or a switch
-   * changes, halved where Newton's method finds no solution. Nothing is lost by a step that is rejected.
+   * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner,
+   * halved where Newton's method finds no solution. Nothing is lost by a step that is rejected.
    */
   class Stepper
   {
@@ -49,17 +48,10 @@ namespace samara
     Integrator         &integrator;
     const double        fixed_step, smallest_step;
     State               trial;
-    std::vector<double> start_values, end_values;
-    std::vector<double> steady_twists;      ///< of the start: kinetic energy counts without them
-    unsigned int        n_changes_here = 0; ///< of switches without a step between them
+    std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
 
     double corner(double from, double to) const;
-    void   switch_values(const State &state, std::vector<double> &values) const;
-    bool   agrees(unsigned int i, const std::vector<double> &values, const State &state) const;
-    /** At the start of a step already: it was set by round-off, or the function is just about to change its sign. */
-    bool   starts_wrong(unsigned int i, const State &state) const;
     bool   attempt(const State &state, double &h, Advance &result);
-    void   find_event(const State &state, double &h, Advance &result);
     double energy_of_change(const State &state) const;
   };
 } // namespace samara

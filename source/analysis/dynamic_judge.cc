@@ -1,0 +1,109 @@
+// Whether the energy account of a run closes, and how well its steps resolve the motion.
+
+#include <samara/analysis/dynamic.h>
+#include <samara/base/errors.h>
+#include <samara/solvers/newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace samara
+{
+  namespace
+  {
+    /** Of a step, and of all of a run, as multiples of the Newton tolerance: its estimate is good to such a factor. */
+    constexpr double allowed_multiple = 10, most_allowed = 1e-3, round_off = 1e-12;
+
+    std::string
+    format(const char *const pattern, const double number)
+    {
+      char text[64];
+      std::snprintf(text, sizeof text, pattern, number);
+      return text;
+    }
+  } // namespace
+
+
+
+  void
+  DynamicAnalysis::set_energy_floor(const System &system)
+  {
+    double mass = 0;
+    for (const auto &node : system.model.nodes)
+      mass += node.inertia(0, 0);
+    // a potential is known to round-off of what it is, however little of it changes
+    energy_floor = std::max(0.5 * mass * std::pow(1e-6 * model_length(system.model) / (end_time - start_time), 2),
+                            1e-4 * std::abs(budget.potential));
+    report.largest_energy = std::max({report.largest_energy, energy_floor, budget.kinetic + budget.strain});
+  }
+
+
+
+  void
+  DynamicAnalysis::judge(const Context &context, const Advance &advance, const double time, const double balance_before)
+  {
+    report.largest_energy  = std::max({report.largest_energy,
+                                       budget.kinetic + budget.strain,
+                                       std::abs(budget.loads),
+                                       std::abs(budget.drives)});
+    report.indicator       = std::max(report.indicator, advance.step.indicator);
+    report.work_defect     = std::max(report.work_defect, advance.step.work_defect);
+    const double miss      = std::abs(budget.balance() - balance_before) / report.largest_energy;
+    report.largest_balance = std::max(report.largest_balance, std::abs(budget.balance()) / report.largest_energy);
+    ++n_judged;
+    if (miss > report.largest_miss)
+      {
+        report.largest_miss = miss;
+        report.worst_time   = time;
+        report.worst_place  = context.system.layout.name_of(advance.step.worst);
+      }
+    const double allowed = std::min(n_judged * (allowed_multiple * newton_tolerance + round_off), most_allowed);
+    if (report.does_close && !(std::abs(budget.balance()) <= allowed * report.largest_energy))
+      {
+        report.does_close = false;
+        context.log.warning("",
+                            "t = " + format("%.6g", time) + " s: the energy account misses " +
+                              format("%.2g", std::abs(budget.balance()) / report.largest_energy) +
+                              " of the largest energy, more than a Newton tolerance of " +
+                              format("%g", newton_tolerance) + " explains");
+      }
+  }
+
+
+
+  std::string
+  DynamicAnalysis::resolution(const Integrator &integrator) const
+  {
+    if (integrator.family() == nullptr || !(report.largest_energy > energy_floor))
+      return "";
+    const DissipationRelation relation(*integrator.family());
+    const double              Y = relation.inverse(report.indicator / report.largest_energy);
+    std::string               text =
+      "\n  a step turns a body by up to " + format("%.2g", report.turn) + " rad and the motion's oscillation by " +
+      (std::isfinite(Y) ? "about " + format("%.2g", std::sqrt(Y)) + " rad, with an error of about " +
+                            format("%.1e", Y > 0 ? relation.period_error(Y) : 0.) + " in a period" :
+                          "more than can be told: it is not resolved");
+    if (report.work_defect > 0)
+      text += "; work defect of the stops up to " + format("%.1e", report.work_defect / report.largest_energy) +
+              " of the largest energy a step";
+    return text;
+  }
+
+
+
+  void
+  DynamicAnalysis::conclude(const Context &context) const
+  {
+    if (report.does_close)
+      return;
+    const std::string text = "dynamic analysis: the energy account does not close, " +
+                             format("%.2g", report.largest_balance) + " of the largest energy is missing; most in the step from t = " +
+                             format("%.6g", report.worst_time) + " s on, " + format("%.2g", report.largest_miss) +
+                             ", where Newton's method left most work at " + report.worst_place;
+    if (energy_balance == "warn")
+      return context.log.warning("", text);
+    throw NotConverged(text + "\n  everything is written; try a smaller <Step> or <Newton tolerance>, or <Energy balance = "
+                              "warn> to accept it");
+  }
+} // namespace samara

@@ -1,0 +1,215 @@
+#include <samara/time/stage_stops.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    /** The mean slope of U/k = ½ (g⁺)² between two gaps, and its derivative by the second. */
+    struct MeanSlope
+    {
+      double value, derivative;
+    };
+
+    MeanSlope
+    mean_slope(const double start, const double end)
+    {
+      if (start > 0 && end > 0)
+        return {0.5 * (start + end), 0.5};
+      if (start <= 0 && end <= 0)
+        return {0, 0};
+      // one of them is touched: no difference of energies, and the signs make that of the gaps a sum
+      const double touched = std::max(start, end), way = std::abs(end - start), part = touched / way;
+      return {0.5 * touched * part, end > 0 ? part * (1 - 0.5 * part) : 0.5 * part * part};
+    }
+
+
+
+    /** Gaps at the stages, and at the end. */
+    struct Gaps
+    {
+      std::array<double, 3> stage{};
+      double                change = 0, end = 0;
+      bool                  is_touched = false, is_touched_all_the_time = false;
+
+      Gaps(const Tableau &t, const double start, const double *rates, const double h)
+      {
+        double least = start, most = start;
+        for (unsigned int k = 0; k < t.s; ++k)
+          {
+            stage[k] = start;
+            for (unsigned int l = 0; l < t.s; ++l)
+              stage[k] += h * t.a(k, l) * rates[l];
+            change += h * t.b(k) * rates[k];
+            least = std::min(least, stage[k]);
+            most  = std::max(most, stage[k]);
+          }
+        end                     = start + change;
+        is_touched              = std::max(most, end) > 0;
+        is_touched_all_the_time = std::min(least, end) >= 0;
+      }
+    };
+
+
+
+    void
+    add_elastic_forces(const double        stiffness,
+                       const Tableau      &t,
+                       const double        start,
+                       const Gaps         &gaps,
+                       const double *const r,
+                       const double        h,
+                       StopForces         &result)
+    {
+      std::array<double, 3> spring{}, slope{};
+      for (unsigned int k = 0; k < t.s; ++k)
+        {
+          slope[k]  = gaps.stage[k] > 0 ? stiffness : 0.;
+          spring[k] = slope[k] * gaps.stage[k];
+        }
+      for (unsigned int k = 0; k < t.s; ++k)
+        {
+          result.force[k] = spring[k];
+          for (unsigned int l = 0; l < t.s; ++l)
+            result.slope[k][l] = h * t.a(k, l) * slope[k];
+        }
+      // the energy of a spring that never leaves is exact without correction: b_k a_kl + b_l a_lk = b_k b_l
+      if (gaps.is_touched_all_the_time)
+        return;
+
+      const MeanSlope mean    = mean_slope(start, gaps.end);
+      double          squares = 0, power = 0, rate = 0;
+      for (unsigned int k = 0; k < t.s; ++k)
+        {
+          squares += t.b(k) * r[k] * r[k];
+          rate += t.b(k) * r[k];
+          power += t.b(k) * (stiffness * mean.value - spring[k]) * r[k];
+        }
+      result.work_defect = h * power;
+      if (!(squares > 0))
+        return;
+      const double tau = power / squares;
+      for (unsigned int l = 0; l < t.s; ++l)
+        {
+          double change =
+            t.b(l) * (stiffness * mean.value - spring[l]) + h * t.b(l) * rate * stiffness * mean.derivative;
+          for (unsigned int k = 0; k < t.s; ++k)
+            change -= t.b(k) * r[k] * h * t.a(k, l) * slope[k];
+          const double change_of_tau = (change - 2 * tau * t.b(l) * r[l]) / squares;
+          for (unsigned int k = 0; k < t.s; ++k)
+            result.slope[k][l] += change_of_tau * r[k];
+          result.slope[l][l] += tau;
+          result.force[l] += tau * r[l];
+        }
+    }
+
+
+
+    void
+    add_damper(const double        damping,
+               const Tableau      &t,
+               const Gaps         &gaps,
+               const double *const r,
+               const double        h,
+               StopForces         &result)
+    {
+      const double way = std::abs(gaps.change), direction = gaps.change > 0 ? 1. : -1.;
+      for (unsigned int k = 0; k < t.s; ++k)
+        {
+          if (!(gaps.stage[k] > 0))
+            continue;
+          const bool   begins   = gaps.stage[k] < way;
+          const double fraction = begins ? gaps.stage[k] / way : 1., force = damping * fraction * r[k];
+          if (result.force[k] + std::min(force, 0.) < 0 && force < 0)
+            {
+              // it would pull: what is left of the spring is lost
+              const double cut = -std::max(result.force[k], 0.);
+              result.loss += h * t.b(k) * cut * r[k];
+              if (cut < 0)
+                {
+                  result.force[k] = 0;
+                  result.slope[k] = {};
+                }
+              continue;
+            }
+          result.force[k] += force;
+          result.loss += h * t.b(k) * force * r[k];
+          result.slope[k][k] += damping * fraction;
+          if (begins)
+            for (unsigned int l = 0; l < t.s; ++l)
+              result.slope[k][l] += damping * r[k] * h * (t.a(k, l) - fraction * direction * t.b(l)) / way;
+        }
+    }
+  } // namespace
+
+
+
+  StopForces
+  stop_forces(const Layout::Stop &stop, const Tableau &tableau, const double gap, const double *rates, const double h)
+  {
+    StopForces result;
+    const Gaps gaps(tableau, gap, rates, h);
+    result.is_touched = gaps.is_touched;
+    if (!result.is_touched)
+      return result;
+    add_elastic_forces(stop.stiffness, tableau, gap, gaps, rates, h, result);
+    if (stop.damping > 0)
+      add_damper(stop.damping, tableau, gaps, rates, h, result);
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /** The gap at the fraction @p x of a step: the integral of the polynomial through the rates of the stages. */
+    double
+    gap_at(const Tableau &t, const double gap, const double *const rates, const double h, const double x)
+    {
+      // two Gauss points are exact for rates up to the third degree
+      double sum = gap;
+      for (const double point : {0.5 - std::sqrt(1. / 12), 0.5 + std::sqrt(1. / 12)})
+        for (unsigned int l = 0; l < t.s; ++l)
+          {
+            double L = 1;
+            for (unsigned int j = 0; j < t.s; ++j)
+              if (j != l)
+                L *= (point * x - t.c(j)) / (t.c(l) - t.c(j));
+            sum += 0.5 * h * x * L * rates[l];
+          }
+      return sum;
+    }
+  } // namespace
+
+
+
+  void
+  add_touches(const unsigned int  stop,
+              const Tableau      &t,
+              const double        gap,
+              const double       *rates,
+              const double        time,
+              const double        h,
+              std::vector<Touch> &touches)
+  {
+    double left = 0, gap_left = gap;
+    for (unsigned int k = 0; k <= t.s; ++k)
+      {
+        const double right = k < t.s ? t.c(k) : 1., gap_right = gap_at(t, gap, rates, h, right);
+        if ((gap_left > 0) != (gap_right > 0))
+          {
+            double low = left, high = right;
+            for (unsigned int i = 0; i < 50; ++i)
+              {
+                const double middle                                                     = 0.5 * (low + high);
+                ((gap_at(t, gap, rates, h, middle) > 0) == (gap_left > 0) ? low : high) = middle;
+              }
+            touches.push_back({stop, time + h * high, gap_right > 0});
+          }
+        left     = right;
+        gap_left = gap_right;
+      }
+  }
+} // namespace samara
