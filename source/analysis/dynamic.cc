@@ -32,7 +32,7 @@ namespace samara
       "Step control",
       control,
       "fixed, or adaptive: steps are as long as the tolerance allows, judged by the energy that the scheme dissipates. "
-      "Either way steps end at corners of loads and at stops, and are halved where no solution is found.",
+      "Either way steps end at corners of loads, and are halved where no solution is found.",
       Selection("fixed|adaptive"));
     prm.add("Tolerance",
             tolerance,

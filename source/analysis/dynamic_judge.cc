@@ -43,10 +43,8 @@ namespace samara
   void
   DynamicAnalysis::judge(const Context &context, const Advance &advance, const double time, const double balance_before)
   {
-    report.largest_energy  = std::max({report.largest_energy,
-                                       budget.kinetic + budget.strain,
-                                       std::abs(budget.loads),
-                                       std::abs(budget.drives)});
+    report.largest_energy = std::max(
+      {report.largest_energy, budget.kinetic + budget.strain, std::abs(budget.loads), std::abs(budget.drives)});
     report.indicator       = std::max(report.indicator, advance.step.indicator);
     report.work_defect     = std::max(report.work_defect, advance.step.work_defect);
     const double miss      = std::abs(budget.balance() - balance_before) / report.largest_energy;
@@ -80,10 +78,11 @@ namespace samara
     const DissipationRelation relation(*integrator.family());
     const double              Y = relation.inverse(report.indicator / report.largest_energy);
     std::string               text =
-      "\n  a step turns a body by up to " + format("%.2g", report.turn) + " rad and the motion's oscillation by " +
-      (std::isfinite(Y) ? "about " + format("%.2g", std::sqrt(Y)) + " rad, with an error of about " +
-                            format("%.1e", Y > 0 ? relation.period_error(Y) : 0.) + " in a period" :
-                          "more than can be told: it is not resolved");
+      "\n  a step turns a body by up to " + format("%.2g", report.turn) + " rad and the motion's oscillation by ";
+    // beyond half a turn the energy of what oscillates says no more how fast it does
+    text += Y < M_PI * M_PI ? "about " + format("%.2g", std::sqrt(Y)) + " rad, with an error of about " +
+                                format("%.1e", Y > 0 ? relation.period_error(Y) : 0.) + " in a period" :
+                              "more than half a turn: it is not resolved";
     if (report.work_defect > 0)
       text += "; work defect of the stops up to " + format("%.1e", report.work_defect / report.largest_energy) +
               " of the largest energy a step";
@@ -97,13 +96,14 @@ namespace samara
   {
     if (report.does_close)
       return;
-    const std::string text = "dynamic analysis: the energy account does not close, " +
-                             format("%.2g", report.largest_balance) + " of the largest energy is missing; most in the step from t = " +
-                             format("%.6g", report.worst_time) + " s on, " + format("%.2g", report.largest_miss) +
-                             ", where Newton's method left most work at " + report.worst_place;
+    const std::string text =
+      "dynamic analysis: the energy account does not close, " + format("%.2g", report.largest_balance) +
+      " of the largest energy is missing; most in the step from t = " + format("%.6g", report.worst_time) + " s on, " +
+      format("%.2g", report.largest_miss) + ", where Newton's method left most work at " + report.worst_place;
     if (energy_balance == "warn")
       return context.log.warning("", text);
-    throw NotConverged(text + "\n  everything is written; try a smaller <Step> or <Newton tolerance>, or <Energy balance = "
-                              "warn> to accept it");
+    throw NotConverged(text +
+                       "\n  everything is written; try a smaller <Step> or <Newton tolerance>, or <Energy balance = "
+                       "warn> to accept it");
   }
 } // namespace samara

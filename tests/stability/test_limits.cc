@@ -43,7 +43,10 @@ TEST(StopImpact, Energy)
       const Trial trial("stability/stop_impact",
                         method + std::vector<std::string>{"Dynamic/Step = " + step, "Dynamic/End time = " + end});
       EXPECT_TRUE(trial.motion) << trial.failure;
-      EXPECT_EQ(trial.motion->report.n_touches > 1, method[0] == family(1, 1)[0]);
+      if (method[0].find("Stages") != std::string::npos)
+        {
+          EXPECT_GT(trial.motion->report.n_touches, 1u);
+        }
       return -trial.energy() / 9.81; // of the energy at the stop
     };
   EXPECT_NEAR(lost(family(1, 1)), 0, 1e-7);
