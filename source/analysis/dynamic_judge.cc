@@ -35,7 +35,8 @@ namespace samara
     // a potential is known to round-off of what it is, however little of it changes
     energy_floor = std::max(0.5 * mass * std::pow(1e-6 * model_length(system.model) / (end_time - start_time), 2),
                             1e-4 * std::abs(budget.potential));
-    report.largest_energy = std::max({report.largest_energy, energy_floor, budget.kinetic + budget.strain});
+    report.largest_energy = std::max({report.largest_energy, energy_floor, budget.kinetic, 1e-3 * budget.strain});
+    first_strain          = budget.strain;
   }
 
 
@@ -43,8 +44,11 @@ namespace samara
   void
   DynamicAnalysis::judge(const Context &context, const Advance &advance, const double time, const double balance_before)
   {
-    report.largest_energy = std::max(
-      {report.largest_energy, budget.kinetic + budget.strain, std::abs(budget.loads), std::abs(budget.drives)});
+    report.largest_energy  = std::max({report.largest_energy,
+                                       budget.kinetic,
+                                       std::abs(budget.strain - first_strain),
+                                       std::abs(budget.loads),
+                                       std::abs(budget.drives)});
     report.indicator       = std::max(report.indicator, advance.step.indicator);
     report.work_defect     = std::max(report.work_defect, advance.step.work_defect);
     const double miss      = std::abs(budget.balance() - balance_before) / report.largest_energy;

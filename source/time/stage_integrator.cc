@@ -85,6 +85,8 @@ namespace samara
     previous_step = 0;
     factored_step = 0;
     offset        = 1;
+    first_strain  = -1;
+    moved_energy  = 0;
   }
 
 
@@ -111,6 +113,9 @@ namespace samara
     e_end.clear();
     const auto energy = system.energy(state, e_start);
     energy_scale      = energy.kinetic + energy.strain;
+    if (first_strain < 0)
+      first_strain = energy.strain;
+    moved_energy = std::max({moved_energy, energy.kinetic, std::abs(energy.strain - first_strain)});
     start_stops(state);
     predict(state, h);
     bool converged = false;
@@ -213,7 +218,7 @@ namespace samara
           {
             const double rate  = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
             const double error = energy_error(h), scale = std::max(energy_scale, kinetic_energy);
-            if (last * rate / (1 - rate) < tolerance && error < tolerance * scale &&
+            if (last * rate / (1 - rate) < tolerance && error < tolerance * energy_that_counts() &&
                 largest_gap(h) < std::max(1e-9, 10 * tolerance) * length)
               return true;
             // what is left may be more than what was before, if factors are old: then it grows, slowly, from round-off
@@ -263,6 +268,14 @@ namespace samara
       for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
         gap = std::max(gap, h * std::abs(stage.residual[system.layout.of_multiplier(i)]));
     return gap;
+  }
+
+
+
+  double
+  StageIntegrator::energy_that_counts() const
+  {
+    return std::max(kinetic_energy, std::clamp(moved_energy, 1e-3 * energy_scale, energy_scale));
   }
 
 

@@ -14,16 +14,16 @@ using namespace samara;
 int
 main(const int n_arguments, const char *const *const arguments)
 {
-  const auto         argument = [&](const int i, const unsigned int otherwise) {
+  const auto argument = [&](const int i, const unsigned int otherwise) {
     return n_arguments > i ? std::strtoul(arguments[i], nullptr, 10) : otherwise;
   };
   const unsigned int n = argument(1, 200), first = argument(2, 0), n_steps = argument(3, 50);
   const auto         has = [&](const char *const word) {
     return std::any_of(arguments, arguments + n_arguments, [&](const char *a) { return std::strcmp(a, word) == 0; });
   };
-  unsigned int       n_finished = 0, n_good = 0, n_failed = 0, n_touches = 0, n_of_steps = 0, n_good_runs = 0;
-  unsigned long      n_iterations = 0, n_factorizations = 0;
-  double             worst = 0, worst_gap = 0;
+  unsigned int  n_finished = 0, n_good = 0, n_failed = 0, n_touches = 0, n_of_steps = 0, n_good_runs = 0;
+  unsigned long n_iterations = 0, n_factorizations = 0;
+  double        worst = 0, worst_gap = 0;
   for (unsigned int seed = first; seed < first + n; ++seed)
     {
       const RandomMechanism mechanism(seed, !has("free"), has("beams"));

@@ -117,13 +117,14 @@ namespace samara
       const double EA = std::pow(10., uniform(3, 8)), EI = EA * std::pow(10., uniform(-4, -1.5)), m = uniform(0.2, 3),
                    inertia = m * EI / EA;
       sections += "  subsection s" + me + "\n set Type = engineering constants\n set EA = " + text(EA) +
-                  "\n set GA2 = " + text(0.4 * EA) + "\n set GA3 = " + text(0.4 * EA) + "\n set GJ = " + text(0.8 * EI) +
-                  "\n set EI2 = " + text(EI) + "\n set EI3 = " + text(2 * EI) + "\n set Mass = " + text(m) +
-                  "\n set I2 = " + text(inertia) + "\n set I3 = " + text(2 * inertia) + "\n end\n";
+                  "\n set GA2 = " + text(0.4 * EA) + "\n set GA3 = " + text(0.4 * EA) +
+                  "\n set GJ = " + text(0.8 * EI) + "\n set EI2 = " + text(EI) + "\n set EI3 = " + text(2 * EI) +
+                  "\n set Mass = " + text(m) + "\n set I2 = " + text(inertia) + "\n set I3 = " + text(2 * inertia) +
+                  "\n end\n";
       bodies += "  subsection " + me + "\n set Type = beam\n set Elements = " + std::to_string(1 + number() % 4) +
-                "\n set Degree = " + std::to_string(1 + number() % 3) + "\n set Section = s" + me + "\n set Points = " +
-                text(0.1 + i) + ", 0, 0; " + text(1.1 + i) + ", 0, 0\n set Angular velocity = " + vector(uniform(0, 6)) +
-                "\n end\n";
+                "\n set Degree = " + std::to_string(1 + number() % 3) + "\n set Section = s" + me +
+                "\n set Points = " + text(0.1 + i) + ", 0, 0; " + text(1.1 + i) +
+                ", 0, 0\n set Angular velocity = " + vector(uniform(0, 6)) + "\n end\n";
     }
 
     void
@@ -133,21 +134,21 @@ namespace samara
       if (uniform(0, 1) < 0.2)
         parent = "ground";
       const double m = std::pow(10., uniform(-1, 1)), a = 0.05 + 0.1 * uniform(0, 1), b = a * uniform(0.8, 1.2),
-                   c = a * uniform(0.8, 1.2);
+                   c            = a * uniform(0.8, 1.2);
       const bool        is_beam = with_beams && uniform(0, 1) < 0.5;
-      const std::string ends    = "set Body A = " + parent + "\n set Body B = " + me + (is_beam ? ".start" : ".centre") +
+      const std::string ends = "set Body A = " + parent + "\n set Body B = " + me + (is_beam ? ".start" : ".centre") +
                                "\n set Position = " + text(0.1 + i) + ", 0, 0\n";
       parent = me + (is_beam ? ".end" : ".centre");
       if (is_beam)
         add_beam(me, i);
       else
-        bodies += systems::rigid_body(me,
-                                    "set Mass = " + text(m) + "\n set Inertia = " + text(m * a) + ", " + text(m * b) +
-                                      ", " + text(m * c) + "\n set Position = " + text(0.6 + i) + ", " +
-                                      text(uniform(-0.3, 0.3)) + ", " + text(uniform(-0.3, 0.3)) +
-                                      "\n set Centre of mass = " + vector(0.1) +
-                                      "\n set Angular velocity = " + vector(uniform(0, 6)) +
-                                      "\n set Velocity = " + vector(uniform(0, 3)) + "\n");
+        bodies +=
+          systems::rigid_body(me,
+                              "set Mass = " + text(m) + "\n set Inertia = " + text(m * a) + ", " + text(m * b) + ", " +
+                                text(m * c) + "\n set Position = " + text(0.6 + i) + ", " + text(uniform(-0.3, 0.3)) +
+                                ", " + text(uniform(-0.3, 0.3)) + "\n set Centre of mass = " + vector(0.1) +
+                                "\n set Angular velocity = " + vector(uniform(0, 6)) +
+                                "\n set Velocity = " + vector(uniform(0, 3)) + "\n");
       const std::string axis = " set Axis = " + vector(1) + "\n";
       switch (number() % 7)
         {
@@ -156,7 +157,8 @@ namespace samara
             joints += systems::joint("j" + std::to_string(i), "revolute", ends + axis + motion("rotation", 1, 0.3 * m));
             return;
           case 2:
-            joints += systems::joint("j" + std::to_string(i), "prismatic", ends + axis + motion("displacement", 0.4, m));
+            joints +=
+              systems::joint("j" + std::to_string(i), "prismatic", ends + axis + motion("displacement", 0.4, m));
             return;
           case 3:
             joints += systems::joint("j" + std::to_string(i),
@@ -186,15 +188,15 @@ namespace samara
   /** What the run of a mechanism did. */
   struct Course
   {
-    bool         is_finished = false;
-    std::string  problem;
-    unsigned int n_steps = 0, n_failed = 0, n_touches = 0, n_iterations = 0, n_factorizations = 0;
-    double       balance = 0;      ///< what the account of all steps leaves, relative to the largest energy
-    double       worst_step = 0;   ///< the same of the worst step
-    double       worst_drive = 0;  ///< work of constraints in a step where nothing drives, relative
-    double       gap = 0;          ///< of the constraints at the end [m] or [rad]
-    double       least_loss = 0;   ///< of a step, damper or numerical, relative
-    double       largest_energy = 0;
+    bool                is_finished = false;
+    std::string         problem;
+    unsigned int        n_steps = 0, n_failed = 0, n_touches = 0, n_iterations = 0, n_factorizations = 0;
+    double              balance        = 0; ///< what the account of all steps leaves, relative to the largest energy
+    double              worst_step     = 0; ///< the same of the worst step
+    double              worst_drive    = 0; ///< work of constraints in a step where nothing drives, relative
+    double              gap            = 0; ///< of the constraints at the end [m] or [rad]
+    double              least_loss     = 0; ///< of a step, damper or numerical, relative
+    double              largest_energy = 0;
     std::vector<double> steps; ///< error of each step's account, relative to the largest energy at the end
   };
 
@@ -209,7 +211,7 @@ namespace samara
     State           state = start_of({"", "", 0, 0}, system);
     system.stresses(state, state.stress);
     double before = energy_of(system, state) + potential_of(system, state), balance = 0, drive_work = 0,
-           largest = energy_of(system, state);
+           largest         = energy_of(system, state);
     const double potential = potential_of(system, state);
     try
       {
@@ -223,8 +225,8 @@ namespace samara
             drive_work += a.step.work_of_drives;
             largest = std::max({largest, energy_of(system, state), std::abs(now - potential), std::abs(drive_work)});
             balance += error;
-            before           = after;
-            course.balance   = std::max(course.balance, std::abs(balance));
+            before             = after;
+            course.balance     = std::max(course.balance, std::abs(balance));
             course.worst_drive = std::max(course.worst_drive, std::abs(a.step.work_of_drives));
             course.least_loss  = std::min({course.least_loss, a.step.viscous_loss, a.step.dissipated});
             course.n_failed += a.n_failed;

@@ -32,11 +32,11 @@ namespace
     RandomStop(std::mt19937 &random, const double damping)
     {
       std::uniform_real_distribution<double> number(-1, 1);
-      const auto                             scale = [&](const double decades) { return std::pow(10., decades * number(random)); };
-      h                      = 1e-3 * scale(2);
-      const double rate      = scale(6);
-      stop                   = {0, 0., 1., scale(5), damping, ""};
-      gap                    = number(random) * h * rate * scale(0.5);
+      const auto scale  = [&](const double decades) { return std::pow(10., decades * number(random)); };
+      h                 = 1e-3 * scale(2);
+      const double rate = scale(6);
+      stop              = {0, 0., 1., scale(5), damping, ""};
+      gap               = number(random) * h * rate * scale(0.5);
       for (double &r : rates)
         r = rate * number(random);
       if (number(random) > 0.5)
@@ -73,9 +73,9 @@ TEST(StopForces, WorkIsExact)
       for (unsigned int i = 0; i < 4000; ++i)
         {
           const RandomStop sample(random, i % 2 == 0 ? 0. : 3.);
-          const auto   f      = sample.forces(t);
-          const double change = sample.h * sample.mean(t, sample.rates);
-          double       work   = 0, size = 0;
+          const auto       f      = sample.forces(t);
+          const double     change = sample.h * sample.mean(t, sample.rates);
+          double           work = 0, size = 0;
           for (unsigned int k = 0; k < s; ++k)
             {
               const double w = sample.h * t.b(k) * f.force[k] * sample.rates[k];
@@ -108,7 +108,7 @@ TEST(StopForces, SlopeIsTheDerivative)
       for (unsigned int i = 0; i < 500; ++i)
         {
           const RandomStop sample(random, i % 2 == 0 ? 0. : 3.);
-          const auto   f = sample.forces(t);
+          const auto       f = sample.forces(t);
           if (!f.is_touched)
             continue;
           double largest = 0, error = 0, rate = 0;
@@ -159,8 +159,8 @@ TEST(StopForces, DamperDoesNotPull)
 // A parabola that touches twice, g = −0.1 + 0.5 t − 0.5 t².
 TEST(StopForces, TouchesAreFound)
 {
-  const Tableau t(2, 1.);
-  const double  rates[3] = {0.5 - t.c(0), 0.5 - t.c(1), 0};
+  const Tableau      t(2, 1.);
+  const double       rates[3] = {0.5 - t.c(0), 0.5 - t.c(1), 0};
   std::vector<Touch> touches;
   add_touches(7, t, -0.1, rates, 10., 1., touches);
   ASSERT_EQ(touches.size(), 2u);
@@ -211,7 +211,11 @@ namespace
                         "prismatic",
                         "set Body A = " + (i == 0 ? "ground" : "b" + std::to_string(i - 1) + ".centre") +
                           "\n set Body B = " + me + ".centre\n set Axis = 1, 0, 0\n" +
-                          stops("displacement", k, i == 0 ? " set Lower stop = -0.05\n" : i == 1 ? " set Lower stop = -0.01\n" : " set Lower stop = 0\n"));
+                          stops("displacement",
+                                k,
+                                i == 0 ? " set Lower stop = -0.05\n" :
+                                i == 1 ? " set Lower stop = -0.01\n" :
+                                         " set Lower stop = 0\n"));
       }
     joints += joint("wall",
                     "spring",
@@ -225,31 +229,30 @@ namespace
   {
     const double l = 0.5, a = 0.1, b = -0.3, w_a = 4, w_b = -5;
     const double x = l * std::sin(a), z = -l * std::cos(a), vx = l * std::cos(a) * w_a, vz = l * std::sin(a) * w_a;
-    const auto   body = [&](const std::string &name, const double px, const double pz, const double v, const double w, const double spin) {
-      return rigid_body(name,
-                        "set Mass = 1\n set Inertia = 1e-3, 1e-3, 1e-3\n set Position = " + number(px) + ", 0, " +
-                          number(pz) + "\n" +
-                          moving(number(v) + ", 0, " + number(w), "0, " + number(-spin) + ", 0"));
-    };
-    return model(body("a", x, z, vx, vz, w_a) + body("b",
-                                                     x + l * std::sin(b),
-                                                     z - l * std::cos(b),
-                                                     vx + l * std::cos(b) * w_b,
-                                                     vz + l * std::sin(b) * w_b,
-                                                     w_b),
-                 joint("A",
-                       "revolute",
-                       "set Body A = ground\n set Body B = a.centre\n set Position = 0, 0, 0\n set Axis = 0, 1, 0\n" +
-                         stops("rotation", 0.25 * k, " set Lower stop = -0.2\n set Upper stop = 0.3\n")) +
-                   joint("B",
-                         "revolute",
-                         "set Body A = a.centre\n set Body B = b.centre\n set Position = " + number(x) + ", 0, " +
-                           number(z) + "\n set Axis = 0, 1, 0\n" +
-                           stops("rotation", 0.25 * k, " set Lower stop = -0.1\n set Upper stop = 0.7\n")) +
-                   joint("cord",
-                         "spring",
-                         "set Body A = ground\n set Body B = b.centre\n" + stops("length", k, " set Upper stop = 0.985\n")),
-                 gravity);
+    const auto   body =
+      [&](
+        const std::string &name, const double px, const double pz, const double v, const double w, const double spin) {
+        return rigid_body(name,
+                          "set Mass = 1\n set Inertia = 1e-3, 1e-3, 1e-3\n set Position = " + number(px) + ", 0, " +
+                            number(pz) + "\n" + moving(number(v) + ", 0, " + number(w), "0, " + number(-spin) + ", 0"));
+      };
+    return model(
+      body("a", x, z, vx, vz, w_a) +
+        body(
+          "b", x + l * std::sin(b), z - l * std::cos(b), vx + l * std::cos(b) * w_b, vz + l * std::sin(b) * w_b, w_b),
+      joint("A",
+            "revolute",
+            "set Body A = ground\n set Body B = a.centre\n set Position = 0, 0, 0\n set Axis = 0, 1, 0\n" +
+              stops("rotation", 0.25 * k, " set Lower stop = -0.2\n set Upper stop = 0.3\n")) +
+        joint("B",
+              "revolute",
+              "set Body A = a.centre\n set Body B = b.centre\n set Position = " + number(x) + ", 0, " + number(z) +
+                "\n set Axis = 0, 1, 0\n" +
+                stops("rotation", 0.25 * k, " set Lower stop = -0.1\n set Upper stop = 0.7\n")) +
+        joint("cord",
+              "spring",
+              "set Body A = ground\n set Body B = b.centre\n" + stops("length", k, " set Upper stop = 0.985\n")),
+      gravity);
   }
 
   /** A block that turns while it falls on @p n supports along its lower side; cords from a place far above. */
@@ -257,7 +260,8 @@ namespace
   block(const double k, const unsigned int n, const double damping = 0)
   {
     const double w = 0.3, height = 0.6, H = 10;
-    std::string  frames, joints = joint("plane", "planar", "set Body A = ground\n set Body B = a.centre\n set Axis = 0, 1, 0\n");
+    std::string  frames,
+      joints = joint("plane", "planar", "set Body A = ground\n set Body B = a.centre\n set Axis = 0, 1, 0\n");
     for (unsigned int i = 0; i < n; ++i)
       {
         const double x = n == 1 ? 0. : w * (2. * i / (n - 1) - 1);
@@ -275,17 +279,17 @@ namespace
   }
 
   /** What a stepper did up to some time, energies relative to the largest. */
-  struct Run
+  struct Motion
   {
     State        state;
     double       drift = 0, up = 0, viscous_loss = 0, dissipated = 0, largest = 0, least_step = 1e300;
     unsigned int n_steps = 0, n_failed = 0, n_rejected = 0, n_touches = 0, n_iterations = 0;
   };
 
-  Run
+  Motion
   run_to(const System &system, Integrator &integrator, Stepper &stepper, const double end)
   {
-    Run run;
+    Motion run;
     run.state           = start_of({"", "", 0, 0}, system);
     const auto   total  = [&]() { return energy_of(system, run.state) + potential_of(system, run.state); };
     const double start  = total();
@@ -312,7 +316,7 @@ namespace
     return run;
   }
 
-  Run
+  Motion
   run_to(const System &system, const Tableau &tableau, const double h, const double end, const double tolerance = 1e-13)
   {
     StageIntegrator integrator(system, tableau, tolerance);
@@ -335,9 +339,9 @@ TEST(Stops, KeepTheEnergyWhateverTheirStiffness)
 {
   struct Case
   {
-    std::string name;
+    std::string                        name;
     std::function<std::string(double)> text;
-    double h, end;
+    double                             h, end;
   };
   for (const Case &c : {Case{"cradle", cradle, 4e-3, 0.15},
                         Case{"pendulum", pendulum, 8e-3, 0.4},
@@ -349,7 +353,7 @@ TEST(Stops, KeepTheEnergyWhateverTheirStiffness)
         for (const auto &[s, rho] : {std::make_pair(2, 1.), std::make_pair(2, 0.5), std::make_pair(3, 1.)})
           {
             SCOPED_TRACE(c.name + ", k = " + number(k) + ", s = " + std::to_string(s) + ", rho = " + number(rho));
-            const Run r = run_to(scene.system, Tableau(s, rho), c.h, c.end);
+            const Motion r     = run_to(scene.system, Tableau(s, rho), c.h, c.end);
             const double bound = k < 1e7 ? 2e-12 : k < 1e10 ? 2e-10 : 1e-7;
             EXPECT_LT(r.drift, bound);
             EXPECT_LT(r.up, bound);
@@ -371,13 +375,13 @@ TEST(Stops, Restitution)
                                 "prismatic",
                                 "set Body A = ground\n set Body B = a.centre\n set Axis = 1, 0, 0\n" +
                                   stops("displacement", k, " set Lower stop = " + number(-gap) + "\n"))));
-  const auto least = [&](const unsigned int s, const double rho, const double part) {
+  const auto   least = [&](const unsigned int s, const double rho, const double part) {
     double smallest = 1e300;
     for (unsigned int i = 0; i < 24; ++i)
       {
         // so that the touch is at any fraction of a step
         const double h = gap / (std::floor(gap / (part * T)) + 1 + i / 24.);
-        const Run    r = run_to(scene.system, Tableau(s, rho), h, h * std::ceil((gap + 2 * T) / h + 2));
+        const Motion r = run_to(scene.system, Tableau(s, rho), h, h * std::ceil((gap + 2 * T) / h + 2));
         smallest       = std::min(smallest, r.state.rates[0]);
         EXPECT_EQ(r.n_failed, 0u);
         if (rho == 1)
@@ -406,7 +410,7 @@ TEST(Stops, ComeToRest)
         SCOPED_TRACE("n = " + std::to_string(n) + ", s = " + std::to_string(s));
         const double k = 1e5;
         const Scene  scene(block(k, n, 200));
-        const Run    r = run_to(scene.system, Tableau(s, 0.5), 4e-3, 6.);
+        const Motion r     = run_to(scene.system, Tableau(s, 0.5), 4e-3, 6.);
         double       speed = 0;
         for (const double v : r.state.y)
           speed = std::max(speed, std::abs(v));
@@ -422,8 +426,8 @@ TEST(Stops, ComeToRest)
 // Adaptive steps see contacts by their work defect: errors follow the tolerance, also without dissipation.
 TEST(Stops, AdaptiveStepsResolveContacts)
 {
-  const Scene scene(pendulum(1e5));
-  const Run   exact = run_to(scene.system, Tableau(3, 1.), 2e-5, 0.4);
+  const Scene  scene(pendulum(1e5));
+  const Motion exact = run_to(scene.system, Tableau(3, 1.), 2e-5, 0.4);
   for (const unsigned int s : {2, 3})
     for (const double rho : {1., 0.5})
       {
@@ -436,7 +440,7 @@ TEST(Stops, AdaptiveStepsResolveContacts)
             settings.tolerance    = tolerance;
             settings.largest_step = 0.02;
             Stepper      stepper(scene.system, integrator, 8e-3, settings);
-            const Run    r     = run_to(scene.system, integrator, stepper, 0.4);
+            const Motion r     = run_to(scene.system, integrator, stepper, 0.4);
             const double error = std::hypot(position(r.state, 2, 0) - position(exact.state, 2, 0),
                                             position(r.state, 2, 2) - position(exact.state, 2, 2));
             EXPECT_LT(error, 100 * tolerance);

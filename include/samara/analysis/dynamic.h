@@ -86,6 +86,7 @@ namespace samara
     struct Output;
     double energy_floor = 0; ///< of a motion by a millionth of the model in the run [J]
     double n_judged     = 0; ///< steps so far
+    double first_strain = 0; ///< energy at the start [J]
 
     void set_energy_floor(const System &system);
     /** Judge the account of a step: what it misses, relative to the energies that moved so far. */

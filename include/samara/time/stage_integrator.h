@@ -95,6 +95,8 @@ namespace samara
     std::vector<Factor>                         factors;
     double                                      energy_scale   = 0; ///< at the start of the step
     double                                      kinetic_energy = 0; ///< mean of the stages
+    double                                      moved_energy   = 0; ///< kinetic, and what strain energy has changed by
+    double                                      first_strain = -1;  ///< energy at the first step; negative: not known
     double                                      factored_step  = 0; ///< step size of the factors; 0: none
     State                                       frozen;             ///< at which they were made
     std::vector<std::unique_ptr<LinearStrains>> frozen_strains;     ///< of each contribution; none without strains
@@ -143,6 +145,8 @@ namespace samara
     void                          evaluate_constraints(const State &state, double h);
     /** Work that the residuals of the last evaluation would add to the energy. */
     double energy_error(double h) const;
+    /** What it is measured by: the energy that moves. Of one that only prestresses, a thousandth counts. */
+    double energy_that_counts() const;
     double change_of_force          = 0,
            previous_change_of_force = 0; ///< of multipliers by corrections, relative to the largest
     /** Violation of constraints, at the end or by velocities over the step. */
