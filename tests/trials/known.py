@@ -2,9 +2,6 @@
 the run says so, and its line goes."""
 
 KNOWN = {
-    "mechanism 100": "energy balance of 4e-9 with the default Newton tolerance",
-    "mechanism 103": "energy balance of 1e-9 with the default Newton tolerance",
-    "mechanism 118": "statics know no stops: motion starts beyond one",
     "mechanism 126": "a prescribed motion is dropped as a redundant constraint",
     "mechanism 127": "a prescribed motion is dropped as a redundant constraint",
     "mutant 10": "a model without bodies is refused without a line",
