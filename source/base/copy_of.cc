@@ -23,7 +23,7 @@ namespace samara
         forget_inherited(s);
     }
 
-    constexpr std::size_t most_inherited = 5'000'000; ///< entries and subsections: copies of copies can fill any memory
+    constexpr std::size_t most_inherited = 1'000'000; ///< entries and subsections: copies of copies can fill any memory
 
     /** Give @p copy all that @p original has and it has not; nothing more once @p n_inherited is too large. */
     void

@@ -126,6 +126,9 @@ namespace samara
     AssertThrow(!has_unit || Quantities::is_si_unit(entry.unit),
                 ExcMessage("The documentation of the entry <" + entry.name + "> declares [" + entry.unit +
                            "], which is not an SI unit."));
+    AssertThrow(entry.pattern->match(entry.default_value),
+                ExcMessage("The default <" + entry.default_value + "> of the entry <" + entry.name +
+                           "> is not accepted by its pattern."));
     entries.push_back(std::move(entry));
   }
 

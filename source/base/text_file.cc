@@ -70,10 +70,11 @@ namespace samara
     const auto  zero   = text.find('\0');
     if (starts("\xff\xfe") || starts("\xfe\xff") ||
         (zero < 2 && text.size() > 3 && text.find('\0', zero + 2) == zero + 2))
-      throw std::invalid_argument("the file <" + name + "> is written in UTF-16; save it as UTF-8.");
+      throw std::invalid_argument(name + ":1: this file is written in UTF-16; save it as UTF-8.");
     if (zero != std::string::npos)
-      throw std::invalid_argument("the file <" + name + "> is no text: there is a zero byte in line " +
-                                  std::to_string(1 + std::count(text.begin(), text.begin() + zero, '\n')) + ".");
+      throw std::invalid_argument(name + ":" +
+                                  std::to_string(1 + std::count(text.begin(), text.begin() + zero, '\n')) +
+                                  ": there is a zero byte; this is no text file.");
     if (starts("\xef\xbb\xbf"))
       text.erase(0, 3);
     if (text.find('\n') == std::string::npos)

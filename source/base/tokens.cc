@@ -12,7 +12,7 @@ namespace samara
   {
     // who reads what this makes goes as deep as it is nested, and has a stack that ends
     constexpr std::size_t  most_tokens         = 5000;
-    constexpr unsigned int deepest_parenthesis = 100;
+    constexpr unsigned int deepest_parenthesis = 1000;
 
     bool
     is_digit(const char c)

@@ -208,7 +208,7 @@ namespace
     EXPECT_EQ(complaints.all().size(), line + 1);
     EXPECT_TRUE(contains(complaints.all()[1], "a.prm:3: constant <m>: there is a unit of that name"));
     EXPECT_EQ(q.number("L", "m"), 3) << "the first one holds";
-    EXPECT_TRUE(contains(fault(q, "x", "m"), "neither a constant"));
+    EXPECT_THROW(q.number("2*x", "m"), FollowUp) << "there is a complaint about it already";
   }
 
 

@@ -54,7 +54,7 @@ namespace
     for (const auto &text : {"\xff\xfe" + little, "\xfe\xff" + big, little, big})
       EXPECT_NE(fault_of(folder.write("a", text)).find("UTF-16"), std::string::npos);
     EXPECT_EQ(fault_of(folder.write("a", std::string("one\ntwo\0", 8))),
-              "the file <" + folder.path("a") + "> is no text: there is a zero byte in line 2.");
+              folder.path("a") + ":2: there is a zero byte; this is no text file.");
   }
 
 
