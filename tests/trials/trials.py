@@ -3,6 +3,7 @@
 import pathlib
 import random
 import re
+import zlib
 
 import extremes
 import judges
@@ -109,7 +110,8 @@ def short(program):
         yield from relative_trials(seed)
     for seed in range(14):
         yield mutant_trial(seed)
-    yield from random.Random(1).sample(list(extreme_trials(program)), 14)
+    # chosen by their names, so that an entry more in the catalogue leaves the others as they are
+    yield from sorted(extreme_trials(program), key=lambda trial: zlib.crc32(trial.name.encode()))[:14]
 
 
 def endless(program, start):
