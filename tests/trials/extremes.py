@@ -3,11 +3,11 @@
 import re
 import subprocess
 
-from outline import changed, parse
+from outline import changed, get, parse
 
 VALUES = ["0", "-1", "1e-300", "1e300", "1e-12", "1e12", "nan", "inf", "", "1, 2", "x", "1/0", "0, 0, 0", "1e300, 0, 0", "1e-300, 0, 0",
           "nan, 0, 0", "-1, -1, -1", "1e154, 1e154, 1e154", "0*t", "1e300*t", "1/t", "sqrt(t - 1)", "9" * 2000]
-GROUPS = {"Sections": "Sections", "Bodies": "Bodies", "Joints": "Joints", "Loads": "Loads"}
+GROUPS = "Sections", "Bodies", "Joints", "Loads"
 LONG = "End time", "Elements", "Load steps", "Most steps", "Pictures", "Modes", "Step", "Passages"  # large ones only make a run long
 
 JOINTS = ["revolute", "prismatic", "screw", "cylindrical", "planar", "spherical", "universal", "rigid", "spring", "distance",
@@ -142,9 +142,7 @@ def models(program):
     """(name, text) for every entry and value that makes sense."""
     moving, standing = parse(mechanism_of_all_joints()), parse(cantilevers())
     for group, kind, entry in catalogue(program):
-        if kind in ("steady rotation", "table"):
-            base, place = standing, [GROUPS[group], "extra"]
-        elif group == "Joints":
+        if group == "Joints":
             base, place = moving, [group, kind]
         elif group in GROUPS:
             base, place = standing, [group, kind]
@@ -154,6 +152,6 @@ def models(program):
             if entry[-1] in LONG and value in ("1e12", "1e300"):
                 continue
             tree = base
-            if place and place[-1] == "extra":
+            if len(place) == 2 and get(base, place) is None:  # a kind that the models above do not have
                 tree = changed(tree, [*place, "Type"], kind)
             yield f"{kind or 'model'} / {' / '.join(entry)} = {value[:40]}", changed(tree, [*place, *entry], value)

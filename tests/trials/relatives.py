@@ -44,14 +44,14 @@ def compare(model, first, second, world, tolerance):
         if name in first.tables:
             yield from compare_tables(model, name, first.tables[name], second.tables[name], world, tolerance)
     if "modes" in first.tables:
-        yield from compare_modes(first.tables["modes"], second.tables["modes"], world, 1e3 * tolerance)
+        yield from compare_modes(first.tables["modes"], second.tables["modes"], world, 100 * tolerance)
     if "dynamic_energy" in first.tables:
         a, b = first.tables["dynamic_energy"], second.tables["dynamic_energy"]
         scale, _ = energies(model, first, World())
         for column in "kinetic", "strain", "damper loss":
             if a.numbers.shape == b.numbers.shape:
                 error = abs(b[column] / world.factor(ENERGY) - a[column]).max() / scale
-                if error > tolerance:
+                if error > 10 * tolerance:
                     yield f"energy, {column}: differs by {error:.1e}"
 
 

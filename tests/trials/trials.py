@@ -38,9 +38,10 @@ class MechanismTrial(Trial):
 
 
 class RelativeTrial(Trial):
-    """Two runs in two worlds; `tolerance` covers what Newton's method leaves and the motion amplifies."""
+    """Two runs in two worlds; what Newton's method leaves is amplified by ten steps to 1e-10 or so. Of energies ten times, of
+    frequencies a hundred times the tolerance is allowed."""
 
-    def __init__(self, name, thing, world, tolerance=1e-5):
+    def __init__(self, name, thing, world, tolerance=1e-8):
         super().__init__(name, thing)
         self.world, self.tolerance = world, tolerance
 
