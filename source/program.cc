@@ -83,8 +83,10 @@ namespace samara
       try
         {
           make_folder(folder);
-          const std::string probe = folder + "/used.prm";
-          open_file(probe, true);
+          const std::string attempt = folder + "/.samara_can_write";
+          open_file(attempt);
+          std::error_code ignored;
+          std::filesystem::remove(attempt, ignored);
         }
       catch (const CannotWrite &problem)
         {
@@ -125,9 +127,11 @@ namespace samara
         file.outline.set(override, file.complaints);
       Study study(options.model, std::move(file));
       if (options.check)
-        log.line(options.model + ": no mistakes found\n  members           " + std::to_string(study.members.size()));
-      else
-        study.run(folder_of_results(options), options.jobs, options.program, log);
+        return log.line(options.model + ": no mistakes found\n  members           " +
+                        std::to_string(study.members.size()));
+      const std::string folder = folder_of_results(options);
+      prepare_folder(folder);
+      study.run(folder, options.jobs, options.program, log);
     }
 
 

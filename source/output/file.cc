@@ -42,9 +42,9 @@ namespace samara
   void
   make_folder(const std::string &folder)
   {
-    std::error_code error;
+    std::error_code error, ignored;
     std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder))
+    if (!std::filesystem::is_directory(folder, ignored))
       fail(folder, error.value());
   }
 
