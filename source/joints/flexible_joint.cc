@@ -13,6 +13,7 @@ namespace samara
     prm.add("Body A", body_a, "First frame: body.point, or ground.");
     prm.add("Body B", body_b, "Second frame; strains are those of B seen from A.");
     prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
+    prm.add("Gap", gap, documentation_of_gap, Selection("refused|allowed"));
     prm.add("Axis", axis, "Direction of axis 1 in the reference configuration, inertial components [1].");
     prm.add("Axis 2", axis_2, "Direction near which axis 2 lies; 0, 0, 0: any [1].");
     const List three(Double(0), 3, 3);
@@ -42,6 +43,7 @@ namespace samara
     const auto ends = ends_of_joint(m, *this, body_a, body_b);
     if (!ends)
       return;
+    check_gap(m, *this, *ends, body_a, body_b, gap);
     if (!parameters.is_set("Position"))
       position = m.position((*ends)[1]);
     if (axis.isZero(0.))

@@ -79,9 +79,13 @@ namespace samara
       if (motion->is_prescribed)
         model->prescribed[motion->coordinate] = row++;
     for (unsigned int i = 0; i < used.size(); ++i)
-      if (used[i]->is_angle() && !used[i]->is_prescribed)
-        layout.corrections.push_back({first_multiplier + static_cast<unsigned int>(locked.size()) + i,
-                                      static_cast<unsigned int>(used[i]->coordinate)});
+      if (used[i]->is_angle())
+        {
+          const unsigned int multiplier = first_multiplier + locked.size() + i;
+          layout.angles.push_back(multiplier);
+          if (!used[i]->is_prescribed)
+            layout.corrections.push_back({multiplier, static_cast<unsigned int>(used[i]->coordinate)});
+        }
     for (unsigned int i = rows.size() - no_slip.size(); i < rows.size(); ++i)
       layout.nonholonomic.push_back(multipliers[i]);
   }
@@ -235,15 +239,16 @@ namespace samara
       }
     for (unsigned int i = 0; i < used.size(); ++i, ++row)
       {
-        const FreeMotion &m       = *used[i];
-        const auto        measure = m.measure(pair, point.coordinates[m.coordinate]);
-        g[row] += measure.value;
+        const FreeMotion &m          = *used[i];
+        const Number     &coordinate = point.coordinates[m.coordinate];
+        g[row] += m.measure(pair, coordinate);
         if constexpr (with_forces)
           {
-            r[block.row(12 + i)] += stress[i] - point.factor * m.force(point.time) + lambda[row] * measure.slope;
-            forces.add(m.first, pair, lambda[row] * measure.first);
+            const auto of = m.derivatives(pair, coordinate);
+            r[block.row(12 + i)] += stress[i] - point.factor * m.force(point.time) + lambda[row] * of.slope;
+            forces.add(m.first, pair, lambda[row] * of.first);
             if (m.is_angle())
-              forces.add(m.second, pair, lambda[row] * measure.second);
+              forces.add(m.second, pair, lambda[row] * of.second);
           }
       }
     for (unsigned int i = 0; i < used.size(); ++i)
@@ -331,20 +336,20 @@ namespace samara
       }
     for (unsigned int i = 12; i < 12 + used.size(); ++i, ++lambda, ++row)
       {
-        const FreeMotion &m       = *used[i - 12];
-        const auto        measure = m.measure(pair, point.coordinates[m.coordinate]);
-        const Vector12    first   = gradient(m.first, pair);
-        Vector12          g       = measure.first * first;
-        block.add_entry(i, i, m.spring + *lambda * measure.curvature, K);
-        add_symmetric(i, row, measure.slope);
-        twists.add(m.first, *lambda * measure.first);
+        const FreeMotion &m     = *used[i - 12];
+        const auto        of    = m.derivatives(pair, point.coordinates[m.coordinate]);
+        const Vector12    first = gradient(m.first, pair);
+        Vector12          g     = of.first * first;
+        block.add_entry(i, i, m.spring + *lambda * of.curvature, K);
+        add_symmetric(i, row, of.slope);
+        twists.add(m.first, *lambda * of.first);
         if (m.is_angle())
           {
-            const Vector12 second = gradient(m.second, pair),
-                           mixed  = *lambda * (measure.slope_first * first + measure.slope_second * second);
-            g += measure.second * second;
-            twists.add(m.second, *lambda * measure.second);
-            block.add_border(i, mixed, K);
+            const Vector12 second = gradient(m.second, pair);
+            g += of.second * second;
+            twists.add(m.second, *lambda * of.second);
+            H += first * (*lambda * (of.first_first * first + of.first_second * second)).transpose() +
+                 second * (*lambda * (of.first_second * first + of.second_second * second)).transpose();
           }
         block.add_border(row, g, K);
       }
@@ -402,10 +407,10 @@ namespace samara
       *g++ = l.function.rate(pair, change);
     for (const auto *m : used)
       {
-        const auto measure = m->measure(pair, point.coordinates[m->coordinate]);
-        *g                 = measure.slope * point.rates[m->coordinate] + measure.first * m->first.rate(pair, change);
+        const auto of = m->derivatives(pair, point.coordinates[m->coordinate]);
+        *g            = of.slope * point.rates[m->coordinate] + of.first * m->first.rate(pair, change);
         if (m->is_angle())
-          *g += measure.second * m->second.rate(pair, change);
+          *g += of.second * m->second.rate(pair, change);
         ++g;
       }
     for (const auto *m : used)
@@ -431,6 +436,22 @@ namespace samara
     for (const auto *m : used)
       if (m->is_prescribed)
         rates[row++] = -point.factor * m->prescribed.derivative(point.time);
+  }
+
+
+
+  void
+  Joint::follow_angles(State &state) const
+  {
+    if (std::none_of(used.begin(), used.end(), [](const FreeMotion *m) { return m->is_angle(); }))
+      return;
+    const PairValues<double> pair(frame_a, frame_b, state.q.data());
+    for (const auto *m : used)
+      if (m->is_angle())
+        {
+          double &angle = state.coordinates[m->coordinate];
+          angle         = in_turn_of(m->angle(pair), angle);
+        }
   }
 
 

@@ -17,7 +17,7 @@ namespace samara
       return std::sqrt(motion.first.value(pair));
     if (!motion.is_angle())
       return motion.first.value(pair);
-    return std::atan2(motion.sign * motion.second.value(pair), motion.first.value(pair));
+    return motion.angle(pair);
   }
 
 

@@ -1,6 +1,9 @@
 // What users say of a joint, and where its frames are.
 
+#include <samara/base/text.h>
 #include <samara/joints/joint.h>
+
+#include <sstream>
 
 namespace samara
 {
@@ -19,6 +22,18 @@ namespace samara
         prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*m*s/rad].", Double(0));
         prm.add("Moment", force, "Moment on body B, its reaction on body A; a function of time t [N*m].");
         prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; a function of time t [rad].");
+      }
+    else if (is_length())
+      {
+        prm.add("Spring", spring, "Stiffness [N/m].", Double(0));
+        prm.add("Rest", rest, "Length without force; not given: that in the reference configuration [m].");
+        prm.add("Damper", damper, "Viscous damping [N*s/m].", Double(0));
+        prm.add("Lower stop", lower_stop, "Length below which a stop is touched; not given: there is none [m].");
+        prm.add("Upper stop", upper_stop, "Length above which a stop is touched; not given: there is none [m].");
+        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N/m].", Double(0));
+        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*s/m].", Double(0));
+        prm.add("Force", force, "Force that pushes the two points apart; a function of time t [N].");
+        prm.add("Prescribed", prescribed, "Prescribed length; a function of time t [m].");
       }
     else
       {
@@ -96,6 +111,72 @@ namespace samara
 
 
 
+  const char *const documentation_of_gap =
+    "Whether the two points that are named may be apart in the reference configuration where no Position is given; "
+    "allowed: the joint is at frame B, a rigid arm goes to frame A.";
+
+
+
+  namespace
+  {
+    /** Of the box around all nodes there are [m]. */
+    double
+    diagonal_of(const Model &model)
+    {
+      Vector3 low = model.nodes[0].x, high = low;
+      for (const auto &node : model.nodes)
+        {
+          low  = low.cwiseMin(node.x);
+          high = high.cwiseMax(node.x);
+        }
+      return (high - low).norm();
+    }
+
+    /** "<rod.end> at (1, 0, 0)" */
+    std::string
+    place_to_text(const std::string &point, const std::string &at, const Vector3 &x)
+    {
+      std::ostringstream text;
+      text << "<" << point << "> " << at << " (" << x(0) + 0. << ", " << x(1) + 0. << ", " << x(2) + 0. << ")"; // no -0
+      return text.str();
+    }
+  } // namespace
+
+
+
+  void
+  check_gap(Model                      &model,
+            const Contribution         &joint,
+            const std::array<Frame, 2> &ends,
+            const std::string          &body_a,
+            const std::string          &body_b,
+            const std::string          &gap)
+  {
+    // drawings are rounded: what is smaller, in proportion to the model, is not meant
+    constexpr double rounding = 1e-5;
+    // a rigid body may be held anywhere: its centre is the body itself
+    const auto is_point = [](const std::string &path) {
+      const auto dot = path.find('.');
+      return dot != std::string::npos && trim(path.substr(dot + 1)) != "centre";
+    };
+    if (gap == "allowed" || joint.parameters.is_set("Position") || !is_point(body_a) || !is_point(body_b))
+      return;
+    const Vector3 a = model.position(ends[0]), b = model.position(ends[1]);
+    const double  distance = (b - a).norm();
+    if (distance <= 1e-12 * b.norm() || distance <= rounding * diagonal_of(model))
+      return;
+    std::ostringstream how_far;
+    how_far << distance << " m apart: ";
+    model.complaints.add(joint.parameters.where("Body B"),
+                         "joint <" + joint.name + ">: the points it connects are " + how_far.str() +
+                           place_to_text(body_a, "is at", a) + ", " + place_to_text(body_b, "at", b) +
+                           ". Let them meet, or name other points; if a rigid arm is meant, say where the joint is by "
+                           "<Position>, or <Gap = allowed>: then it is at <" +
+                           body_b + ">");
+  }
+
+
+
   bool
   check_ends(Model &model, const Contribution &joint, const Frame &a, const Frame &b, const std::string &between)
   {
@@ -127,6 +208,28 @@ namespace samara
     prm.add("Body A", body_a, "First frame: body.point, or ground.");
     prm.add("Body B", body_b, "Second frame; relative motions are those of B seen from A.");
     prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
+    prm.add("Gap", gap, documentation_of_gap, dealii::Patterns::Selection("refused|allowed"));
+  }
+
+
+
+  void
+  Joint::add_two_points(Parameters &prm)
+  {
+    prm.add("Body A", body_a, "First point: body.point, or ground.");
+    prm.add("Body B", body_b, "Second point.");
+    prm.add("Position",
+            position,
+            "Place of the end on body A in the reference configuration; default: that of frame A [m].");
+    add_motions(prm);
+  }
+
+
+
+  Frame
+  Joint::end_on_a(const Model &model, const Frame &a) const
+  {
+    return parameters.is_set("Position") ? model.frame_at(a, position, Matrix3::Identity()) : a;
   }
 
 
@@ -198,6 +301,7 @@ namespace samara
   void
   Joint::place(Model &model, const Frame &a, const Frame &b)
   {
+    check_gap(model, *this, {a, b}, body_a, body_b, gap);
     if (!parameters.is_set("Position"))
       position = model.position(b);
     const Matrix3 E = axes();

@@ -48,7 +48,10 @@ namespace samara
     lock_rotation(2, 1);
     lock_rotation(0, 1);
     Joint::add_parameters(prm);
-    prm.add("Reaction", reaction_wanted, "Keep both nodes and make the forces and moments between them unknowns.");
+    prm.add("Reaction",
+            reaction_wanted,
+            "Keep both nodes and make the forces and moments between them unknowns: at Position, in the axes of Axis and "
+            "Axis 1, which have no effect otherwise.");
   }
 
 
@@ -58,8 +61,11 @@ namespace samara
   {
     if (reaction_wanted)
       return Joint::initialize(model);
-    if (const auto ends = ends_of_joint(model, *this, body_a, body_b))
-      model.weld((*ends)[0], (*ends)[1]);
+    const auto ends = ends_of_joint(model, *this, body_a, body_b);
+    if (!ends)
+      return;
+    check_gap(model, *this, *ends, body_a, body_b, gap);
+    model.weld((*ends)[0], (*ends)[1]);
   }
 
 
@@ -137,7 +143,7 @@ namespace samara
     free.back().name  = "length";
     free.back().unit  = "m";
     free.back().first = {PairFunction::squared_distance};
-    Joint::add_parameters(prm);
+    add_two_points(prm);
   }
 
 
@@ -145,9 +151,8 @@ namespace samara
   void
   Spring::place(Model &model, const Frame &a, const Frame &b)
   {
-    // the ground has no points of its own
-    frame_a = a.node == 0 && parameters.is_set("Position") ? model.frame_at(a, position, Matrix3::Identity()) : a;
-    frame_b = b;
+    frame_a            = end_on_a(model, a);
+    frame_b            = b;
     FreeMotion &motion = free[0];
     motion.reference   = (model.position(frame_b) - model.position(frame_a)).norm();
     if (motion.reference == 0)
@@ -199,7 +204,7 @@ namespace samara
   Distance::add_parameters(Parameters &prm)
   {
     locked.push_back({{PairFunction::squared_distance}, "distance"});
-    Joint::add_parameters(prm);
+    add_two_points(prm);
     prm.add("Length",
             length,
             "Length of the rod; 0: the distance in the reference configuration [m].",
@@ -211,9 +216,9 @@ namespace samara
   void
   Distance::place(Model &model, const Frame &a, const Frame &b)
   {
-    frame_a                = a;
+    frame_a                = end_on_a(model, a);
     frame_b                = b;
-    const double reference = (model.position(b) - model.position(a)).norm();
+    const double reference = (model.position(frame_b) - model.position(frame_a)).norm();
     if (length == 0)
       length = reference;
     if (reference == 0)

@@ -107,6 +107,7 @@ namespace samara
   {
     no_slip.push_back({{PairVelocity::skating, 0}, "velocity across the blade", 0});
     axis = Vector3::UnitX();
+    gap  = "allowed"; // the blade may be anywhere on body A
     prm.add("Body A", body_a, "Body on which the blade moves: body.point, or ground.");
     prm.add("Body B", body_b, "Body with the blade.");
     prm.add("Position", position, "Place of the blade in the reference configuration; default: that of frame B [m].");

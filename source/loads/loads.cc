@@ -282,6 +282,13 @@ namespace samara
   {
     model         = &m;
     rotation.name = name;
+    for (const std::string entry : {"Axis", "Through", "Azimuth"})
+      if (parameters.is_set(entry) && joint.empty() == (entry == "Azimuth"))
+        m.complaints.add(parameters.where(entry),
+                         "steady rotation <" + name + "> turns " +
+                           (joint.empty() ? "the whole model: there is no <Joint> to hold at" :
+                                            "at the <Joint>, which says about which axis; leave out") +
+                           " the <" + entry + ">");
     if (!joint.empty())
       try
         {

@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace samara
 {
@@ -113,7 +114,9 @@ namespace samara
     // an angle that is prescribed stays so
     std::vector<unsigned int> released;
     for (const auto hold : model.holds)
-      if (std::none_of(model.prescribed.begin(), model.prescribed.end(), [&](const auto &p) { return p.second == hold; }))
+      if (std::none_of(model.prescribed.begin(), model.prescribed.end(), [&](const auto &p) {
+            return p.second == hold;
+          }))
         released.push_back(hold);
     return released;
   }
@@ -240,14 +243,19 @@ namespace samara
 
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
-        const double *const  zn = &z[layout.of_node(node)];
-        Eigen::Map<Vector3>  x(&state.q[12 * node]);
-        Eigen::Map<Matrix3>  D(&state.q[12 * node + 3]);
+        const double *const zn = &z[layout.of_node(node)];
+        Eigen::Map<Vector3> x(&state.q[12 * node]);
+        Eigen::Map<Matrix3> D(&state.q[12 * node + 3]);
         x += D * Eigen::Map<const Vector3>(zn);
         D = renormalised(D * cayley<double>(Eigen::Map<const Vector3>(zn + 3)));
       }
     for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-      state.coordinates[i] += z[layout.of_coordinate(i)];
+      {
+        const double change = z[layout.of_coordinate(i)];
+        state.coordinates[i] += model.coordinate_units[i] == "rad" ? 2 * std::atan(0.5 * change) : change;
+      }
+    for (const auto *c : layout.constraining)
+      c->follow_angles(state);
     for (unsigned int i = 0; i < layout.n_multipliers; ++i)
       state.multipliers[i] += z[layout.of_multiplier(i)];
     update_twists(state);

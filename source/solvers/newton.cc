@@ -49,6 +49,29 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * Shorten a step that turns a node by more than a right angle, 2 atan(|θ|/2). Joints know their axes by products of
+     * triads, which do not tell an axis from its reverse: it must not get there in one go.
+     */
+    void
+    limit_rotations(const System &system, std::vector<double> &step)
+    {
+      if (system.layout.n_multipliers == 0)
+        return;
+      constexpr double limit   = 2;
+      double           largest = 0;
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        largest = std::max(largest, Eigen::Map<const Vector3>(&step[system.layout.of_node(node) + 3]).norm());
+      if (largest > limit)
+        for (auto &s : step)
+          s *= limit / largest;
+    }
+  } // namespace
+
+
+
   void
   Newton::find_worst(NewtonResult &result) const
   {
@@ -97,6 +120,7 @@ namespace samara
             find_worst(result);
             return result;
           }
+        limit_rotations(system, step);
         system.update(state, step);
         smallest = std::min(smallest, result.last_step);
         if (result.last_step < tolerance)

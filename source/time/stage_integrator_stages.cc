@@ -288,6 +288,12 @@ namespace samara
     constraints_at_end.assign(system.size() + 6, 0.);
     for (const auto *c : system.layout.constraining)
       c->constraints(end, constraints_at_end.data());
+    // how often an angle has turned is what the rates say
+    for (const auto i : system.layout.angles)
+      {
+        double &gap = constraints_at_end[system.layout.of_multiplier(i)];
+        gap += 2 * M_PI * std::round((h * mean_rates[i] - gap) / (2 * M_PI));
+      }
     for (auto &stage : stages)
       for (unsigned int i = 0; i < n_multipliers; ++i)
         {

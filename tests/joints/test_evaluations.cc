@@ -20,8 +20,8 @@ namespace
     {{"universal", "rotation 2", "set Axis = 1, 0, 0\nset Second axis = 0, 1, 0"}},
     {{"spherical", "", ""}},
     {{"rigid", "", "set Reaction = true"}},
-    {{"spring", "length", ""}},
-    {{"distance", "", ""}},
+    {{"spring", "length", "set Position = 1, 0.4, 0.2"}},
+    {{"distance", "", "set Position = 1, 0.4, 0.2"}},
     {{"flexible joint", "", "set Axis = 1, 2, -1\nset Stiffness = 1, 2, 3\nset Rotational damping = 3, 2, 1"}},
     {{"rolling ball", "", "set Axis = 1, 2, -1\nset Radius = 0.4"}},
     {{"knife edge", "", "set Axis = 1, 2, -1"}}};
@@ -34,10 +34,10 @@ namespace
                                   " set Lower stop = 2\n set Upper stop = 3\n set Stop stiffness = 1.5\n"
                                   " set Stop damping = 0.4\n";
     return "subsection Bodies\n subsection a\n set Type = rigid body\n set Mass = 2\n set Inertia = 1, 1, 1\n"
-           " set Position = 0.3, -0.2, 0.1\n set Rotation = 0.4, 0.2, -0.7\n set Frames = end at 1 0.4 0.2\n end\n"
+           " set Position = 0.3, -0.2, 0.1\n set Rotation = 0.4, 0.2, -0.7\n end\n"
            " subsection b\n set Type = rigid body\n set Mass = 2\n set Inertia = 1, 1, 1\n set Position = 2, 1, 1\n"
            " set Rotation = -0.1, 0.5, 0.3\n set Frames = end at 1 0.9 0.6\n end\nend\n"
-           "subsection Joints\n subsection j\n set Body A = a.end\n set Body B = b.end\n set Type = " +
+           "subsection Joints\n subsection j\n set Body A = a\n set Body B = b.end\n set Type = " +
            joint[0] + "\n" + joint[2] + "\n" +
            (joint[1].empty() ? "" : "subsection " + joint[1] + "\n" + all_of_it + " end\n") + " end\nend\n";
   }

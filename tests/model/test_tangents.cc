@@ -118,7 +118,7 @@ end
       {
         std::string text = "subsection Joints\n subsection j\n set Type = " + kind +
                            "\n set Body A = block.centre\n set Body B = rod.start\n";
-        if (kind != "distance" && kind != "rigid")
+        if (kind != "distance" && kind != "spring" && kind != "rigid")
           text += kind == "universal" ? "set Axis = 1, 0, 0\n set Second axis = 0, 1, 0\n" : "set Axis = 1, 2, -1\n";
         if (kind == "screw")
           text += "set Pitch = 0.3\n";

@@ -47,7 +47,7 @@ namespace samara
     void                     draw(const State &state, Drawing &drawing) const override;
 
   private:
-    std::string         body_a, body_b;
+    std::string         body_a, body_b, gap = "refused";
     Vector3             position = Vector3::Zero(), axis = Vector3::UnitX(), axis_2 = Vector3::Zero();
     Vector3             stiffness = Vector3::Zero(), rotational_stiffness = Vector3::Zero();
     Vector3             viscosity = Vector3::Zero(), rotational_viscosity = Vector3::Zero();

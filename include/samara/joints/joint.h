@@ -1,6 +1,7 @@
 #ifndef samara_joints_joint_h
 #define samara_joints_joint_h
 
+#include <samara/joints/angle.h>
 #include <samara/joints/pair.h>
 #include <samara/model/system.h>
 
@@ -19,11 +20,9 @@ namespace samara
   {
     std::string name, unit; ///< "rotation" in rad, "displacement" in m
 
-    /** The functions that tell it: d = value of the first; θ = atan2(± second, first); l = √first of squared distances.
-     */
+    /** The functions that tell it: d is the first; θ = atan2(second, first); l is the root of the first. */
     PairFunction first, second;
     double       reference = 0; ///< of a length: its value in the reference configuration, where the coordinate is zero
-    double       sign      = 1;
     unsigned int axis      = 2; ///< joint axis along or about which the force or moment of this motion acts
 
     // entries
@@ -53,16 +52,28 @@ namespace samara
       return is_length() ? Number((reference + coordinate) / reference) : Number(1);
     }
 
-    /** The constraint g(first, second, coordinate) that measures the coordinate, with its derivatives. */
+    /** The constraint that measures the coordinate, g(first, second, coordinate) = 0. */
     template <typename Number>
-    struct Measure
+    Number measure(const PairValues<Number> &pair, const Number &coordinate) const;
+
+    /** Its derivatives; those not among them are zero. */
+    template <typename Number>
+    struct Derivatives
     {
-      Number value, slope, curvature;   ///< g, ∂g/∂coordinate, ∂²g/∂coordinate²
-      Number first, second;             ///< ∂g/∂first, ∂g/∂second
-      Number slope_first, slope_second; ///< ∂²g/∂coordinate∂first, ∂²g/∂coordinate∂second
+      Number slope, curvature;                         ///< ∂g/∂coordinate, ∂²g/∂coordinate²
+      Number first, second;                            ///< ∂g/∂first, ∂g/∂second
+      Number first_first, first_second, second_second; ///< ∂²g/∂first², …
     };
     template <typename Number>
-    Measure<Number> measure(const PairValues<Number> &pair, const Number &coordinate) const;
+    Derivatives<Number> derivatives(const PairValues<Number> &pair, const Number &coordinate) const;
+
+    /** The angle between −π and π at which the two frames are. */
+    template <typename Number>
+    Number
+    angle(const PairValues<Number> &pair) const
+    {
+      return angle_of(first.value(pair), second.value(pair));
+    }
 
     void add_parameters(Parameters &prm);
 
@@ -74,23 +85,31 @@ namespace samara
 
 
   template <typename Number>
-  FreeMotion::Measure<Number>
+  Number
   FreeMotion::measure(const PairValues<Number> &pair, const Number &coordinate) const
   {
-    using std::cos;
-    using std::sin;
-    const Number f = first.value(pair);
     if (is_angle())
-      {
-        const Number s = sin(coordinate), c = cos(coordinate), f_2 = sign * second.value(pair), g = s * f - c * f_2;
-        return {g, c * f + s * f_2, -g, s, -sign * c, c, sign * s};
-      }
+      return less_turns(coordinate - angle(pair));
+    const Number f = first.value(pair);
+    if (!is_length())
+      return f - coordinate;
+    const Number l = coordinate + reference;
+    return 0.5 / reference * (f - l * l);
+  }
+
+
+
+  template <typename Number>
+  FreeMotion::Derivatives<Number>
+  FreeMotion::derivatives(const PairValues<Number> &pair, const Number &coordinate) const
+  {
     if (is_length())
-      {
-        const Number l = coordinate + reference;
-        return {0.5 / reference * (f - l * l), -lever(coordinate), -1 / reference, 0.5 / reference, 0, 0, 0};
-      }
-    return {f - coordinate, -1, 0, 1, 0, 0, 0};
+      return {-lever(coordinate), -1 / reference, 0.5 / reference, 0, 0, 0, 0};
+    if (!is_angle())
+      return {-1, 0, 1, 0, 0, 0, 0};
+    // of −atan2(s, c); triads of stages are not orthonormal: c² + s² is not one
+    const Number c = first.value(pair), s = second.value(pair), square = c * c + s * s, fourth = square * square;
+    return {1, 0, s / square, -c / square, -2. * s * c / fourth, (c * c - s * s) / fourth, 2. * s * c / fourth};
   }
 
 
@@ -101,6 +120,21 @@ namespace samara
    */
   std::optional<std::array<Frame, 2>>
   ends_of_joint(Model &model, const Contribution &joint, const std::string &body_a, const std::string &body_b);
+
+  /**
+   * Complain if both entries name a point, the two points are apart in the reference configuration, and neither a
+   * "Position" says where the joint is nor @p gap is "allowed". A body without a point, the centre of a rigid body, and
+   * the ground do not say where.
+   */
+  void check_gap(Model                      &model,
+                 const Contribution         &joint,
+                 const std::array<Frame, 2> &ends,
+                 const std::string          &body_a,
+                 const std::string          &body_b,
+                 const std::string          &gap);
+
+  /** What the entry "Gap" says, for its declaration. */
+  extern const char *const documentation_of_gap;
 
   /** Whether the two frames are still on different nodes after welding; complains otherwise. */
   bool check_ends(Model &model, const Contribution &joint, const Frame &a, const Frame &b, const std::string &between);
@@ -120,7 +154,7 @@ namespace samara
    *     locked            function − its reference value = 0
    *     free d, used      E_iᴬ·Δ − d = 0
    *     free l, used      (Δ·Δ − l²)/(2 L) = 0, L the length in the reference configuration, l − L the coordinate
-   *     free θ, used      sinθ c − cosθ s = 0 with c = cosθ, s = sinθ from the axes of A and B
+   *     free θ, used      θ − atan2(s, c) less whole turns = 0 with c = cosθ, s = sinθ from the axes of A and B
    *     prescribed        d − f(t) = 0, θ − f(t) = 0
    *     screw             d − p θ = 0
    *     no slip           0; b·y = 0 is a constraint on velocities alone, its tangent row is b
@@ -146,6 +180,7 @@ namespace samara
     void         constraints(const Point<double> &point, double *r) const override;
     void         constraint_rates(const Point<double> &point, double *rates) const override;
     void         constraint_time_rates(const Point<double> &point, double *rates) const override;
+    void         follow_angles(State &state) const override;
     bool         has_loads() const override;
     bool         has_damping() const override;
 
@@ -200,13 +235,19 @@ namespace samara
     void add_ends(Parameters &prm);
     void add_motions(Parameters &prm);
 
+    /** The same for what goes from a point of A to a point of B: "Position" is that of its end on A. */
+    void add_two_points(Parameters &prm);
+
     /** The joint's axes in the reference configuration; by default E₃ along "Axis". */
     virtual Matrix3 axes() const;
 
     /** Where the two frames are in the reference configuration; by default both at "Position" with axes(). */
     virtual void place(Model &model, const Frame &body_a, const Frame &body_b);
 
-    std::string body_a, body_b;
+    /** Where the end on A is of what add_two_points() declares. */
+    Frame end_on_a(const Model &model, const Frame &body_a) const;
+
+    std::string body_a, body_b, gap = "refused";
     Vector3     position = Vector3::Zero(), axis = Vector3::UnitZ(), axis_1 = Vector3::Zero();
 
     /** d = pitch θ for the first free displacement and rotation, if not zero [m/rad]. */

@@ -54,8 +54,8 @@ namespace samara
 
   /**
    * A spring, a damper, an actuator between two points: their distance l is an unknown, with what all free motions of
-   * joints can have (spring, rest length, damper, force, prescribed length, stops). If body A is the ground, Position
-   * says where the spring hangs.
+   * joints can have (spring, rest length, damper, force, prescribed length, stops). Its end on A is at Position, where
+   * that is given.
    */
   class Spring : public Joint
   {
@@ -74,8 +74,8 @@ namespace samara
 
 
   /**
-   * A massless rod with a ball joint at each end: |Δ|² = L² for the gap Δ between the frames. With the multiplier λ the
-   * tension in it is 2 L λ [N].
+   * A massless rod with a ball joint at each end: |Δ|² = L² for the gap Δ between the frames; that of A is at Position,
+   * where that is given. With the multiplier λ the tension in it is 2 L λ [N].
    */
   class Distance : public Joint
   {

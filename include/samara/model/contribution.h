@@ -120,6 +120,11 @@ namespace samara
     /** The part ∂g/∂t alone. */
     virtual void constraint_time_rates(const Point<double> &, double *) const {}
 
+    /** Give coordinates that are angles those of the nodes, in the turn nearest to what they are. */
+    virtual void
+    follow_angles(State &) const
+    {}
+
     /** Whether the residual has loads in it besides σ and λ, and whether σ has viscous parts. */
     virtual bool
     has_loads() const

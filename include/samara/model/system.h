@@ -63,6 +63,9 @@ namespace samara
     };
     std::vector<Correction> corrections;
 
+    /** Multipliers of constraints that hold but for whole turns: θ − atan2(s, c) = 0. */
+    std::vector<unsigned int> angles;
+
     /**
      * What presses on a joint coordinate from one side only: with the gap g = side (coordinate − place), positive where
      * it is touched, the force k g⁺ + c ġ against growing g, never pulling.
@@ -149,7 +152,8 @@ namespace samara
 
     /**
      * Add the increments @p z (nodal twists, joint coordinates, multipliers) to the state; its stress becomes
-     * C (e + B z), the stress of the linearised motion.
+     * C (e + B z), the stress of the linearised motion. Angles of joints become those of the nodes in the turn to which
+     * 2 atan(z/2) leads, by which the increments turn the nodes: so they count turns, and never lose one.
      */
     void update(State &state, const std::vector<double> &z) const;
 
