@@ -454,7 +454,8 @@ TEST_F(Catalogued, Dynamics)
          {"Output every", "2"},
          {"Pictures", "2"},
          {"Second estimate", "true"}},
-        {{"Checkpoint interval", "only what is on disk before the end depends on it: tests/output/test_resume.cc"}});
+        {{"Checkpoint interval", "only what is on disk before the end depends on it: tests/output/test_resume.cc"},
+         {"Energy balance", "only a run whose account misses depends on it: tests/input/energy_balance*.prm"}});
 }
 
 
