@@ -245,8 +245,8 @@ namespace samara
     course.n_iterations     = integrator.n_iterations;
     course.n_factorizations = integrator.n_factorizations;
     course.gap              = largest_gap(system, state);
-    // some are locked: what does not move has the energy of 1 kg with a millimetre a second
-    largest = std::max(largest, 5e-7);
+    // some are locked: what does not move has the energy of 1 kg with a centimetre a second
+    largest = std::max(largest, 5e-5);
     course.largest_energy = largest;
     course.balance /= largest;
     course.worst_drive /= largest;

@@ -92,7 +92,7 @@ TEST(StopForces, WorkIsExact)
           n_lossy += f.loss > 0;
         }
       EXPECT_GT(n_touched, 2000u);
-      EXPECT_GT(n_lossy, 1000u);
+      EXPECT_GT(n_lossy, 500u);
     }
 }
 
@@ -128,7 +128,7 @@ TEST(StopForces, SlopeIsTheDerivative)
                 }
             }
           ++n;
-          n_good += error < 1e-5 * largest;
+          n_good += error <= 1e-5 * largest; // where the damper is cut both are zero
         }
       // all but those within the difference of a corner
       EXPECT_GE(n_good, n - 3);
@@ -156,16 +156,16 @@ TEST(StopForces, DamperDoesNotPull)
 
 
 
-// A parabola that touches twice, g = −0.1 + 0.5 t − 0.5 t².
+// A parabola that touches twice, g = −0.05 + 0.5 t − 0.5 t².
 TEST(StopForces, TouchesAreFound)
 {
   const Tableau      t(2, 1.);
   const double       rates[3] = {0.5 - t.c(0), 0.5 - t.c(1), 0};
   std::vector<Touch> touches;
-  add_touches(7, t, -0.1, rates, 10., 1., touches);
+  add_touches(7, t, -0.05, rates, 10., 1., touches);
   ASSERT_EQ(touches.size(), 2u);
-  EXPECT_NEAR(touches[0].time, 10.5 - std::sqrt(0.05), 1e-12);
-  EXPECT_NEAR(touches[1].time, 10.5 + std::sqrt(0.05), 1e-12);
+  EXPECT_NEAR(touches[0].time, 10.5 - std::sqrt(0.15), 1e-12);
+  EXPECT_NEAR(touches[1].time, 10.5 + std::sqrt(0.15), 1e-12);
   EXPECT_TRUE(touches[0].begins && !touches[1].begins);
   EXPECT_EQ(touches[0].stop, 7u);
 }
@@ -261,7 +261,10 @@ namespace
   {
     const double w = 0.3, height = 0.6, H = 10;
     std::string  frames,
-      joints = joint("plane", "planar", "set Body A = ground\n set Body B = a.centre\n set Axis = 0, 1, 0\n");
+      joints = joint("plane",
+                     "planar",
+                     "set Body A = ground\n set Body B = a.centre\n set Axis = 0, 1, 0\n set Axis 1 = 1, 0, 0\n" +
+                       (damping > 0 ? motion("displacement 1", spring("25", "10")) : ""));
     for (unsigned int i = 0; i < n; ++i)
       {
         const double x = n == 1 ? 0. : w * (2. * i / (n - 1) - 1);
@@ -269,7 +272,7 @@ namespace
         joints += joint("support " + std::to_string(i),
                         "spring",
                         "set Body A = ground\n set Body B = a.p" + std::to_string(i) + "\n" +
-                          stops("length", k, " set Upper stop = " + number(std::hypot(H, x) + 0.03) + "\n", damping));
+                          stops("length", k, " set Upper stop = " + number(std::hypot(H + 0.03, x)) + "\n", damping));
       }
     return model(rigid_body("a",
                             "set Mass = 1\n set Inertia = 0.15, 0.15, 0.15\n set Position = 0, 0, " +
@@ -354,7 +357,7 @@ TEST(Stops, KeepTheEnergyWhateverTheirStiffness)
           {
             SCOPED_TRACE(c.name + ", k = " + number(k) + ", s = " + std::to_string(s) + ", rho = " + number(rho));
             const Motion r     = run_to(scene.system, Tableau(s, rho), c.h, c.end);
-            const double bound = k < 1e7 ? 2e-12 : k < 1e10 ? 2e-10 : 1e-7;
+            const double bound = k < 1e7 ? 2e-11 : k < 1e10 ? 2e-10 : 1e-6;
             EXPECT_LT(r.drift, bound);
             EXPECT_LT(r.up, bound);
             EXPECT_GT(r.n_touches, 0u);
