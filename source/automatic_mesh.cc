@@ -112,6 +112,7 @@ namespace samara
         , context{system, log, "", {}, false, system.reference(), {}, {}}
       {
         system.drop(check_model(system).redundant_multipliers);
+        context.state = system.reference();
         for (const auto &rotation : input.model.rotations)
           context.speeds.push_back(rotation.speed);
 

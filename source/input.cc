@@ -31,8 +31,8 @@ namespace samara
             "Speeds of the first steady rotation for which all analyses are done; others in proportion [rad/s].");
     prm.add("Redundant constraints",
             redundant,
-            "What to do with constraints that say what others say already.",
-            dealii::Patterns::Selection("refuse|drop"));
+            "No effect any more: redundant constraints need no entry. Models of earlier versions say refuse or drop.",
+            dealii::Patterns::Selection("|refuse|drop"));
     prm.add("Linear solver",
             linear_solver,
             "Library that factorises matrices; KLU is the fastest for beams and mechanisms.",
@@ -150,7 +150,7 @@ namespace samara
     for (const auto &kind : catalogue.analyses.kinds())
       root.ignore_subsection(subsection_of_analysis(kind));
     root.parse(outline, quantities, complaints);
-    drop_redundant = redundant == "drop";
+    says_redundant = !redundant.empty();
     use_library(library_by_name(linear_solver));
     set_threads(threads);
 

@@ -187,15 +187,14 @@ namespace samara
     const auto owner  = input.assemble();
     System    &system = *owner;
     check_size(input, system);
-    const auto probes = input.make_probes();
+    auto       probes = input.make_probes();
     const auto counts = check_model(system);
-    if (options.check)
-      log.line(counts.text(system, options.model));
-    if (!counts.redundant.empty() && !input.drop_redundant)
+    if (!counts.contradictions.empty())
       throw InputError(counts.complaint(options.model));
-    system.drop(counts.redundant_multipliers);
     if (options.check)
-      return;
+      return log.line(counts.text(system, options.model));
+    system.drop(counts.redundant_multipliers);
+    const bool least_norm = counts.mark(probes);
 
     const std::string folder = folder_of_results(options);
     prepare_folder(folder);
@@ -207,11 +206,18 @@ namespace samara
              " unknowns (" + std::to_string(system.layout.n_nodes - 1) + " nodes, " +
              std::to_string(system.layout.n_coordinates) + " joint coordinates, " +
              std::to_string(system.layout.n_multipliers) + " multipliers)");
+    if (input.says_redundant)
+      log.warning("", "<Redundant constraints> has no effect any more: redundant constraints need no entry");
+    if (!counts.redundant_multipliers.empty())
+      log.line(counts.redundancy_text());
+    if (counts.n_free_motions > 0 && input.has_analysis("static"))
+      log.line(counts.free_motions_text());
     std::vector<double> speeds;
     for (const auto &rotation : input.model.rotations)
       speeds.push_back(rotation.speed);
     Context context{system, log, folder, probes, input.pictures, system.reference(), speeds, input.rotor_speeds};
-    context.restart = options.restart;
+    context.restart    = options.restart;
+    context.least_norm = least_norm;
     const InterruptGuard guard;
     try
       {

@@ -45,7 +45,7 @@ namespace samara
       , input(Catalogue(), file ? file->name : std::string(SAMARA_SOURCE_DIR) + "/" + source, overrides)
       , system(input.model)
       , log(stream)
-      , context{system, log, "", {}, false, system.reference(), {}, {}}
+      , context{system, log, "", {}, false, without_redundant(), {}, {}}
     {
       for (const auto &rotation : input.model.rotations)
         context.speeds.push_back(rotation.speed);
@@ -56,6 +56,16 @@ namespace samara
     std::ostringstream stream; ///< what the analyses tell
     Log                log;
     Context            context;
+
+    /** The reference state, with redundant constraints left out as in a run. */
+    State
+    without_redundant()
+    {
+      ModelCheck check;
+      find_redundant(system, check);
+      system.drop(check.redundant_multipliers);
+      return system.reference();
+    }
 
     /** The first analysis of a kind as the file sets it; one with default settings if the file asks for none. */
     template <typename Kind>

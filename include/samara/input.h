@@ -4,6 +4,8 @@
 #include <samara/catalogue.h>
 #include <samara/model/system.h>
 
+#include <algorithm>
+
 namespace samara
 {
   /** A file as it was read, once for all who want to know what it says, with what is wrong in it. */
@@ -40,8 +42,14 @@ namespace samara
     std::vector<std::unique_ptr<Analysis>> analyses;
     std::vector<std::string>               probes;
     std::vector<double>                    rotor_speeds;
-    bool                                   pictures       = true;
-    bool                                   drop_redundant = false;
+    bool                                   pictures = true;
+    bool                                   says_redundant = false; ///< an entry of earlier versions is set
+
+    bool
+    has_analysis(const std::string &kind) const
+    {
+      return std::find(analysis_names.begin(), analysis_names.end(), kind) != analysis_names.end();
+    }
 
     /** The system; if it cannot be made, wrong probes are complained about, too. @throws InputError */
     std::unique_ptr<System> assemble();
@@ -67,7 +75,7 @@ namespace samara
     Parameters               root;
     std::vector<std::string> analysis_names;
     std::vector<std::string> subsections; ///< of each contribution: "Bodies", ...
-    std::string              redundant = "refuse", linear_solver = "KLU";
+    std::string              redundant, linear_solver = "KLU";
     unsigned int             threads = 0;
 
     std::vector<const Outline *> outlines; ///< of each contribution, while it is read

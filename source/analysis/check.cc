@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/solvers/linear.h>
+#include <samara/solvers/redundant_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,46 +23,18 @@ namespace samara
       return K;
     }
 
-    /** Up to this many constraints dense elimination takes less than a second. */
-    constexpr int few_constraints = 300;
-
     /** More free motions are not counted: the search works with as many full vectors. */
     constexpr int most_free_motions = 32;
 
-    /**
-     * Whether sparse elimination of [I Gᵀ; G 0], the columns of Gᵀ normalised, finds no small pivot: then no constraint
-     * repeats others. The cost is proportional to the size, that of the dense search is cubic.
-     */
-    bool
-    is_certainly_independent(const System &system, SparseMatrix K)
+    /** "a, b, c and 5 others" */
+    std::string
+    list_of_some(const std::vector<std::string> &names)
     {
-      const int           n = system.layout.of_multiplier(0);
-      const Pattern      &p = *K.pattern;
-      std::vector<double> scale(p.size(), 0.);
-      for (int j = n; j < p.size(); ++j)
-        {
-          for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
-            scale[j] += p.rows[k] < n ? K.values[k] * K.values[k] : 0.;
-          if (!(scale[j] > 0))
-            return false;
-          scale[j] = 1 / std::sqrt(scale[j]);
-        }
-      for (int j = 0; j < p.size(); ++j)
-        for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
-          {
-            const int i = p.rows[k];
-            K.values[k] = (i < n) != (j < n) ? K.values[k] * scale[std::max(i, j)] : i == j && i < n ? 1. : 0.;
-          }
-      try
-        {
-          const auto solver = make_solver(K.pattern, Library::klu);
-          solver->factorize(K);
-          return solver->reciprocal_condition() > 1e-8;
-        }
-      catch (const SingularMatrix &)
-        {
-          return false;
-        }
+      constexpr unsigned int most = 6;
+      std::string            text;
+      for (unsigned int i = 0; i < std::min<unsigned int>(most, names.size()); ++i)
+        text += (i > 0 ? ", " : "") + names[i];
+      return text + (names.size() > most ? " and " + std::to_string(names.size() - most) + " others" : "");
     }
   } // namespace
 
@@ -70,44 +43,89 @@ namespace samara
   void
   find_redundant(const System &system, ModelCheck &check)
   {
-    const int n = system.layout.of_multiplier(0), m = system.layout.n_multipliers;
-    if (m == 0)
+    State state = system.reference();
+    state.left_out.clear();
+    for (const auto &c : system.model.contributions)
+      c->add_initial_velocities(state);
+    RedundantRows rows(system);
+    check.redundant_multipliers = rows.find(state);
+    if (check.redundant_multipliers.empty())
       return;
-    const SparseMatrix K = reference_tangent(system, true);
-    if (m > few_constraints && (is_certainly_independent(system, K) || m > 2000))
-      return;
-    Eigen::MatrixXd Gt = Eigen::MatrixXd::Zero(n, m);
-    for (int j = 0; j < m; ++j)
-      {
-        const int column = system.layout.of_multiplier(j);
-        for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
-          if (K.pattern->rows[k] < n)
-            Gt(K.pattern->rows[k], j) = K.values[k];
-        const double norm = Gt.col(j).norm();
-        if (norm > 0)
-          Gt.col(j) /= norm;
-      }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
-    qr.setThreshold(1e-9);
-    const int rank = qr.rank();
-    if (rank == m)
-      return;
-    const Eigen::MatrixXd R = qr.matrixR().topRows(rank);
-    const Eigen::MatrixXd combination =
-      R.leftCols(rank).triangularView<Eigen::Upper>().solve(R.rightCols(m - rank));
-    const auto name = [&](const int k) {
-      return system.layout.multiplier_names[qr.colsPermutation().indices()(k)];
-    };
-    for (int k = rank; k < m; ++k)
-      {
-        std::string text = name(k) + " repeats what";
-        for (int i = 0; i < rank; ++i)
-          if (std::abs(combination(i, k - rank)) > 1e-7)
-            text += (text.back() == 't' ? " " : "; ") + name(i);
-        check.redundant.push_back(text + (rank > 0 ? " say" : " nothing says"));
-        check.redundant_multipliers.push_back(qr.colsPermutation().indices()(k));
-      }
+    check.generic           = rows.generic_place();
+    check.combinations      = rows.combinations(check.generic);
+    check.contradictions    = rows.contradictions(check.generic);
+    for (const auto &loop : rows.loops(check.combinations))
+      check.redundant.push_back(list_of_some(loop.joints) + ": " + std::to_string(loop.n_redundant) +
+                                (loop.n_redundant == 1 ? " constraint says" : " constraints say") +
+                                " what the others say already");
   }
+
+
+
+  namespace
+  {
+    /** Names of the joints' motions, "flap 1 rotation", that change when the model moves by the small @p z. */
+    std::vector<std::string>
+    moving_joints(const System &system, const Eigen::VectorXd &z)
+    {
+      const State         start = system.reference();
+      State               moved = start;
+      std::vector<double> step(system.size(), 0.);
+      std::copy(z.data(), z.data() + z.size(), step.begin());
+      system.update(moved, step);
+      std::vector<std::string> names;
+      double                   largest = 0;
+      std::vector<double>      changes;
+      for (const auto *c : system.layout.constraining)
+        for (const auto &name : c->probe_names())
+          if (const auto probe = c->probe(name); probe && (probe->unit == "deg" || probe->unit == "m"))
+            {
+              names.push_back(c->name + " " + probe->name);
+              changes.push_back(std::abs(probe->value(moved) - probe->value(start)) *
+                                (probe->unit == "deg" ? M_PI / 180 : 1.));
+              largest = std::max(largest, changes.back());
+            }
+      std::vector<std::string> moving;
+      for (unsigned int i = 0; i < names.size(); ++i)
+        if (changes[i] > 1e-3 * std::max(largest, 1e-3 * z.lpNorm<Eigen::Infinity>()))
+          moving.push_back(names[i]);
+      return moving;
+    }
+
+
+
+    /** What moves: up to four bodies, and joints if there are any that do. */
+    std::string
+    description(const System &system, const Eigen::VectorXd &z)
+    {
+      std::map<std::string, double> share;
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        share[system.model.nodes[node].name] += z.segment<6>(system.layout.of_node(node)).squaredNorm();
+      std::vector<std::pair<double, std::string>> sorted;
+      for (const auto &[name, s] : share)
+        sorted.emplace_back(s, name);
+      std::sort(sorted.rbegin(), sorted.rend());
+      std::string text;
+      for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
+        if (sorted[k].first > 1e-6 * sorted[0].first)
+          text += (text.empty() ? "" : ", ") + sorted[k].second;
+      const auto joints = moving_joints(system, 1e-3 * z / z.lpNorm<Eigen::Infinity>());
+      return text + (joints.empty() ? "" : " at " + list_of_some(joints));
+    }
+
+
+
+    /** A basis of the same motions, each of which moves as little as possible. */
+    Eigen::MatrixXd
+    simplest_basis(const Eigen::MatrixXd &Z)
+    {
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Z.transpose());
+      Eigen::MatrixXd                                   pivots(Z.cols(), Z.cols());
+      for (int j = 0; j < Z.cols(); ++j)
+        pivots.row(j) = Z.row(qr.colsPermutation().indices()(j));
+      return Z * pivots.inverse();
+    }
+  } // namespace
 
 
 
@@ -201,21 +219,13 @@ namespace samara
           continue;
 
         check.n_free_motions = zero.size();
-        for (const int j : zero)
-          {
-            std::map<std::string, double> share;
-            for (unsigned int node = 1; node < layout.n_nodes; ++node)
-              share[system.model.nodes[node].name] += Z.col(j).segment<6>(layout.of_node(node)).squaredNorm();
-            std::vector<std::pair<double, std::string>> sorted;
-            for (const auto &[name, s] : share)
-              sorted.emplace_back(s, name);
-            std::sort(sorted.rbegin(), sorted.rend());
-            std::string text;
-            for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
-              if (sorted[k].first > 1e-6 * sorted[0].first)
-                text += (text.empty() ? "" : ", ") + sorted[k].second;
-            check.free_motions.push_back(text);
-          }
+        Eigen::MatrixXd free(n, zero.size());
+        for (unsigned int j = 0; j < zero.size(); ++j)
+          free.col(j) = Z.col(zero[j]);
+        if (!zero.empty())
+          free = simplest_basis(free);
+        for (unsigned int j = 0; j < zero.size(); ++j)
+          check.free_motions.push_back(description(system, free.col(j)));
         if (!are_all)
           check.free_motions.push_back("others, which are not counted");
         return;
@@ -261,7 +271,7 @@ namespace samara
     const Layout                &layout = system.layout;
     const Eigen::IOFormat        vector(8, 0, ", ", ", ", "", "", "(", ")"), rows(8, 0, ", ", "\n                    ");
     std::ostringstream           out;
-    out << file << (redundant.empty() ? ": no mistakes found\n" : ": some constraints are redundant\n")
+    out << file << ": no mistakes found\n"
         << "  unknowns          " << layout.n_unknowns() << ": 6 for each of " << layout.n_nodes - 1 << " nodes, "
         << layout.n_coordinates << " joint coordinates, " << layout.n_multipliers << " multipliers (constraints)\n"
         << "  total mass        " << mass.mass << " kg\n"
@@ -269,7 +279,7 @@ namespace samara
         << "  inertia about it  " << mass.inertia.format(rows) << " kg m^2\n"
         << "  free motions      " << n_free_motions;
     out << list_of(free_motions, "\n                    ");
-    out << "\n  redundant         " << redundant.size();
+    out << "\n  redundant         " << redundant_multipliers.size();
     for (const auto &constraint : redundant)
       out << "\n                    " << constraint;
     return out.str();
@@ -288,12 +298,52 @@ namespace samara
 
 
   std::string
+  ModelCheck::redundancy_text() const
+  {
+    std::string text = std::to_string(redundant_multipliers.size()) +
+                       (redundant_multipliers.size() == 1 ? " constraint is" : " constraints are") +
+                       " redundant and left out; motions do not depend on it, reactions are not unique there:";
+    for (const auto &loop : redundant)
+      text += "\n    " + loop;
+    return text;
+  }
+
+
+
+  std::string
   ModelCheck::complaint(const std::string &file) const
   {
-    std::string text = file + ": some constraints say what others say already; the reactions are then not determined:";
-    for (const auto &constraint : redundant)
-      text += "\n  " + constraint;
-    return text + "\n  Give a joint of the loop more freedom (spherical or cylindrical instead of revolute), or "
-                  "set Redundant constraints = drop.";
+    std::string text = file + ": these constraints contradict each other:";
+    for (const auto &combination : contradictions)
+      text += "\n  " + combination;
+    return text + "\n  Not all of them can hold while prescribed motions go on: leave out one of these, or give a joint of the "
+                  "loop more freedom (spherical or cylindrical instead of revolute).";
+  }
+
+
+
+  bool
+  ModelCheck::mark(std::vector<Probe> &probes) const
+  {
+    bool is_any = false;
+    if (redundant_multipliers.empty())
+      return is_any;
+    for (auto &probe : probes)
+      for (int j = 0; j < combinations.cols(); ++j)
+        {
+          State with = generic, without = generic;
+          for (unsigned int i = 0; i < with.multipliers.size(); ++i)
+            {
+              without.multipliers[i] = 0;
+              with.multipliers[i]    = combinations(i, j);
+            }
+          if (std::abs(probe.value(with) - probe.value(without)) > 1e-6)
+            {
+              probe.unit += ", not unique";
+              is_any = true;
+              break;
+            }
+        }
+    return is_any;
   }
 } // namespace samara

@@ -260,6 +260,10 @@ namespace samara
     for (const auto &c : system.model.contributions)
       c->add_initial_velocities(state);
 
+    // other rows are redundant when rotations are no longer held
+    if (integrator == "family" && !system.released_multipliers().empty())
+      state.left_out = RedundantRows(system).find(state);
+
     // the constraints at the start: positions must obey them, velocities are made to
     std::vector<double> r(system.size() + 6, 0.);
     for (const auto *c : system.layout.constraining)
@@ -372,6 +376,8 @@ namespace samara
     try
       {
         projection.report(reported);
+        if (context.least_norm && !reported.left_out.empty())
+          RedundantRows(context.system).make_least(reported);
       }
     catch (const SingularMatrix &)
       {
@@ -618,5 +624,19 @@ namespace samara
             " s of the processor; the energy budget closes to " + format("%.1e", report.largest_balance) +
             (report.largest_energy > energy_floor ? " of the largest energy" : ": nothing moves") + resolution(integrator);
     context.log.line(text);
+    const auto *const family = dynamic_cast<const StageIntegrator *>(&integrator);
+    if (family == nullptr)
+      return;
+    if (family->n_exact_steps > 0)
+      context.log.line("  " + std::to_string(family->n_exact_steps) +
+                       " steps were repeated with the exact matrix of all stages: is the mechanism near a singular position?");
+    if (family->n_exchanges() > 0)
+      context.log.line("  redundant constraints: other rows were chosen to be left out " +
+                       std::to_string(family->n_exchanges()) + " times");
+    if (family->largest_gap_left_out > 1e-8 * model_length(context.system.model))
+      context.log.warning("dynamic",
+                          "constraints that are redundant but for rounded places or axes are violated by up to " +
+                            format("%.1e", family->largest_gap_left_out) + " m, most: " +
+                            context.system.layout.multiplier_names[family->worst_left_out]);
   }
 } // namespace samara

@@ -95,6 +95,8 @@ namespace samara
       }
     State state = context.state;
     state.held  = hold;
+    if (!state.left_out.empty())
+      RedundantRows(system).choose(state);
 
     const bool fixed = axes == "fixed" || (axes == "automatic" && !turns_as_a_whole(system, state));
     if (fixed)

@@ -192,8 +192,11 @@ namespace samara
     else
       follow_load(context);
     context.is_equilibrium = true;
+    State reported = context.state;
+    if (context.least_norm && !reported.left_out.empty())
+      RedundantRows(context.system).make_least(reported);
     if (speed_history)
-      speed_history->add(values_of(context, context.state, context.speeds.empty() ? 0. : context.speeds[0]));
+      speed_history->add(values_of(context, reported, context.speeds.empty() ? 0. : context.speeds[0]));
     const double condition = solver->reciprocal_condition();
     if (condition < 1e-17)
       context.log.warning("static",
@@ -277,8 +280,11 @@ namespace samara
                      (context.speeds.empty() ? "" : ", speed " + short_text(context.speeds[0]) + " rad/s") + " (" +
                      where + "), " + std::to_string(result.iterations) + " iterations, " +
                      short_text(double(std::clock() - processor_start) / CLOCKS_PER_SEC) + " s of the processor");
+    State reported = state;
+    if (context.least_norm && !reported.left_out.empty())
+      RedundantRows(context.system).make_least(reported);
     if (history)
-      history->add(values_of(context, state, state.factor));
+      history->add(values_of(context, reported, state.factor));
     if (pictures)
       {
         Drawing drawing;
@@ -301,6 +307,8 @@ namespace samara
       text +=
         "  The equilibrium is stable up to there. Set Path = arc length in subsection Static to follow the path beyond, or "
         "Stability limits = pass to go on to whatever equilibrium is found there.";
+    else if (result.reason.find("contradict") != std::string::npos)
+      ; // all is said
     else if (result.reason.find("singular") != std::string::npos)
       text +=
         "  No stiffness is found for: " + place +

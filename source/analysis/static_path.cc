@@ -85,6 +85,7 @@ namespace samara
     const double shortest = smallest_step * largest_arc;
     double       step = std::min(largest_arc, 1. / (initial_steps * std::abs(here.slope))), arc = 0;
     unsigned int n_passed = 0;
+    RedundantRows redundant(context.system);
     context.state         = here.state;
     // away from zero factor: towards the end that is asked for
     if ((end_factor - here.state.factor) * here.slope < 0)
@@ -105,6 +106,7 @@ namespace samara
                                   " steps; what follows starts from there");
             break;
           }
+        redundant.choose(here.state);
         NewtonResult result = method.step(here, step, next);
         if (result.converged && next.cosine < smallest_cosine)
           {

@@ -46,6 +46,7 @@ namespace samara
     state.multipliers.assign(layout.n_multipliers, 0.);
     state.stress.assign(layout.n_strains, 0.);
     state.motion.resize(layout.n_nodes);
+    state.left_out = dropped;
     return state;
   }
 
@@ -102,7 +103,7 @@ namespace samara
         const Eigen::Map<const Vector6> y(&state.y[6 * node]);
         Eigen::Map<Vector6>(&r[layout.of_node(node)]) -= ad_star<double>(y, model.nodes[node].inertia * y);
       }
-    for (const auto i : dropped)
+    for (const auto i : state.left_out)
       r[layout.of_multiplier(i)] = state.multipliers[i];
   }
 
@@ -168,15 +169,15 @@ namespace samara
         const Eigen::Map<const Vector6> y(&state.y[6 * node]);
         return gyroscopic_tangent(model.nodes[node].inertia, y) * ad(y);
       });
-    fix_dropped(K);
+    fix_left_out(state.left_out, K);
   }
 
 
 
   void
-  System::fix_dropped(SparseMatrix &K) const
+  System::fix_left_out(const std::vector<unsigned int> &left_out, SparseMatrix &K) const
   {
-    for (const auto i : dropped)
+    for (const auto i : left_out)
       {
         const int j = layout.of_multiplier(i);
         for (int k = K.pattern->column_start[j]; k < K.pattern->column_start[j + 1]; ++k)

@@ -209,6 +209,7 @@ namespace samara
       write(file, "state/time", std::vector<double>{state.time});
       write(file, "state/factor", std::vector<double>{state.factor});
       write(file, "state/held", std::vector<double>{state.held ? 1. : 0.});
+      write(file, "state/left out", std::vector<double>(state.left_out.begin(), state.left_out.end()));
     }
 
 
@@ -223,6 +224,8 @@ namespace samara
       state.time   = read_number(file, "state/time");
       state.factor = read_number(file, "state/factor");
       state.held   = read_number(file, "state/held") != 0;
+      const std::vector<double> left_out = read<double>(file, "state/left out");
+      state.left_out.assign(left_out.begin(), left_out.end());
       return state;
     }
 

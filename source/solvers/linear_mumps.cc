@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <mutex>
 
 namespace samara
 {
@@ -24,7 +25,8 @@ namespace samara
         return;
       // alone in the world: no daemon is wanted
       setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-      MPI_Init(nullptr, nullptr);
+      int level = 0; // one thread at a time, but not always the same
+      MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &level);
       std::atexit([] {
         int is_over = 0;
         MPI_Finalized(&is_over);
@@ -165,6 +167,10 @@ namespace samara
       void
       run(const int job) const
       {
+        // MUMPS keeps what belongs to one call in variables of its modules, and so does MPI: one call at a time, also
+        // of the real and the complex factors of a step, which are made in two threads
+        static std::mutex                 one_at_a_time;
+        const std::lock_guard<std::mutex> lock(one_at_a_time);
         data.job = job;
         Mumps_of<Number>::run(data);
       }

@@ -85,11 +85,30 @@ namespace samara
 
 
 
+  void
+  Newton::check_rows_left_out(const State &state, NewtonResult &result)
+  {
+    unsigned int worst = 0;
+    if (state.left_out.empty() || redundant->gap(state, worst) < 1e-3 * length)
+      return;
+    result.converged = false;
+    result.reason    = redundant->contradiction(state, worst);
+    result.worst     = system.layout.of_multiplier(worst);
+  }
+
+
+
   NewtonResult
   Newton::solve(State &state)
   {
     NewtonResult result;
     double       smallest = 1e300;
+    if (!state.left_out.empty())
+      {
+        if (!redundant)
+          redundant = std::make_unique<RedundantRows>(system);
+        redundant->choose(state);
+      }
     while (result.iterations < max_iterations)
       {
         throw_if_interrupted();
@@ -127,6 +146,7 @@ namespace samara
           {
             system.stresses(state, state.stress);
             result.converged = true;
+            check_rows_left_out(state, result);
             return result;
           }
         if (result.iterations > 8 && result.last_step > 1e3 * smallest)

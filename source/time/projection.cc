@@ -1,3 +1,4 @@
+#include <samara/solvers/redundant_rows.h>
 #include <samara/time/projection.h>
 
 #include <deal.II/base/exceptions.h>
@@ -52,7 +53,31 @@ namespace samara
 
 
   void
-  Projection::factorize(const State &state)
+  Projection::factorize(const State &state, const double least_condition)
+  {
+    left_out = state.left_out;
+    try
+      {
+        factorize_rows(state);
+        if (system.layout.n_multipliers == 0 || solver->reciprocal_condition() > least_condition)
+          return;
+      }
+    catch (const SingularMatrix &)
+      {
+        if (system.layout.n_multipliers == 0)
+          throw;
+      }
+    // at a singular position more rows depend on others than are redundant: velocities that obey those obey all of them
+    auto dependent = RedundantRows(system).dependent_here(state);
+    if (dependent.size() > left_out.size())
+      left_out = std::move(dependent);
+    factorize_rows(state);
+  }
+
+
+
+  void
+  Projection::factorize_rows(const State &state)
   {
     Point<double> free = state.point();
     free.held          = false;
@@ -63,7 +88,7 @@ namespace samara
     for (int j = 0, k = 0; j < pattern->size(); ++j)
       for (; k < pattern->column_start[j + 1]; ++k)
         saddle->values[k] = (j < n && pattern->rows[k] < n ? M : K).values[kept[k]];
-    system.fix_dropped(*saddle);
+    system.fix_left_out(left_out, *saddle);
     solver->factorize(*saddle);
   }
 
@@ -75,7 +100,7 @@ namespace samara
     std::vector<double> rates(system.layout.n_multipliers, 0.);
     for (const auto *c : system.layout.constraining)
       c->constraint_rates(state.point(), rates.data());
-    for (const auto i : system.dropped_multipliers())
+    for (const auto i : left_out)
       rates[i] = 0;
     return rates;
   }
@@ -88,7 +113,7 @@ namespace samara
     AssertDimension(state.y.size(), 6 * system.layout.n_nodes);
     if (system.layout.n_multipliers == 0)
       return 0;
-    factorize(state);
+    factorize(state, 1e-14);
     return project(state);
   }
 

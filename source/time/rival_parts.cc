@@ -55,7 +55,7 @@ namespace samara
       std::vector<double> rates(system.layout.n_multipliers, 0.);
       for (const auto *c : system.layout.constraining)
         c->constraint_rates(state.point(), rates.data());
-      for (const auto i : system.dropped_multipliers())
+      for (const auto i : state.left_out)
         rates[i] = 0;
       for (const auto i : system.released_multipliers())
         rates[i] = 0;

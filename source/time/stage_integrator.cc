@@ -1,8 +1,10 @@
+#include <samara/base/errors.h>
 #include <samara/solvers/newton.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace samara
 {
@@ -52,8 +54,6 @@ namespace samara
     for (const auto i : layout.nonholonomic)
       is_nonholonomic[i] = true;
     for (const auto i : system.released_multipliers())
-      is_active[i] = false;
-    for (const auto i : system.dropped_multipliers())
       is_active[i] = false;
     for (const auto &c : system.model.contributions)
       {
@@ -105,6 +105,7 @@ namespace samara
   {
     StepResult result;
     state.held = false;
+    choose_rows(state);
     // where the last step ended, strains are known
     if (!e_end.empty() && state.q == final_q && state.coordinates == final_coordinates)
       std::swap(e_start, e_end);
@@ -148,6 +149,8 @@ namespace samara
             i = 0;
           }
       }
+    if (!converged)
+      converged = iterate_exactly(state, h, result);
     n_iterations += result.iterations;
     judge_factors(result.iterations);
     // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
@@ -158,6 +161,8 @@ namespace samara
         account(state, h, result);
         converged = has_sources(result, h);
       }
+    if (converged)
+      check_rows_left_out(state);
     if (!converged)
       {
         forget_history();
@@ -168,6 +173,49 @@ namespace samara
     finish(state, h);
     ++n_steps;
     return result;
+  }
+
+
+
+  void
+  StageIntegrator::choose_rows(State &state)
+  {
+    if (!state.left_out.empty())
+      {
+        if (!redundant)
+          redundant = std::make_unique<RedundantRows>(system);
+        redundant->choose(state);
+      }
+    if (state.left_out == left_out)
+      return;
+    for (const auto i : left_out)
+      is_active[i] = true;
+    for (const auto i : state.left_out)
+      is_active[i] = false;
+    left_out      = state.left_out;
+    factored_step = 0;
+  }
+
+
+
+  void
+  StageIntegrator::check_rows_left_out(const State &state)
+  {
+    for (const auto i : left_out)
+      {
+        const double gap = std::abs(redundant->scaled(i, constraints_at_end[system.layout.of_multiplier(i)]));
+        if (gap > largest_gap_left_out)
+          {
+            largest_gap_left_out = gap;
+            worst_left_out       = i;
+          }
+        if (gap > 1e-3 * length)
+          {
+            std::ostringstream text;
+            text << "t = " << state.time << " s: " << redundant->contradiction(state, i);
+            throw NotConverged(text.str());
+          }
+      }
   }
 
 
@@ -206,7 +254,7 @@ namespace samara
   bool
   StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
-    const bool   is_fresh = n_steps_with_factors == 0;
+    const bool   is_fresh = is_exact || n_steps_with_factors == 0;
     double       last = 0, last_rate = 0, smallest = 1e300;
     unsigned int n_stagnant = 0;
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
@@ -225,7 +273,7 @@ namespace samara
             if (n_stagnant > 2 && last < 1e-9)
               return is_fresh || (error < 1e-12 * scale && largest_gap(h) < 1e-12 * length);
           }
-        const double size = solve(h);
+        const double size = is_exact ? solve_exactly(h) : solve(h);
         ++result.iterations;
         result.last_correction = size;
         if (!std::isfinite(size) || size > 1e3)

@@ -106,6 +106,52 @@ namespace samara
 
 
 
+  template <typename Twist>
+  double
+  StageIntegrator::correct_velocities(const double h, const Twist &twist)
+  {
+    // corrections are measured against the largest velocity, or one that would matter over the step
+    const Layout &layout = system.layout;
+    double        size = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
+    previous_change_of_force = change_of_force;
+    change_of_force          = 0;
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        Stage &stage = stages[k];
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          {
+            const Vector6       d = twist(k, node);
+            Eigen::Map<Vector6> y(&stage.y[6 * node]);
+            y += d;
+            const double change = d.head<3>().norm() / length + d.tail<3>().norm();
+            if (!std::isfinite(change))
+              return change;
+            size  = std::max(size, change);
+            scale = std::max({scale, y.head<3>().norm() / length, y.tail<3>().norm()});
+          }
+        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+          {
+            const double d = dz_rate[k][layout.of_coordinate(i)],
+                         l = system.model.coordinate_units[i] == "m" ? length : 1.;
+            stage.rates[i] += d;
+            size  = std::max(size, std::abs(d) / l);
+            scale = std::max(scale, std::abs(stage.rates[i]) / l);
+          }
+        for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+          {
+            const double d = d_lambda[k][i];
+            stage.multipliers[i] += d;
+            change_of_force = std::max(change_of_force, std::abs(d));
+            largest_force   = std::max(largest_force, std::abs(stage.multipliers[i]));
+          }
+      }
+    if (largest_force > 0)
+      change_of_force /= largest_force;
+    return size / scale;
+  }
+
+
+
   double
   StageIntegrator::solve(const double h)
   {
@@ -182,49 +228,42 @@ namespace samara
             }
       }
 
-    // corrections are measured against the largest velocity, or one that would matter over the step
-    double size = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
-    previous_change_of_force = change_of_force;
-    change_of_force          = 0;
-    for (unsigned int k = 0; k < s; ++k)
+    // to twists: δy = ζ̇ + ad_y ζ
+    return correct_velocities(h, [&](const unsigned int k, const unsigned int node) -> Vector6 {
+      const int                       i = layout.of_node(node);
+      const Eigen::Map<const Vector6> zeta(&dz[k][i]), rate(&dz_rate[k][i]);
+      const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), w(&frozen.y[6 * node + 3]);
+      Vector6                         change;
+      change << rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
+        rate.tail<3>() + w.cross(zeta.tail<3>());
+      return change;
+    });
+  }
+
+
+
+  double
+  StageIntegrator::solve_exactly(const double h)
+  {
+    const Layout              &layout = system.layout;
+    std::vector<Point<double>> points;
+    d_exact.resize(tableau.s);
+    for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        Stage &stage = stages[k];
-        for (unsigned int node = 1; node < layout.n_nodes; ++node)
-          {
-            // to twists: δy = ζ̇ + ad_y ζ
-            const int                       i = layout.of_node(node);
-            const Eigen::Map<const Vector6> zeta(&dz[k][i]), rate(&dz_rate[k][i]);
-            const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), w(&frozen.y[6 * node + 3]);
-            const Vector3                   d_v = rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
-                          d_w                   = rate.tail<3>() + w.cross(zeta.tail<3>());
-            Eigen::Map<Vector3> y_v(&stage.y[6 * node]), y_w(&stage.y[6 * node + 3]);
-            y_v += d_v;
-            y_w += d_w;
-            const double change = d_v.norm() / length + d_w.norm();
-            if (!std::isfinite(change))
-              return change;
-            size  = std::max(size, change);
-            scale = std::max({scale, y_v.norm() / length, y_w.norm()});
-          }
-        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-          {
-            const double d = dz_rate[k][layout.of_coordinate(i)],
-                         l = system.model.coordinate_units[i] == "m" ? length : 1.;
-            stage.rates[i] += d;
-            size  = std::max(size, std::abs(d) / l);
-            scale = std::max(scale, std::abs(stage.rates[i]) / l);
-          }
-        for (unsigned int i = 0; i < layout.n_multipliers; ++i)
-          {
-            const double d = d_lambda[k][i];
-            stage.multipliers[i] += d;
-            change_of_force = std::max(change_of_force, std::abs(d));
-            largest_force   = std::max(largest_force, std::abs(stage.multipliers[i]));
-          }
+        points.push_back(stages[k].point());
+        d_exact[k] = stages[k].residual;
       }
-    if (largest_force > 0)
-      change_of_force /= largest_force;
-    return size / scale;
+    exact->assemble(points, h, is_active);
+    exact->solve(d_exact);
+    ++n_factorizations;
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        exact->displacements(k, d_exact, dz[k], dz_rate[k]);
+        std::copy_n(d_exact[k].begin() + layout.of_multiplier(0), layout.n_multipliers, d_lambda[k].begin());
+      }
+    return correct_velocities(h, [&](const unsigned int k, const unsigned int node) -> Vector6 {
+      return Eigen::Map<const Vector6>(&d_exact[k][layout.of_node(node)]);
+    });
   }
 
 
@@ -234,20 +273,20 @@ namespace samara
   {
     // δσ = (what the configuration has more) + C B ζ + C_d B ζ̇, B as in the matrices
     const Layout &layout  = system.layout;
-    const auto    strains = [&](const std::vector<double> &z, std::vector<double> &e) {
+    const auto    strains = [&](const unsigned int k, const std::vector<double> &z, std::vector<double> &e) {
       std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
       for (unsigned int i = 0; i < frozen_strains.size(); ++i)
-        if (frozen_strains[i])
-          frozen_strains[i]->strains(twists.data(),
-                                     z.data() + layout.of_coordinate(0),
-                                     e.data() + system.model.contributions[i]->first_strain);
+        if (const auto *const B = strains_in_matrix(k, i))
+          B->strains(twists.data(),
+                     z.data() + layout.of_coordinate(0),
+                     e.data() + system.model.contributions[i]->first_strain);
     };
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         Stage &stage = stages[k];
-        strains(dz[k], strain_increment);
+        strains(k, dz[k], strain_increment);
         if (has_damping)
-          strains(dz_rate[k], rate_increment);
+          strains(k, dz_rate[k], rate_increment);
         for (const auto &c : system.model.contributions)
           c->stresses(strain_increment.data() + c->first_strain,
                       rate_increment.data() + c->first_strain,

@@ -363,6 +363,8 @@ namespace samara
   StageIntegrator::evaluate(const State &state, const double h)
   {
     evaluate_stresses(h);
+    if (is_exact)
+      use_strains_of_stages();
     kinetic_energy = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
@@ -373,8 +375,8 @@ namespace samara
           {
             const Contribution &c = *system.model.contributions[i];
             c.residual(stage.point(), stage.residual.data());
-            if (frozen_strains[i])
-              frozen_strains[i]->add_forces(stage.excess.data() + c.first_strain, stage.residual.data());
+            if (const auto *const B = strains_in_matrix(k, i))
+              B->add_forces(stage.excess.data() + c.first_strain, stage.residual.data());
           }
         kinetic_energy += tableau.b(k) * add_inertia(k, state, h);
       }

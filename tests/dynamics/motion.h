@@ -17,8 +17,6 @@ namespace samara
     Motion(const std::string &model, const std::vector<std::string> &overrides, const std::vector<std::string> &probes)
     {
       Scene scene("prm/benchmarks/dynamics/" + model + ".prm", overrides);
-      if (scene.input.drop_redundant)
-        scene.system.drop(check_model(scene.system).redundant_multipliers);
       std::vector<Probe> recorded;
       for (const auto &probe : probes)
         recorded.push_back(scene.input.model.probe(probe));

@@ -93,12 +93,13 @@ TEST(ClosedLoops, FourRevolutesAreRedundant)
   Scene      scene(four_bar("revolute", "revolute"));
   const auto check = check_model(scene.system);
   // 3 bodies × 6 − 4 × 5 = −2, but it has one motion: three constraints too many
-  EXPECT_EQ(check.redundant.size(), 3u);
+  EXPECT_EQ(check.redundant_multipliers.size(), 3u);
   EXPECT_EQ(check.n_free_motions, 0u) << "the spring at its foot holds it";
   Scene without_spring(four_bar("revolute", "revolute"), {"Joints/foot/rotation/Spring = 0"});
   EXPECT_EQ(check_model(without_spring.system).n_free_motions, 1u);
-  EXPECT_EQ(check_model(without_spring.system).redundant.size(), 3u);
-  const std::string text = check.complaint("four_bar.prm");
+  EXPECT_EQ(check_model(without_spring.system).redundant_multipliers.size(), 3u);
+  ASSERT_EQ(check.redundant.size(), 1u);
+  const std::string text = check.redundant[0];
   for (const std::string name : {"foot", "knee", "elbow", "heel"})
     EXPECT_NE(text.find("joint " + name), std::string::npos) << text;
 }
@@ -108,7 +109,6 @@ TEST(ClosedLoops, FourRevolutesAreRedundant)
 TEST(ClosedLoops, RunsWithoutTheRedundantOnes)
 {
   Scene scene(pushed(four_bar("revolute", "revolute")));
-  scene.system.drop(check_model(scene.system).redundant_multipliers);
   expect_equilibrium(scene);
 }
 
@@ -119,7 +119,7 @@ TEST(ClosedLoops, SphericalAndCylindricalAreNot)
 {
   Scene      scene(pushed(four_bar("spherical", "cylindrical")));
   const auto check = check_model(scene.system);
-  EXPECT_TRUE(check.redundant.empty()) << check.complaint("four_bar.prm");
+  EXPECT_TRUE(check.redundant.empty());
   EXPECT_EQ(check.n_free_motions, 0u);
   expect_equilibrium(scene);
 }
@@ -135,7 +135,6 @@ TEST(ClosedLoops, FrequencyOfAFourBar)
   for (const bool redundant : {true, false})
     {
       Scene scene(redundant ? four_bar("revolute", "revolute") : four_bar("spherical", "cylindrical"));
-      scene.system.drop(check_model(scene.system).redundant_multipliers);
       scene.equilibrium();
       EXPECT_NEAR(scene.modes().at(0).frequency(), expected, 1e-8) << redundant;
     }

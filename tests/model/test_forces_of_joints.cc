@@ -25,7 +25,7 @@ namespace
   std::string
   model(const std::string &joint, const Vector3 &force, const Vector3 &moment)
   {
-    return "set Redundant constraints = drop\nsubsection Bodies\n subsection body\n  set Type = rigid body\n  set Mass = 2\n"
+    return "subsection Bodies\n subsection body\n  set Type = rigid body\n  set Mass = 2\n"
            "  set Position = 0.4, 0.3, 0.2\n  set Inertia = 1, 1, 1\n end\nend\nsubsection Joints\n subsection j\n"
            "  set Body A = ground\n  set Body B = body.centre\n" +
            joint +

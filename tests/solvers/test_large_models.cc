@@ -51,7 +51,8 @@ TEST(LargeModels, RepeatedConstraintsAreNamed)
                            " set Position = 50, 0, 0\nend\n"));
   ModelCheck check;
   find_redundant(scene.system, check);
-  ASSERT_EQ(check.redundant.size(), 3u);
+  EXPECT_EQ(check.redundant_multipliers.size(), 3u);
+  ASSERT_EQ(check.redundant.size(), 1u);
   for (const auto &sentence : check.redundant)
     {
       EXPECT_NE(sentence.find("again"), std::string::npos) << sentence;

@@ -19,6 +19,7 @@ namespace samara
     std::vector<double>      sweep;  ///< rotor speeds to go through, of the first rotation; empty: none
     bool                     is_equilibrium = false; ///< whether the state has been found by a static analysis
     bool                     restart        = false; ///< go on from a checkpoint in the folder
+    bool                     least_norm     = true;  ///< whether probes show reactions that are not unique
 
     /**
      * Whether pictures are to be made here: of a sweep only at the model's own speed, or the last one if that is not

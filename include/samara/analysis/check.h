@@ -12,9 +12,12 @@ namespace samara
     unsigned int             n_free_motions = 0;
     std::vector<std::string> free_motions; ///< for each: the bodies and joints that move most
 
-    /** Constraints that say what others say already, each with the others it repeats. */
+    /** Constraints that say what others say already: sentences, one for each loop or loops that share joints. */
     std::vector<std::string>  redundant;
     std::vector<unsigned int> redundant_multipliers;
+    Eigen::MatrixXd           combinations; ///< of rows, that depend on each other, one column for each
+    State                     generic;      ///< a place near the reference configuration, where these are so
+    std::vector<std::string>  contradictions; ///< combinations that prescribed motions cannot obey
 
     /** All of it for people. */
     std::string text(const System &system, const std::string &file) const;
@@ -22,13 +25,19 @@ namespace samara
     /** What can move freely, for the message of an analysis that found no solution. */
     std::string free_motions_text() const;
 
-    /** What is wrong with the redundant constraints and what to do. */
+    /** What is redundant, for the log of a run. */
+    std::string redundancy_text() const;
+
+    /** What contradicts what. */
     std::string complaint(const std::string &file) const;
+
+    /** Add "not unique" to the units of probes whose values are a matter of convention: least norm. Whether there are any. */
+    bool mark(std::vector<Probe> &probes) const;
   };
 
   ModelCheck check_model(const System &system);
 
-  /** Redundant rows by a rank-revealing (column-pivoted QR) factorisation of the constraint matrix. */
+  /** Redundant rows in the reference configuration and a little further on, see RedundantRows. */
   void find_redundant(const System &system, ModelCheck &check);
 
   /** Motions without strain that no constraint prevents, by inverse iteration on the saddle matrix. */

@@ -49,6 +49,9 @@ namespace samara
 
     std::vector<double> accelerations; ///< ẏ, 6 a node, and of the joint coordinates; empty where they are not known
 
+    /** Multipliers of rows that repeat what others say: kept at zero until others are chosen (RedundantRows). */
+    std::vector<unsigned int> left_out;
+
     Vector3
     position(const unsigned int node) const
     {

@@ -160,14 +160,11 @@ namespace samara
     /** Give every node the twist of its steady motion at its present place. */
     void update_twists(State &state) const;
 
-    /**
-     * Leave out constraints that others repeat: their multipliers are kept at zero. (Rows that a configuration makes
-     * dependent only for a moment must not be dropped.)
-     */
+    /** What reference() leaves out: constraints that others repeat, see find_redundant(). */
     void drop(const std::vector<unsigned int> &multipliers);
 
-    /** Rows and columns of dropped multipliers in a matrix of constraints: those of the identity. */
-    void fix_dropped(SparseMatrix &K) const;
+    /** Rows and columns of multipliers that are left out in a matrix of constraints: those of the identity. */
+    void fix_left_out(const std::vector<unsigned int> &left_out, SparseMatrix &K) const;
 
     /** Multipliers that only held the angles of steady rotations for statics: motion is free of them. */
     std::vector<unsigned int> released_multipliers() const;

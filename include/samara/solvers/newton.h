@@ -3,6 +3,7 @@
 
 #include <samara/model/system.h>
 #include <samara/solvers/linear.h>
+#include <samara/solvers/redundant_rows.h>
 
 namespace samara
 {
@@ -19,9 +20,9 @@ namespace samara
 
 
   /**
-   * Equilibrium of a system at fixed load factor by mixed Newton iterations (Magisano et al. 2017): the stress is an unknown
-   * at each point, condensed there. Residuals use the stress of the configuration, tangents the stress of the last
-   * linearisation, so that stiff axial and shear strains do not spoil the geometric stiffness of large steps.
+   * Equilibrium of a system at fixed load factor by mixed Newton iterations (Magisano et al. 2017): the stress is an
+   * unknown at each point, condensed there. Residuals use the stress of the configuration, tangents the stress of the
+   * last linearisation, so that stiff axial and shear strains do not spoil the geometric stiffness of large steps.
    */
   class Newton
   {
@@ -34,15 +35,18 @@ namespace samara
     unsigned int n_iterations = 0; ///< of all calls, for reports
 
   private:
-    const System      &system;
-    LinearSolver      &solver;
-    const double       tolerance;
-    const unsigned int max_iterations;
-    double             length; // of the model, to make displacements comparable with rotations
-    SparseMatrix       K;
-    std::vector<double> stress, residual, step;
+    const System                  &system;
+    LinearSolver                  &solver;
+    const double                   tolerance;
+    const unsigned int             max_iterations;
+    double                         length; // of the model, to make displacements comparable with rotations
+    SparseMatrix                   K;
+    std::vector<double>            stress, residual, step;
+    std::unique_ptr<RedundantRows> redundant; ///< made when a state has rows left out
 
     void find_worst(NewtonResult &result) const;
+    /** A row left out that does not hold contradicts others; then there is no solution. */
+    void check_rows_left_out(const State &state, NewtonResult &result);
   };
 
   /** Largest displacement of a node in @p step, relative to @p length, or rotation; joint coordinates likewise. */

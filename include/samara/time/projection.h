@@ -42,7 +42,10 @@ namespace samara
     std::unique_ptr<SparseMatrix>  saddle;
     std::unique_ptr<LinearSolver>  solver;
 
-    void                factorize(const State &state);
+    std::vector<unsigned int> left_out; ///< in the present matrix: those of the state, at singular positions more
+
+    void                factorize(const State &state, double least_condition = 0);
+    void                factorize_rows(const State &state);
     double              project(State &state) const;
     std::vector<double> solve_for_accelerations(State &state) const;
     std::vector<double> constraint_rates(const State &state) const;

@@ -2,6 +2,8 @@
 #define samara_time_stage_integrator_h
 
 #include <samara/solvers/linear.h>
+#include <samara/solvers/redundant_rows.h>
+#include <samara/time/exact_stages.h>
 #include <samara/time/integrator.h>
 #include <samara/time/projection.h>
 #include <samara/time/stage_stops.h>
@@ -27,7 +29,8 @@ namespace samara
    * Newton's method is simplified and mixed (doc/theory/integrators.md): y, σ and λ are iterated, with the tangent of
    * one frozen configuration. In the eigenvectors of a_α its matrices are M + hμ C + (hμ)² K, those of the modal
    * analysis: one real factorisation for s = 1, one complex for s = 2, one of each for s = 3. As the frames turn with
-   * the bodies, they serve for many steps; they are renewed in the middle of a step when Newton's method slows down.
+   * the bodies, they serve for many steps; they are renewed in the middle of a step when Newton's method slows down. A
+   * step that does not converge so is tried again with the exact matrix of all stages before it is given up.
    */
   class StageIntegrator : public Integrator
   {
@@ -52,6 +55,22 @@ namespace samara
     }
 
     const Tableau tableau;
+
+    /** @name For reports @{ */
+    unsigned int n_exact_steps        = 0; ///< steps repeated with the exact matrix of all stages
+    double       largest_gap_left_out = 0; ///< of a row left out, as a length [m]
+    unsigned int worst_left_out       = 0; ///< its multiplier
+    unsigned int
+    n_exchanges() const
+    {
+      return redundant ? redundant->n_exchanges : 0;
+    }
+    unsigned int
+    n_checks() const
+    {
+      return redundant ? redundant->n_checks : 0;
+    }
+    /** @} */
 
   private:
     const System &system;
@@ -104,8 +123,16 @@ namespace samara
     double                                      extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix                                M, C, K;
     std::vector<bool>                           is_constraint_entry, is_nonholonomic;
-    std::vector<bool>                           is_active; ///< multipliers: neither released nor dropped
+    std::vector<bool>                           is_active; ///< multipliers: neither released nor left out
     bool                                        has_damping = false;
+
+    std::unique_ptr<ExactStages> exact;            ///< the exact matrix, made when it is needed first
+    bool                         is_exact = false; ///< whether it is in use
+    using Strains                         = std::vector<std::unique_ptr<LinearStrains>>;
+    std::vector<Strains> stage_strains; ///< for it, of each stage
+
+    std::unique_ptr<RedundantRows> redundant; ///< made when a state has rows left out
+    std::vector<unsigned int>      left_out;  ///< those that are not active in this step
 
     std::vector<double> e_start, final_q, final_coordinates, constraints_at_end;
     std::vector<double> e_end; ///< strains where the last step ended; empty: not known
@@ -122,6 +149,7 @@ namespace samara
     Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
     std::vector<double>               x_real, x_rates, e, mean_rates, no_multipliers, time_rates, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
+    std::vector<std::vector<double>>  d_exact;               ///< those of the exact matrix, or residuals for it
     std::vector<double>               extrapolated;
     std::vector<double>               twists, strain_increment, rate_increment, stress_increment;
 
@@ -183,6 +211,19 @@ namespace samara
     void          account_for_stops(const State &state, double h, StepResult &result);
     /** @} */
 
+    double solve_exactly(double h);
+    /** Repeat a step that does not converge with the exact matrix of all stages. */
+    bool iterate_exactly(const State &state, double h, StepResult &result);
+    void use_strains_of_stages();
+    /** B of contribution @p i as in the matrix of stage @p k; null if it has no strains. */
+    LinearStrains *
+    strains_in_matrix(const unsigned int k, const unsigned int i) const
+    {
+      return (is_exact ? stage_strains[k][i] : frozen_strains[i]).get();
+    }
+    /** Add increments to the stages, twist(k, node) to twists; returns their size relative to the largest velocity. */
+    template <typename Twist>
+    double correct_velocities(double h, const Twist &twist);
     /** Call f(j) for the factors j, side by side if they are large. */
     void for_factors(const std::function<void(unsigned int)> &f) const;
     void correct_stresses();
@@ -191,6 +232,10 @@ namespace samara
      * as large as one likes: no solution, whatever Newton's method says.
      */
     bool has_sources(const StepResult &result, double h) const;
+    /** Choose the rows to leave out in this step. */
+    void choose_rows(State &state);
+    /** @throws NotConverged if the step leads to where rows left out are violated: they contradict the others. */
+    void check_rows_left_out(const State &state);
     /** Those of the state, made to obey the constraints. */
     const std::vector<double>  &admissible_velocities(const State &state);
     std::unique_ptr<Projection> projection; ///< for these

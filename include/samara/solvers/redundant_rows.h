@@ -1,0 +1,111 @@
+#ifndef samara_solvers_redundant_rows_h
+#define samara_solvers_redundant_rows_h
+
+#include <samara/model/system.h>
+#include <samara/solvers/linear.h>
+
+namespace samara
+{
+  /**
+   * Constraints that repeat what others say (doc/theory/redundant.md). Of the m rows of G, d depend on the others in
+   * every position. State::left_out names d rows that are left out, their multipliers zero; as long as the combinations
+   *
+   *     Gᵀ X = 0  (X: m × d),   X = 1 on the rows left out
+   *
+   * have no entry of more than 2, the choice is good; else rows are exchanged. Rows are scaled to |row of G| = 1, with
+   * lengths divided by the size ℓ of the model. Rows i with X_i = 0 have unique multipliers, the others have not.
+   */
+  class RedundantRows
+  {
+  public:
+    explicit RedundantRows(const System &system);
+
+    /**
+     * The rows to leave out, found from nothing. What is dependent in the position of @p state, but no longer after a
+     * small motion along its velocity (or any, if it is at rest), is not redundant.
+     */
+    std::vector<unsigned int> find(const State &state);
+
+    /**
+     * Look whether the rows left out are a good choice still, once something has moved by a tenth of a radian or of the
+     * model's size, and exchange those that are not: forces of constraints stay the same. A row that no longer depends
+     * on others is taken in again. Returns whether the choice has changed. At singular positions it stays.
+     */
+    bool choose(State &state);
+
+    /** All rows that depend on others in the position of the state, at a singular position more than are redundant. */
+    std::vector<unsigned int> dependent_here(const State &state);
+
+    /** X in the position of the state, of the rows as they are, with the choice it has. One row for each multiplier. */
+    Eigen::MatrixXd combinations(const State &state);
+
+    /** Of the multipliers of this state those of least norm, in N and N m/ℓ, that do the same. */
+    void make_least(State &state);
+
+    /** The value of a row as a length: of angles ℓ times them [m]. */
+    double
+    scaled(const unsigned int row, const double value) const
+    {
+      return scale[row] > 0 ? scale[row] * value : value;
+    }
+
+    /** Largest violation of a row left out, as a length. */
+    double gap(const State &state, unsigned int &worst) const;
+
+    /** What to say where row @p i is left out and does not hold: the rows that contradict each other. */
+    std::string contradiction(const State &state, unsigned int i);
+
+    /** The combinations that prescribed motions cannot obey: names of what contradicts what, one entry for each. */
+    std::vector<std::string> contradictions(const State &state);
+
+    /** A place a little further on, where only what is redundant everywhere is dependent; known after find(). */
+    const State &
+    generic_place() const
+    {
+      return generic;
+    }
+
+    /** Names of the rows with entries in column @p j of @p X, gathered by joint: "joint foot (displacement 2, rotation
+     * 1)". */
+    std::string names(const Eigen::MatrixXd &X, int j) const;
+
+    /** Joints (and what else has rows) that share combinations, with the number of their redundant rows. */
+    struct Loop
+    {
+      std::vector<std::string> joints;
+      unsigned int             n_redundant = 0;
+    };
+    std::vector<Loop> loops(const Eigen::MatrixXd &X) const;
+
+    unsigned int n_checks = 0, n_exchanges = 0; ///< for reports
+
+  private:
+    const System                  &system;
+    const int                      n, m; ///< kinematic unknowns, multipliers
+    double                         length;
+    SparseMatrix                   K;
+    std::shared_ptr<const Pattern> pattern;
+    std::vector<int>               kept; ///< entries of the saddle matrix among those of K
+    std::unique_ptr<SparseMatrix>  saddle;
+    std::unique_ptr<LinearSolver>  solver;
+    std::vector<double>            unit, scale;  ///< roots of the weights of unknowns; 1/|row|, 0 without one
+    std::vector<bool>              is_absent;    ///< rows that say nothing, and need not be left out
+    Eigen::MatrixXd                X;            ///< scaled
+    std::vector<double>            independence; ///< of each row left out: distance from the span of those kept
+    State                          checked;      ///< where the choice was looked at last
+    State                          generic;
+
+    void                      assemble(const State &state);
+    void                      factorize(const std::vector<unsigned int> &left_out);
+    void                      find_combinations(const std::vector<unsigned int> &left_out);
+    bool                      exchange(std::vector<unsigned int> &left_out);
+    bool                      is_certainly_independent();
+    std::vector<unsigned int> dependent_rows();
+    void                      take_in_independent(std::vector<unsigned int> &left_out);
+    State                     moved(const State &state, const std::vector<unsigned int> &left_out);
+    bool                      has_moved(const State &state) const;
+    void                      keep_forces(State &state, const std::vector<unsigned int> &left_out) const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,80 @@
+#ifndef samara_time_exact_stages_h
+#define samara_time_exact_stages_h
+
+#include <samara/model/system.h>
+#include <samara/solvers/linear.h>
+#include <samara/time/tableau.h>
+
+namespace samara
+{
+  /**
+   * Newton's matrix of all s stages of a step at once, each linearised at its own place: s·n unknowns, the changes of
+   * twists δy, of rates of coordinates, and h δλ. Where one matrix for all stages does not converge, as in a step
+   * across a singular position (doc/theory/integrators.md), it does.
+   *
+   * The velocities of all stages l displace stage k, δQ_k = N(Q_k) ζ_k, by ζ_k = Σ_l U_kl δy_l, from
+   *
+   *     δQ_k = h Σ_l a_kl [ N(δQ_l) y_l + N(Q_l) δy_l ],        ζ̇_k = δy_k − ad_{y_k} ζ_k
+   *
+   * With C_k and K_k of all contributions at stage k, and ζ_α as ζ but with a_α for a in what the stress sees,
+   *
+   *     δr_k = M Σ_l w_kl δy_l/h + δ(−ad*_{y_k} M y_k) + C_k ζ̇_k + K_k ζ_α,k + G_kᵀ δλ_k
+   *     δġ_k = G_k ζ̇_k + Ġ_k ζ_k
+   *
+   * (Stage triads are orthonormal to O(h^{s+1}), and only as far is the matrix that of the equations.)
+   */
+  class ExactStages
+  {
+  public:
+    ExactStages(const System &system, const Tableau &tableau);
+
+    /** The matrix at these stages; multipliers that are not active are kept. */
+    void assemble(const std::vector<Point<double>> &stages, double h, const std::vector<bool> &is_active);
+
+    /**
+     * For forces that couple stages: row @p i of the residual of stage @p k changes by @p value times the change of
+     * unknown
+     * @p j, a velocity, of stage @p l. To be called between assemble() and solve().
+     */
+    void add(unsigned int k, unsigned int i, unsigned int l, unsigned int j, double value);
+
+    /**
+     * Factorise, and replace the residuals of all stages by the changes of velocities and multipliers that make them
+     * zero, n numbers a stage. @throws SingularMatrix
+     */
+    void solve(std::vector<std::vector<double>> &residuals);
+
+    /** ζ_α and ζ̇ of stage @p k, twists and coordinates, that belong to the changes solve() found. */
+    void displacements(unsigned int                            k,
+                       const std::vector<std::vector<double>> &changes,
+                       std::vector<double>                    &zeta_alpha,
+                       std::vector<double>                    &zeta_rate) const;
+
+  private:
+    const System                 &system;
+    const Tableau                &tableau;
+    SparseMatrix                  matrix, K, C, M, K_ahead, K_behind;
+    std::unique_ptr<LinearSolver> solver;
+    double                        h = 0;
+    std::vector<double>           x, moved_q, moved_coordinates;
+
+    /** Blocks [k][l] of the displacements and their rates by changes of velocities: of one node, or of one coordinate.
+     */
+    struct Kinematics
+    {
+      Eigen::MatrixXd U, U_alpha, V; ///< 6s × 6s, s × s; U by a, U_alpha by a_α, V of ζ̇
+    };
+    std::vector<Kinematics> kinematics; ///< of all nodes but the ground
+    Kinematics              of_coordinates;
+
+    Eigen::MatrixXd displacement_of_node(const std::vector<Point<double>> &stages, unsigned int node) const;
+    void            find_kinematics(const std::vector<Point<double>> &stages);
+    void            linearize(const Point<double> &stage);
+    void            constraints_moved(const Point<double> &stage, double dt, SparseMatrix &result);
+    void            add_columns(unsigned int k, unsigned int first, unsigned int width, const Kinematics &kinematics);
+    int             place(unsigned int k, int position, unsigned int l, unsigned int column) const;
+    void            keep_inactive(const std::vector<bool> &is_active);
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,558 @@
+#include <samara/solvers/newton.h>
+#include <samara/solvers/redundant_rows.h>
+
+#include <Eigen/SparseQR>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace samara
+{
+  namespace
+  {
+    /** A row that is nearer than this to the span of others, in the first position, may repeat them. */
+    constexpr double dependent = 1e-5;
+
+    /** How far a small motion goes [rad, or parts of the model's size]. */
+    constexpr double small_motion = 0.01;
+
+    /** After it a row must not be further than this from the span of others to be redundant: that is small_motion^1.5.
+     */
+    constexpr double still_dependent = 1e-3;
+
+    /** Largest entry of the combinations that is left as it is; and one that only singular positions have. */
+    constexpr double good = 2, singular = 1e5;
+
+    /** Up to this many rows dense elimination takes less than a second. */
+    constexpr int few_rows = 300;
+
+    /** Entries of a saddle-point matrix with a diagonal first block, among those of @p all. */
+    std::pair<std::shared_ptr<const Pattern>, std::vector<int>>
+    entries_of_saddle(const Pattern &all, const int n)
+    {
+      auto             pattern = std::make_shared<Pattern>();
+      std::vector<int> kept;
+      pattern->column_start.push_back(0);
+      for (int j = 0; j < all.size(); ++j)
+        {
+          for (int k = all.column_start[j]; k < all.column_start[j + 1]; ++k)
+            if (all.rows[k] == j || (all.rows[k] < n) != (j < n))
+              {
+                pattern->rows.push_back(all.rows[k]);
+                kept.push_back(k);
+              }
+          pattern->column_start.push_back(pattern->rows.size());
+        }
+      return {pattern, kept};
+    }
+  } // namespace
+
+
+
+  RedundantRows::RedundantRows(const System &system)
+    : system(system)
+    , n(system.layout.of_multiplier(0))
+    , m(system.layout.n_multipliers)
+    , length(model_length(system.model))
+    , K(system.layout.pattern)
+    , unit(n, 1.)
+    , scale(m, 0.)
+    , is_absent(m, false)
+  {
+    std::tie(pattern, kept) = entries_of_saddle(*K.pattern, n);
+    saddle                  = std::make_unique<SparseMatrix>(pattern);
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      std::fill_n(unit.begin() + system.layout.of_node(node) + 3, 3, length);
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      if (system.model.coordinate_units[i] != "m")
+        unit[system.layout.of_coordinate(i)] = length;
+  }
+
+
+
+  void
+  RedundantRows::assemble(const State &state)
+  {
+    K.clear();
+    for (const auto *c : system.layout.constraining)
+      c->tangent(state.point(), K);
+    const Pattern &all = *K.pattern;
+    for (int i = 0; i < m; ++i)
+      {
+        const int column = n + i;
+        double    square = 0, diagonal = 0;
+        for (int k = all.column_start[column]; k < all.column_start[column + 1]; ++k)
+          if (all.rows[k] < n)
+            square += std::pow(K.values[k] / unit[all.rows[k]], 2);
+          else if (all.rows[k] == column)
+            diagonal = K.values[k];
+        scale[i]     = square > 0 ? 1 / std::sqrt(square) : 0.;
+        is_absent[i] = square == 0 && diagonal != 0;
+      }
+  }
+
+
+
+  void
+  RedundantRows::factorize(const std::vector<unsigned int> &left_out)
+  {
+    std::vector<double> factor(n + m, 0.);
+    for (int i = 0; i < n; ++i)
+      factor[i] = 1 / unit[i];
+    for (int i = 0; i < m; ++i)
+      factor[n + i] = scale[i];
+    for (const auto i : left_out)
+      factor[n + i] = 0;
+    for (int j = 0; j < n + m; ++j)
+      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
+        {
+          const int i       = pattern->rows[k];
+          saddle->values[k] = i != j ? K.values[kept[k]] * factor[i] * factor[j] : i < n || factor[i] == 0. ? 1. : 0.;
+        }
+    if (!solver)
+      solver = make_solver(pattern);
+    solver->factorize(*saddle);
+  }
+
+
+
+  void
+  RedundantRows::find_combinations(const std::vector<unsigned int> &left_out)
+  {
+    // [I Gᵀ; G 0] (u, X) = (−row left out, 0): G of the rows kept; u is what of the row is not in their span
+    const int           d = left_out.size();
+    std::vector<double> b(n + m);
+    X = Eigen::MatrixXd::Zero(m, d);
+    independence.assign(d, 0.);
+    for (int j = 0; j < d; ++j)
+      {
+        const int column = n + left_out[j];
+        std::fill(b.begin(), b.end(), 0.);
+        for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
+          if (const int i = K.pattern->rows[k]; i < n)
+            b[i] = -K.values[k] * scale[left_out[j]] / unit[i];
+        solver->solve(b.data());
+        X.col(j)          = Eigen::Map<const Eigen::VectorXd>(b.data() + n, m);
+        X(left_out[j], j) = 1;
+        independence[j]   = Eigen::Map<const Eigen::VectorXd>(b.data(), n).norm();
+      }
+    ++n_checks;
+  }
+
+
+
+  bool
+  RedundantRows::exchange(std::vector<unsigned int> &left_out)
+  {
+    bool has_changed = false;
+    for (;;)
+      {
+        Eigen::Index i, j;
+        const double largest = X.cwiseAbs().maxCoeff(&i, &j);
+        if (!(largest > good) || !(largest < singular))
+          return has_changed;
+        // X ← X X[rows]⁻¹ with row i for the one that was left out
+        const Eigen::RowVectorXd row    = X.row(i);
+        Eigen::RowVectorXd       change = row;
+        change(j) -= 1;
+        X -= (X.col(j) / row(j)).eval() * change;
+        left_out[j] = i;
+        has_changed = true;
+        ++n_exchanges;
+      }
+  }
+
+
+
+  bool
+  RedundantRows::has_moved(const State &state) const
+  {
+    if (checked.left_out != state.left_out || checked.held != state.held || checked.q.size() != state.q.size())
+      return true;
+    double largest = 0;
+    for (unsigned int i = 0; i < state.q.size(); ++i)
+      largest = std::max(largest, std::abs(state.q[i] - checked.q[i]) / (i % 12 < 3 ? length : 1.));
+    return largest > 0.1;
+  }
+
+
+
+  void
+  RedundantRows::take_in_independent(std::vector<unsigned int> &left_out)
+  {
+    // one after the other, as one may say what others lack, too
+    while (!left_out.empty())
+      {
+        factorize(left_out);
+        find_combinations(left_out);
+        const auto largest = std::max_element(independence.begin(), independence.end());
+        if (*largest < still_dependent)
+          return;
+        left_out.erase(left_out.begin() + (largest - independence.begin()));
+      }
+  }
+
+
+
+  void
+  RedundantRows::keep_forces(State &state, const std::vector<unsigned int> &left_out) const
+  {
+    // λ − X λ[left out]: the same forces, and zero on the rows left out
+    Eigen::VectorXd of_left_out(left_out.size());
+    for (unsigned int j = 0; j < left_out.size(); ++j)
+      of_left_out(j) = state.multipliers[left_out[j]] / scale[left_out[j]];
+    const Eigen::VectorXd change = X * of_left_out;
+    for (int i = 0; i < m; ++i)
+      state.multipliers[i] -= scale[i] * change(i);
+    for (const auto i : left_out)
+      state.multipliers[i] = 0;
+  }
+
+
+
+  bool
+  RedundantRows::choose(State &state)
+  {
+    if (state.left_out.empty() || !has_moved(state))
+      return false;
+    checked.q    = state.q;
+    checked.held = state.held;
+    assemble(state);
+    auto left_out = state.left_out;
+    try
+      {
+        factorize(left_out);
+        find_combinations(left_out);
+        // at a singular position the rows kept have combinations of their own: nothing can be said there
+        if (X.cwiseAbs().maxCoeff() < singular)
+          {
+            if (*std::max_element(independence.begin(), independence.end()) > still_dependent)
+              take_in_independent(left_out);
+            if (!left_out.empty())
+              {
+                exchange(left_out);
+                keep_forces(state, left_out);
+              }
+          }
+      }
+    catch (const SingularMatrix &)
+      {
+        left_out = state.left_out;
+      }
+    std::sort(left_out.begin(), left_out.end());
+    const bool has_changed = left_out != state.left_out;
+    state.left_out = checked.left_out = left_out;
+    return has_changed;
+  }
+
+
+
+  bool
+  RedundantRows::is_certainly_independent()
+  {
+    try
+      {
+        factorize({});
+        return std::all_of(scale.begin(), scale.end(), [](const double s) { return s > 0; }) &&
+               solver->reciprocal_condition() > 1e-8;
+      }
+    catch (const SingularMatrix &)
+      {
+        return false;
+      }
+  }
+
+
+
+  std::vector<unsigned int>
+  RedundantRows::dependent_rows()
+  {
+    // columns of Gᵀ by elimination with a choice of columns: those that are left depend on the others
+    std::vector<unsigned int> rows;
+    const auto                rest = [&](const auto &qr) {
+      for (int k = qr.rank(); k < m; ++k)
+        if (const unsigned int i = qr.colsPermutation().indices()(k); !is_absent[i])
+          rows.push_back(i);
+    };
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int j = 0; j < m; ++j)
+      for (int k = K.pattern->column_start[n + j]; k < K.pattern->column_start[n + j + 1]; ++k)
+        if (const int i = K.pattern->rows[k]; i < n && K.values[k] != 0.)
+          entries.emplace_back(i, j, K.values[k] * scale[j] / unit[i]);
+    Eigen::SparseMatrix<double> Gt(n, m);
+    Gt.setFromTriplets(entries.begin(), entries.end());
+    if (m <= few_rows)
+      {
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(n, m);
+        qr.setThreshold(dependent);
+        rest(qr.compute(Eigen::MatrixXd(Gt)));
+      }
+    else if (!is_certainly_independent())
+      {
+        Gt.makeCompressed();
+        Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> qr;
+        qr.setPivotThreshold(dependent);
+        qr.compute(Gt);
+        rest(qr);
+      }
+    std::sort(rows.begin(), rows.end());
+    return rows;
+  }
+
+
+
+  State
+  RedundantRows::moved(const State &state, const std::vector<unsigned int> &left_out)
+  {
+    // along the velocity of the state, or any other that the rows kept allow, and back to where they hold
+    std::vector<double> b(n + m, 0.), z(n + m, 0.);
+    const auto          solve = [&]() {
+      solver->solve(b.data());
+      for (int i = 0; i < n; ++i)
+        z[i] = b[i] / unit[i];
+    };
+    const auto set = [&](const auto &velocity) {
+      std::fill(b.begin(), b.end(), 0.);
+      for (int i = 0; i < n; ++i)
+        b[i] = velocity(i) * unit[i];
+      solve();
+      return size_of_step(system, z, length);
+    };
+    const int n_twists = system.layout.of_coordinate(0);
+    double    size     = set([&](const int i) { return i < n_twists ? state.y[6 + i] : state.rates[i - n_twists]; });
+    if (size == 0)
+      size = set([&](const int i) { return std::sin(1. + 1.7 * i) / unit[i]; });
+    State result    = state;
+    result.left_out = {};
+    if (!(size > 1e-9))
+      return result; // a structure
+    for (auto &value : z)
+      value *= small_motion / size;
+    std::vector<double> r;
+    for (unsigned int iteration = 0; iteration < 8; ++iteration)
+      {
+        std::fill(z.begin() + n, z.end(), 0.);
+        system.update(result, z);
+        if (size_of_step(system, z, length) < 1e-12)
+          break;
+        assemble(result);
+        factorize(left_out);
+        r.assign(n + m + 6, 0.);
+        for (const auto *c : system.layout.constraining)
+          c->constraints(result.point(), r.data());
+        std::fill(b.begin(), b.end(), 0.);
+        for (int i = 0; i < m; ++i)
+          b[n + i] = -r[n + i] * scale[i];
+        for (const auto i : left_out)
+          b[n + i] = 0;
+        solve();
+      }
+    return result;
+  }
+
+
+
+  std::vector<unsigned int>
+  RedundantRows::find(const State &state)
+  {
+    if (m == 0)
+      return {};
+    assemble(state);
+    auto rows = dependent_rows();
+    if (rows.empty())
+      return rows;
+    try
+      {
+        factorize(rows);
+        generic = moved(state, rows);
+        assemble(generic);
+        take_in_independent(rows);
+      }
+    catch (const SingularMatrix &)
+      {
+        return rows; // what elimination said must do
+      }
+    if (!rows.empty() && X.cwiseAbs().maxCoeff() < singular)
+      exchange(rows);
+    std::sort(rows.begin(), rows.end());
+    generic.left_out = rows;
+    return rows;
+  }
+
+
+
+  std::vector<unsigned int>
+  RedundantRows::dependent_here(const State &state)
+  {
+    assemble(state);
+    return dependent_rows();
+  }
+
+
+
+  Eigen::MatrixXd
+  RedundantRows::combinations(const State &state)
+  {
+    assemble(state);
+    factorize(state.left_out);
+    find_combinations(state.left_out);
+    Eigen::MatrixXd of_rows = X;
+    for (int i = 0; i < m; ++i)
+      of_rows.row(i) *= scale[i];
+    return of_rows;
+  }
+
+
+
+  void
+  RedundantRows::make_least(State &state)
+  {
+    if (state.left_out.empty())
+      return;
+    assemble(state);
+    factorize(state.left_out);
+    find_combinations(state.left_out);
+    Eigen::VectorXd lambda(m);
+    for (int i = 0; i < m; ++i)
+      lambda(i) = scale[i] > 0 ? state.multipliers[i] / scale[i] : 0.;
+    const Eigen::VectorXd least = X * (X.transpose() * X).ldlt().solve(X.transpose() * lambda);
+    for (int i = 0; i < m; ++i)
+      state.multipliers[i] -= scale[i] * least(i);
+  }
+
+
+
+  double
+  RedundantRows::gap(const State &state, unsigned int &worst) const
+  {
+    std::vector<double> r(n + m + 6, 0.);
+    for (const auto *c : system.layout.constraining)
+      c->constraints(state.point(), r.data());
+    double gap = 0;
+    for (const auto i : state.left_out)
+      if (const double g = std::abs(scaled(i, r[n + i])); g > gap)
+        {
+          gap   = g;
+          worst = i;
+        }
+    return gap;
+  }
+
+
+
+  std::string
+  RedundantRows::contradiction(const State &state, const unsigned int i)
+  {
+    const Eigen::MatrixXd X = combinations(state);
+    const int             j = std::find(state.left_out.begin(), state.left_out.end(), i) - state.left_out.begin();
+    return "these constraints contradict each other: " + names(X, j) +
+           ".\n  Not all of them can hold. Give a joint of the loop more freedom, or look at what is prescribed";
+  }
+
+
+
+  std::vector<std::string>
+  RedundantRows::contradictions(const State &state)
+  {
+    const Eigen::MatrixXd X         = combinations(state);
+    const auto            values_at = [&](const double time) {
+      State at = state;
+      at.time  = time;
+      std::vector<double> r(n + m + 6, 0.);
+      for (const auto *c : system.layout.constraining)
+        c->constraints(at.point(), r.data());
+      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data() + n, m));
+    };
+    // as long as prescribed motions are small, X is that of the start
+    const Eigen::VectorXd start  = values_at(state.time);
+    Eigen::VectorXd       change = start;
+    double                dt     = 1;
+    do
+      {
+        change = values_at(state.time + dt) - start;
+        dt /= 10;
+      }
+    while (change.cwiseAbs().maxCoeff() > 1e-2 && dt > 1e-12);
+    std::vector<std::string> result;
+    for (int j = 0; j < X.cols(); ++j)
+      {
+        const double terms = change.cwiseProduct(X.col(j)).cwiseAbs().sum();
+        if (terms > 0 && std::abs(change.dot(X.col(j))) > 0.1 * terms)
+          result.push_back(names(X, j));
+      }
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /** "joint foot, displacement 3": "joint foot" and "displacement 3"; a joint's own name may begin with that word. */
+    std::pair<std::string, std::string>
+    owner_and_row(const std::string &name)
+    {
+      const auto        comma = name.rfind(", ");
+      const std::string owner = name.substr(0, comma), twice = "joint joint";
+      const bool        is_two = owner.compare(0, twice.size(), twice) == 0;
+      return {is_two ? owner.substr(6) : owner, comma == std::string::npos ? "" : name.substr(comma + 2)};
+    }
+  } // namespace
+
+
+
+  std::string
+  RedundantRows::names(const Eigen::MatrixXd &X, const int j) const
+  {
+    const double                                     largest = X.col(j).cwiseAbs().maxCoeff();
+    std::vector<std::pair<std::string, std::string>> parts;
+    for (int i = 0; i < m; ++i)
+      if (std::abs(X(i, j)) > 1e-6 * largest)
+        {
+          const auto [owner, row] = owner_and_row(system.layout.multiplier_names[i]);
+          if (parts.empty() || parts.back().first != owner)
+            parts.emplace_back(owner, row);
+          else
+            parts.back().second += ", " + row;
+        }
+    std::string text;
+    for (const auto &[owner, row] : parts)
+      text += (text.empty() ? "" : "; ") + owner + (row.empty() ? "" : " (" + row + ")");
+    return text;
+  }
+
+
+
+  std::vector<RedundantRows::Loop>
+  RedundantRows::loops(const Eigen::MatrixXd &X) const
+  {
+    std::vector<Loop> result;
+    for (int j = 0; j < X.cols(); ++j)
+      {
+        Loop         loop{{}, 1};
+        const double largest = X.col(j).cwiseAbs().maxCoeff();
+        for (int i = 0; i < m; ++i)
+          if (std::abs(X(i, j)) > 1e-6 * largest)
+            if (const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
+                loop.joints.empty() || loop.joints.back() != owner)
+              loop.joints.push_back(owner);
+        // joined with those before that share a joint
+        for (auto other = result.begin(); other != result.end();)
+          if (std::any_of(other->joints.begin(), other->joints.end(), [&](const std::string &name) {
+                return std::find(loop.joints.begin(), loop.joints.end(), name) != loop.joints.end();
+              }))
+            {
+              for (const auto &name : loop.joints)
+                if (std::find(other->joints.begin(), other->joints.end(), name) == other->joints.end())
+                  other->joints.push_back(name);
+              loop.joints = other->joints;
+              loop.n_redundant += other->n_redundant;
+              other = result.erase(other);
+            }
+          else
+            ++other;
+        result.push_back(loop);
+      }
+    return result;
+  }
+} // namespace samara

@@ -1,0 +1,315 @@
+#include <samara/time/exact_stages.h>
+
+#include <algorithm>
+
+namespace samara
+{
+  namespace
+  {
+    /** s × s blocks of one pattern. */
+    std::shared_ptr<const Pattern>
+    blocks_of(const Pattern &single, const unsigned int s)
+    {
+      auto      pattern = std::make_shared<Pattern>();
+      const int n       = single.size();
+      pattern->column_start.push_back(0);
+      for (unsigned int l = 0; l < s; ++l)
+        for (int j = 0; j < n; ++j)
+          {
+            for (unsigned int k = 0; k < s; ++k)
+              for (int p = single.column_start[j]; p < single.column_start[j + 1]; ++p)
+                pattern->rows.push_back(single.rows[p] + k * n);
+            pattern->column_start.push_back(pattern->rows.size());
+          }
+      return pattern;
+    }
+  } // namespace
+
+
+
+  ExactStages::ExactStages(const System &system, const Tableau &tableau)
+    : system(system)
+    , tableau(tableau)
+    , matrix(blocks_of(*system.layout.pattern, tableau.s))
+    , K(system.layout.pattern)
+    , C(system.layout.pattern)
+    , M(system.layout.pattern)
+    , K_ahead(system.layout.pattern)
+    , K_behind(system.layout.pattern)
+    , solver(make_solver(matrix.pattern))
+    , x(tableau.s * system.size())
+    , kinematics(system.layout.n_nodes - 1)
+  {
+    system.mass(M);
+  }
+
+
+
+  int
+  ExactStages::place(const unsigned int k, const int position, const unsigned int l, const unsigned int column) const
+  {
+    // each column has the rows of all stages, one stage after the other
+    const Pattern &p      = *K.pattern;
+    const int      length = p.column_start[column + 1] - p.column_start[column];
+    return tableau.s * (l * p.n_nonzeros() + p.column_start[column]) + k * length + position - p.column_start[column];
+  }
+
+
+
+  Eigen::MatrixXd
+  ExactStages::displacement_of_node(const std::vector<Point<double>> &stages, const unsigned int node) const
+  {
+    // [δD_1 … δD_s] (I − h W) = [… h Σ_l a_kl D_l δΩ~_l …], W with the blocks a_kl Ω~_l in row l and column k
+    const unsigned int   s = tableau.s;
+    Eigen::MatrixXd      A = Eigen::MatrixXd::Identity(3 * s, 3 * s), U = Eigen::MatrixXd::Zero(6 * s, 6 * s);
+    std::vector<Matrix3> D(s), inverse(s);
+    std::vector<Vector3> v(s);
+    for (unsigned int l = 0; l < s; ++l)
+      {
+        D[l]       = Eigen::Map<const Matrix3>(stages[l].q + 12 * node + 3);
+        inverse[l] = D[l].inverse();
+        v[l]       = Eigen::Map<const Vector3>(stages[l].y + 6 * node);
+        for (unsigned int k = 0; k < s; ++k)
+          A.block<3, 3>(3 * l, 3 * k) -=
+            h * tableau.a(k, l) * skew(Vector3(Eigen::Map<const Vector3>(stages[l].y + 6 * node + 3)));
+      }
+    const Eigen::MatrixXd P = A.inverse();
+    for (unsigned int l = 0; l < s; ++l)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          Eigen::MatrixXd right(3, 3 * s);
+          for (unsigned int k = 0; k < s; ++k)
+            {
+              U.block<3, 1>(6 * k, 6 * l + i) = h * tableau.a(k, l) * inverse[k] * D[l].col(i);
+              right.middleCols<3>(3 * k)      = h * tableau.a(k, l) * D[l] * skew(Vector3::Unit(i));
+            }
+          const Eigen::MatrixXd dD = right * P;
+          for (unsigned int k = 0; k < s; ++k)
+            {
+              Vector3 dx = Vector3::Zero();
+              for (unsigned int j = 0; j < s; ++j)
+                dx += h * tableau.a(k, j) * dD.middleCols<3>(3 * j) * v[j];
+              U.block<3, 1>(6 * k, 6 * l + 3 + i)     = inverse[k] * dx;
+              U.block<3, 1>(6 * k + 3, 6 * l + 3 + i) = axial(inverse[k] * dD.middleCols<3>(3 * k));
+            }
+        }
+    return U;
+  }
+
+
+
+  void
+  ExactStages::find_kinematics(const std::vector<Point<double>> &stages)
+  {
+    const unsigned int s = tableau.s;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        Kinematics &k = kinematics[node - 1];
+        k.U           = displacement_of_node(stages, node);
+        k.V           = Eigen::MatrixXd::Identity(6 * s, 6 * s);
+        for (unsigned int l = 0; l < s; ++l)
+          k.V.middleRows<6>(6 * l) -= ad(Eigen::Map<const Vector6>(stages[l].y + 6 * node)) * k.U.middleRows<6>(6 * l);
+        k.U_alpha = k.U;
+        for (unsigned int l = 0; l < s; ++l)
+          for (unsigned int j = 0; j < s; ++j)
+            k.U_alpha.middleRows<6>(6 * l) += h * (tableau.a_alpha(l, j) - tableau.a(l, j)) * k.V.middleRows<6>(6 * j);
+      }
+    of_coordinates.U       = h * tableau.a;
+    of_coordinates.U_alpha = h * tableau.a_alpha;
+    of_coordinates.V       = Eigen::MatrixXd::Identity(s, s);
+  }
+
+
+
+  void
+  ExactStages::constraints_moved(const Point<double> &stage, const double dt, SparseMatrix &result)
+  {
+    const Layout &layout = system.layout;
+    moved_q.assign(stage.q, stage.q + 12 * layout.n_nodes);
+    moved_coordinates.assign(stage.coordinates, stage.coordinates + layout.n_coordinates);
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const Eigen::Map<const Matrix3> D(stage.q + 12 * node + 3);
+        const Eigen::Map<const Vector3> v(stage.y + 6 * node), spin(stage.y + 6 * node + 3);
+        Eigen::Map<Vector3>(&moved_q[12 * node]) += dt * D * v;
+        Eigen::Map<Matrix3>(&moved_q[12 * node + 3]) += dt * D * skew(Vector3(spin));
+      }
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      moved_coordinates[i] += dt * stage.rates[i];
+    Point<double> moved = stage;
+    moved.q             = moved_q.data();
+    moved.coordinates   = moved_coordinates.data();
+    result.clear();
+    for (const auto *c : layout.constraining)
+      c->tangent(moved, result);
+  }
+
+
+
+  void
+  ExactStages::linearize(const Point<double> &stage)
+  {
+    const Layout &layout = system.layout;
+    K.clear();
+    C.clear();
+    for (const auto &c : system.model.contributions)
+      {
+        c->tangent(stage, K);
+        c->damping(stage, C);
+      }
+    // rows of constraints: G to C, Ġ to K. G N is quadratic in q, or nearly so, and differences along q̇ are its
+    // derivative
+    const double dt = 0.1 * h;
+    constraints_moved(stage, dt, K_ahead);
+    constraints_moved(stage, -dt, K_behind);
+    const Pattern &pattern     = *K.pattern;
+    const int      n_kinematic = layout.of_multiplier(0);
+    for (int j = 0; j < n_kinematic; ++j)
+      for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p)
+        if (pattern.rows[p] >= n_kinematic)
+          {
+            C.values[p] = K.values[p];
+            K.values[p] = (K_ahead.values[p] - K_behind.values[p]) / (2 * dt);
+          }
+  }
+
+
+
+  void
+  ExactStages::add_columns(const unsigned int k,
+                           const unsigned int first,
+                           const unsigned int width,
+                           const Kinematics  &of)
+  {
+    // these columns have the same rows, those of constraints last
+    const Pattern &p     = *K.pattern;
+    const int      begin = p.column_start[first], n_rows = p.column_start[first + 1] - begin;
+    const int      n_constraints =
+      p.rows.begin() + begin + n_rows -
+      std::lower_bound(p.rows.begin() + begin, p.rows.begin() + begin + n_rows, system.layout.of_multiplier(0));
+    const int                               n_forces = n_rows - n_constraints;
+    const Eigen::Map<const Eigen::MatrixXd> K_here(&K.values[begin], n_rows, width),
+      C_here(&C.values[begin], n_rows, width);
+    for (unsigned int l = 0; l < tableau.s; ++l)
+      {
+        const auto      block = [&](const Eigen::MatrixXd &A) { return A.block(width * k, width * l, width, width); };
+        Eigen::MatrixXd change(n_rows, width);
+        change.topRows(n_forces) =
+          h * (K_here.topRows(n_forces) * block(of.U_alpha) + C_here.topRows(n_forces) * block(of.V));
+        change.bottomRows(n_constraints) =
+          K_here.bottomRows(n_constraints) * block(of.U) + C_here.bottomRows(n_constraints) * block(of.V);
+        for (unsigned int j = 0; j < width; ++j)
+          {
+            double *const to = &matrix.values[place(k, p.column_start[first + j], l, first + j)];
+            for (int i = 0; i < n_rows; ++i)
+              to[i] += change(i, j) + tableau.w(k, l) * M.values[p.column_start[first + j] + i];
+          }
+      }
+  }
+
+
+
+  void
+  ExactStages::assemble(const std::vector<Point<double>> &stages, const double h, const std::vector<bool> &is_active)
+  {
+    this->h                = h;
+    const Layout  &layout  = system.layout;
+    const Pattern &pattern = *K.pattern;
+    find_kinematics(stages);
+    matrix.clear();
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        linearize(stages[k]);
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          {
+            const int first = layout.of_node(node);
+            add_columns(k, first, 6, kinematics[node - 1]);
+            const Matrix6 gyroscopic = h * gyroscopic_tangent(system.model.nodes[node].inertia,
+                                                              Eigen::Map<const Vector6>(stages[k].y + 6 * node));
+            for (int j = 0; j < 6; ++j)
+              for (int i = 0, at = place(k, pattern.position(first, first + j), k, first + j); i < 6; ++i)
+                matrix.values[at + i] += gyroscopic(i, j);
+          }
+        for (int j = layout.of_coordinate(0); j < layout.of_multiplier(0); ++j)
+          add_columns(k, j, 1, of_coordinates);
+        for (int j = layout.of_multiplier(0); j < pattern.size(); ++j)
+          for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p)
+            matrix.values[place(k, p, k, j)] += K.values[p];
+      }
+    keep_inactive(is_active);
+  }
+
+
+
+  void
+  ExactStages::keep_inactive(const std::vector<bool> &is_active)
+  {
+    const Pattern &p = *matrix.pattern;
+    const int      n = system.size(), n_kinematic = system.layout.of_multiplier(0);
+    const auto     is_out = [&](const int i) { return i % n >= n_kinematic && !is_active[i % n - n_kinematic]; };
+    if (std::find(is_active.begin(), is_active.end(), false) == is_active.end())
+      return;
+    for (int j = 0; j < p.size(); ++j)
+      for (int at = p.column_start[j]; at < p.column_start[j + 1]; ++at)
+        if (is_out(j) || is_out(p.rows[at]))
+          matrix.values[at] = j == p.rows[at] ? 1. : 0.;
+  }
+
+
+
+  void
+  ExactStages::add(const unsigned int k,
+                   const unsigned int i,
+                   const unsigned int l,
+                   const unsigned int j,
+                   const double       value)
+  {
+    const bool is_force = i < static_cast<unsigned int>(system.layout.of_multiplier(0));
+    matrix.values[place(k, K.pattern->position(i, j), l, j)] += is_force ? h * value : value;
+  }
+
+
+
+  void
+  ExactStages::solve(std::vector<std::vector<double>> &residuals)
+  {
+    const unsigned int n = system.size(), n_kinematic = system.layout.of_multiplier(0);
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        x[k * n + i] = (i < n_kinematic ? -h : -1.) * residuals[k][i];
+    solver->factorize(matrix);
+    solver->solve(x.data());
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        residuals[k][i] = x[k * n + i] / (i < n_kinematic ? 1. : h);
+  }
+
+
+
+  void
+  ExactStages::displacements(const unsigned int                      k,
+                             const std::vector<std::vector<double>> &changes,
+                             std::vector<double>                    &zeta_alpha,
+                             std::vector<double>                    &zeta_rate) const
+  {
+    const Layout &layout = system.layout;
+    const auto    add    = [&](const int first, const unsigned int width, const Kinematics &of) {
+      const auto rows = [&](const Eigen::MatrixXd &A, const unsigned int l) {
+        return A.block(width * k, width * l, width, width);
+      };
+      Eigen::Map<Eigen::VectorXd> alpha(&zeta_alpha[first], width), rate(&zeta_rate[first], width);
+      alpha.setZero();
+      rate.setZero();
+      for (unsigned int l = 0; l < tableau.s; ++l)
+        {
+          const Eigen::Map<const Eigen::VectorXd> change(&changes[l][first], width);
+          alpha += rows(of.U_alpha, l) * change;
+          rate += rows(of.V, l) * change;
+        }
+    };
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      add(layout.of_node(node), 6, kinematics[node - 1]);
+    for (int i = layout.of_coordinate(0); i < layout.of_multiplier(0); ++i)
+      add(i, 1, of_coordinates);
+  }
+} // namespace samara

@@ -1,0 +1,49 @@
+// Newton's method with the exact matrix of all stages, for steps that do not converge with one matrix for all of them.
+
+#include <samara/time/stage_integrator.h>
+
+namespace samara
+{
+  bool
+  StageIntegrator::iterate_exactly(const State &state, const double h, StepResult &result)
+  {
+    if (!exact)
+      {
+        exact = std::make_unique<ExactStages>(system, tableau);
+        stage_strains.resize(tableau.s);
+        for (auto &strains : stage_strains)
+          for (const auto &c : system.model.contributions)
+            strains.push_back(c->n_strains() > 0 ? c->linear_strains() : nullptr);
+      }
+    ++n_exact_steps;
+    previous_step = 0; // the extrapolated start did not help
+    predict(state, h);
+    is_exact       = true;
+    bool converged = false;
+    try
+      {
+        converged = iterate(state, h, 0.95, result);
+      }
+    catch (const SingularMatrix &)
+      {
+        // no solution nearby
+      }
+    is_exact = false;
+    return converged;
+  }
+
+
+
+  void
+  StageIntegrator::use_strains_of_stages()
+  {
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        Point<double> point = stages[k].point();
+        point.multipliers   = no_multipliers.data();
+        for (const auto &strains : stage_strains[k])
+          if (strains)
+            strains->renew(point);
+      }
+  }
+} // namespace samara
