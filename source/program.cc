@@ -190,7 +190,7 @@ namespace samara
     auto       probes = input.make_probes();
     const auto counts = check_model(system);
     if (!counts.contradictions.empty())
-      throw InputError(counts.complaint(options.model));
+      throw InputError(counts.complaint());
     if (options.check)
       return log.line(counts.text(system, options.model));
     system.drop(counts.redundant_multipliers);

@@ -26,6 +26,20 @@ namespace samara
     /** More free motions are not counted: the search works with as many full vectors. */
     constexpr int most_free_motions = 32;
 
+    /** "model.prm:12: ", where a motion is prescribed that has a row in this combination. */
+    std::string
+    place_of_prescribed(const System &system, const Eigen::VectorXd &combination)
+    {
+      for (const auto &[coordinate, row] : system.model.prescribed)
+        if (std::abs(combination(row)) > 1e-6 * combination.cwiseAbs().maxCoeff())
+          for (const auto *c : system.layout.constraining)
+            if (system.layout.multiplier_names[row].find("joint " + c->name + ", ") == 0)
+              return c->parameters.where() + ": ";
+      return "";
+    }
+
+
+
     /** "a, b, c and 5 others" */
     std::string
     list_of_some(const std::vector<std::string> &names)
@@ -51,9 +65,11 @@ namespace samara
     check.redundant_multipliers = rows.find(state);
     if (check.redundant_multipliers.empty())
       return;
-    check.generic           = rows.generic_place();
-    check.combinations      = rows.combinations(check.generic);
-    check.contradictions    = rows.contradictions(check.generic);
+    check.generic      = rows.generic_place();
+    check.combinations = rows.combinations(check.generic);
+    for (const int j : rows.contradictions(check.generic))
+      check.contradictions.push_back(place_of_prescribed(system, check.combinations.col(j)) +
+                                     "these constraints contradict each other: " + rows.names(check.combinations, j));
     for (const auto &loop : rows.loops(check.combinations))
       check.redundant.push_back(list_of_some(loop.joints) + ": " + std::to_string(loop.n_redundant) +
                                 (loop.n_redundant == 1 ? " constraint says" : " constraints say") +
@@ -160,9 +176,10 @@ namespace samara
     const auto solver = make_solver(layout.pattern);
     solver->factorize(K);
 
-    // inverse iteration on a block of vectors; those that strain nothing stay, all others fade or are told by their energy
-    const State    state = system.reference();
-    const auto     strain_energy = [&](const Eigen::VectorXd &z) {
+    // inverse iteration on a block of vectors; those that strain nothing stay, all others fade or are told by their
+    // energy
+    const State state         = system.reference();
+    const auto  strain_energy = [&](const Eigen::VectorXd &z) {
       std::vector<double> y(6 * layout.n_nodes, 0.), rates(layout.n_strains);
       std::copy(z.data(), z.data() + 6 * (layout.n_nodes - 1), y.begin() + 6);
       Point<double> point = state.point();
@@ -183,8 +200,8 @@ namespace samara
         });
         for (unsigned int iteration = 0; iteration < 6; ++iteration)
           {
-            const Eigen::MatrixXd      B    = D.asDiagonal() * X;
-            std::vector<double>        b(system.size());
+            const Eigen::MatrixXd B = D.asDiagonal() * X;
+            std::vector<double>   b(system.size());
             for (int j = 0; j < block; ++j)
               {
                 std::fill(b.begin(), b.end(), 0.);
@@ -193,12 +210,12 @@ namespace samara
                 X.col(j) = Eigen::Map<Eigen::VectorXd>(b.data(), n);
               }
             // orthonormal in D
-            const Eigen::VectorXd root = D.cwiseSqrt();
+            const Eigen::VectorXd                 root = D.cwiseSqrt();
             Eigen::HouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * X);
             X = root.cwiseInverse().asDiagonal() * (qr.householderQ() * Eigen::MatrixXd::Identity(n, block));
           }
-        // Ritz vectors of the stiffness in the block, with violated constraints as stiff springs: where the block has more
-        // columns than there are free motions, the others are round-off, which obeys no constraint
+        // Ritz vectors of the stiffness in the block, with violated constraints as stiff springs: where the block has
+        // more columns than there are free motions, the others are round-off, which obeys no constraint
         Eigen::MatrixXd KX(n, block), GX(m, block);
         for (int j = 0; j < block; ++j)
           {
@@ -268,9 +285,9 @@ namespace samara
   std::string
   ModelCheck::text(const System &system, const std::string &file) const
   {
-    const Layout                &layout = system.layout;
-    const Eigen::IOFormat        vector(8, 0, ", ", ", ", "", "", "(", ")"), rows(8, 0, ", ", "\n                    ");
-    std::ostringstream           out;
+    const Layout         &layout = system.layout;
+    const Eigen::IOFormat vector(8, 0, ", ", ", ", "", "", "(", ")"), rows(8, 0, ", ", "\n                    ");
+    std::ostringstream    out;
     out << file << ": no mistakes found\n"
         << "  unknowns          " << layout.n_unknowns() << ": 6 for each of " << layout.n_nodes - 1 << " nodes, "
         << layout.n_coordinates << " joint coordinates, " << layout.n_multipliers << " multipliers (constraints)\n"
@@ -311,13 +328,14 @@ namespace samara
 
 
   std::string
-  ModelCheck::complaint(const std::string &file) const
+  ModelCheck::complaint() const
   {
-    std::string text = file + ": these constraints contradict each other:";
+    std::string text;
     for (const auto &combination : contradictions)
-      text += "\n  " + combination;
-    return text + "\n  Not all of them can hold while prescribed motions go on: leave out one of these, or give a joint of the "
-                  "loop more freedom (spherical or cylindrical instead of revolute).";
+      text += (text.empty() ? "" : "\n") + combination;
+    return text +
+           "\n  Not all of them can hold while prescribed motions go on: leave out one of these, or give a joint of the "
+           "loop more freedom (spherical or cylindrical instead of revolute).";
   }
 
 

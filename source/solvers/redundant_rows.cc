@@ -319,10 +319,20 @@ namespace samara
       solve();
       return size_of_step(system, z, length);
     };
-    const int n_twists = system.layout.of_coordinate(0);
-    double    size     = set([&](const int i) { return i < n_twists ? state.y[6 + i] : state.rates[i - n_twists]; });
+    const int  n_twists = system.layout.of_coordinate(0);
+    double     size     = set([&](const int i) { return i < n_twists ? state.y[6 + i] : state.rates[i - n_twists]; });
+    const auto any      = [&](const int i) { return std::sin(1. + 1.7 * i) / unit[i]; };
     if (size == 0)
-      size = set([&](const int i) { return std::sin(1. + 1.7 * i) / unit[i]; });
+      size = set(any);
+    auto out = left_out;
+    if (size == 0)
+      {
+        // all that could move is prescribed: what is redundant does not depend on drives
+        for (const auto &prescribed : system.model.prescribed)
+          out.push_back(prescribed.second);
+        factorize(out);
+        size = set(any);
+      }
     State result    = state;
     result.left_out = {};
     if (!(size > 1e-9))
@@ -337,14 +347,14 @@ namespace samara
         if (size_of_step(system, z, length) < 1e-12)
           break;
         assemble(result);
-        factorize(left_out);
+        factorize(out);
         r.assign(n + m + 6, 0.);
         for (const auto *c : system.layout.constraining)
           c->constraints(result.point(), r.data());
         std::fill(b.begin(), b.end(), 0.);
         for (int i = 0; i < m; ++i)
           b[n + i] = -r[n + i] * scale[i];
-        for (const auto i : left_out)
+        for (const auto i : out)
           b[n + i] = 0;
         solve();
       }
@@ -452,7 +462,7 @@ namespace samara
 
 
 
-  std::vector<std::string>
+  std::vector<int>
   RedundantRows::contradictions(const State &state)
   {
     const Eigen::MatrixXd X         = combinations(state);
@@ -474,12 +484,12 @@ namespace samara
         dt /= 10;
       }
     while (change.cwiseAbs().maxCoeff() > 1e-2 && dt > 1e-12);
-    std::vector<std::string> result;
+    std::vector<int> result;
     for (int j = 0; j < X.cols(); ++j)
       {
         const double terms = change.cwiseProduct(X.col(j)).cwiseAbs().sum();
         if (terms > 0 && std::abs(change.dot(X.col(j))) > 0.1 * terms)
-          result.push_back(names(X, j));
+          result.push_back(j);
       }
     return result;
   }

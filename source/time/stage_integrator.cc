@@ -87,6 +87,8 @@ namespace samara
     offset        = 1;
     first_strain  = -1;
     moved_energy  = 0;
+    if (redundant)
+      redundant->forget();
   }
 
 

@@ -20,16 +20,16 @@ namespace
     return {"Dynamic/Stages = " + s, "Dynamic/Spectral radius = " + radius, "Dynamic/Step = " + step};
   }
 
-  /** Run and print; the run and the least of three times. */
-  Run
+  /** Outcome and print; the run and the least of three times. */
+  Outcome
   timed(const std::string              &what,
         const std::string              &model,
         const std::string              &point,
         const std::vector<std::string> &overrides,
-        const Run                      *reference)
+        const Outcome                  *reference)
   {
-    Run    run;
-    double least = 1e300;
+    Outcome run;
+    double  least = 1e300;
     for (unsigned int k = 0; k < 3; ++k)
       {
         const double start = cpu_seconds();
@@ -70,7 +70,7 @@ main()
 {
   set_threads(1);
   const std::string bricard = "prm/benchmarks/peers/bricard.prm", P3 = "bar 3.end";
-  const Run         reference =
+  const Outcome     reference =
     timed("Bricard, cylindrical, s = 3, 0.0025", bricard, P3, settings("3", "1", "0.0025"), nullptr);
   for (const std::string s : {"1", "2", "3"})
     for (const std::string radius : {"0", "0.5", "1"})

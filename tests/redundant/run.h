@@ -13,7 +13,7 @@
 namespace samara
 {
   /** What a motion did, seen at its outputs. */
-  struct Run
+  struct Outcome
   {
     std::map<long, Vector3> places; ///< of the probed point, by time in ms
     double                  gap = 0, balance = 0;
@@ -23,7 +23,7 @@ namespace samara
 
     /** Largest distance to another motion at the times both have. */
     double
-    error(const Run &reference) const
+    error(const Outcome &reference) const
     {
       double       largest  = 0;
       unsigned int n_common = 0;
@@ -54,16 +54,16 @@ namespace samara
 
 
 
-  /** Run the dynamic analysis of a model and watch a point, "bar 3.end". */
-  inline Run
+  /** Outcome the dynamic analysis of a model and watch a point, "bar 3.end". */
+  inline Outcome
   run_motion(const std::string &model, const std::string &point, const std::vector<std::string> &overrides)
   {
     Scene              scene(model, overrides);
     std::vector<Probe> probes;
     for (const std::string axis : {"x", "y", "z"})
       probes.push_back(scene.input.model.probe(point + ".position " + axis));
-    auto &dynamic = scene.analysis<DynamicAnalysis>();
-    Run   run;
+    auto   &dynamic = scene.analysis<DynamicAnalysis>();
+    Outcome run;
     dynamic.observer = [&](const State &state) {
       run.places[std::lround(1e3 * state.time)] = {probes[0].value(state),
                                                    probes[1].value(state),

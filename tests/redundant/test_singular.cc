@@ -25,7 +25,7 @@ namespace
   }
 
   Vector3
-  end_of(const Run &run)
+  end_of(const Outcome &run)
   {
     return run.places.at(10000);
   }
@@ -43,7 +43,7 @@ TEST(Singular, TwoParallelogramsPass)
       {
         if (s == "1" && radius != "1")
           continue; // of first order: its error is not small
-        const Run run =
+        const Outcome run =
           run_motion("prm/benchmarks/dynamics/four_bar.prm", "coupler 1", all_revolutes(settings(s, radius, "0.01")));
         EXPECT_EQ(run.n_redundant, 6u);
         EXPECT_LT(run.gap, 1e-9) << s << ' ' << radius;
@@ -59,7 +59,7 @@ TEST(Singular, FortyParallelogramsPassOnce)
 {
   auto overrides = settings("3", "0.5", "0.01");
   overrides.push_back("Dynamic/End time = 1.5");
-  const Run run = run_motion("prm/benchmarks/peers/n_four_bar.prm", "crank 0.B", overrides);
+  const Outcome run = run_motion("prm/benchmarks/peers/n_four_bar.prm", "crank 0.B", overrides);
   EXPECT_EQ(run.n_redundant, 0u);
   EXPECT_LT(run.gap, 1e-9);
   EXPECT_LT(run.balance, 1e-8);

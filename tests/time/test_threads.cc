@@ -130,3 +130,22 @@ TEST_F(Threads, ExceptionsReachTheCaller)
                             }),
                std::runtime_error);
 }
+
+
+
+// The real and the complex factors of three stages are made in two threads, but MUMPS does one thing at a time.
+TEST_F(Threads, MumpsWithThreeStages)
+{
+  Scene scene(long_beams, {"Bodies/a/Elements = 200", "Bodies/b/Elements = 200"});
+  ASSERT_GT(scene.system.size(), 2000u);
+  set_threads(2);
+  use_library(Library::mumps);
+  State           state = scene.context.state;
+  StageIntegrator integrator(scene.system, Tableau(3, 0.5));
+  use_library(Library::klu);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      integrator.forget_history();
+      ASSERT_TRUE(integrator.step(state, 1e-3).converged);
+    }
+}

@@ -15,8 +15,8 @@ namespace samara
     /** Constraints that say what others say already: sentences, one for each loop or loops that share joints. */
     std::vector<std::string>  redundant;
     std::vector<unsigned int> redundant_multipliers;
-    Eigen::MatrixXd           combinations; ///< of rows, that depend on each other, one column for each
-    State                     generic;      ///< a place near the reference configuration, where these are so
+    Eigen::MatrixXd           combinations;   ///< of rows, that depend on each other, one column for each
+    State                     generic;        ///< a place near the reference configuration, where these are so
     std::vector<std::string>  contradictions; ///< combinations that prescribed motions cannot obey
 
     /** All of it for people. */
@@ -29,9 +29,10 @@ namespace samara
     std::string redundancy_text() const;
 
     /** What contradicts what. */
-    std::string complaint(const std::string &file) const;
+    std::string complaint() const;
 
-    /** Add "not unique" to the units of probes whose values are a matter of convention: least norm. Whether there are any. */
+    /** Add "not unique" to the units of probes whose values are a matter of convention: least norm. Whether there are
+     * any. */
     bool mark(std::vector<Probe> &probes) const;
   };
 

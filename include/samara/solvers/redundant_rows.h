@@ -55,8 +55,8 @@ namespace samara
     /** What to say where row @p i is left out and does not hold: the rows that contradict each other. */
     std::string contradiction(const State &state, unsigned int i);
 
-    /** The combinations that prescribed motions cannot obey: names of what contradicts what, one entry for each. */
-    std::vector<std::string> contradictions(const State &state);
+    /** The columns of X that prescribed motions cannot obey. */
+    std::vector<int> contradictions(const State &state);
 
     /** A place a little further on, where only what is redundant everywhere is dependent; known after find(). */
     const State &
@@ -76,6 +76,13 @@ namespace samara
       unsigned int             n_redundant = 0;
     };
     std::vector<Loop> loops(const Eigen::MatrixXd &X) const;
+
+    /** Look at the choice again, whatever has moved. */
+    void
+    forget()
+    {
+      checked = {};
+    }
 
     unsigned int n_checks = 0, n_exchanges = 0; ///< for reports
 
