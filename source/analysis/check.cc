@@ -40,7 +40,7 @@ namespace samara
 
 
 
-    /** "a, b, c and 5 others" */
+    /** "a, b, c and 5 more" */
     std::string
     list_of_some(const std::vector<std::string> &names)
     {
@@ -48,7 +48,7 @@ namespace samara
       std::string            text;
       for (unsigned int i = 0; i < std::min<unsigned int>(most, names.size()); ++i)
         text += (i > 0 ? ", " : "") + names[i];
-      return text + (names.size() > most ? " and " + std::to_string(names.size() - most) + " others" : "");
+      return text + (names.size() > most ? " and " + std::to_string(names.size() - most) + " more" : "");
     }
   } // namespace
 
