@@ -69,7 +69,7 @@ int
 main()
 {
   set_threads(1);
-  const std::string bricard = "prm/benchmarks/peers/bricard.prm", P3 = "bar 3.end";
+  const std::string bricard = "prm/benchmarks/peers/bricard.prm", P3 = "bar 2.end";
   const Outcome     reference =
     timed("Bricard, cylindrical, s = 3, 0.0025", bricard, P3, settings("3", "1", "0.0025"), nullptr);
   for (const std::string s : {"1", "2", "3"})
