@@ -212,6 +212,7 @@ namespace samara
     /** @} */
 
     double solve_exactly(double h);
+    void   add_slopes_of_stops();
     /** Repeat a step that does not converge with the exact matrix of all stages. */
     bool iterate_exactly(const State &state, double h, StepResult &result);
     void use_strains_of_stages();
