@@ -8,6 +8,7 @@
 #include <cctype>
 #include <iterator>
 #include <set>
+#include <sstream>
 
 namespace samara
 {
@@ -382,6 +383,26 @@ namespace samara
           complaints.add(const_cast<Parameters &>(root).subsection("Output").where("Probes"), problem.what());
         }
     return result;
+  }
+
+
+
+  std::string
+  Input::used() const
+  {
+    std::ostringstream text;
+    print(text);
+    for (const auto &c : model.contributions)
+      if (const auto *const table = dynamic_cast<const TableSection *>(c.get()))
+        {
+          // as entries, a line each
+          text << "subsection Sections\n  subsection " << table->name << '\n';
+          unsigned int i = 0;
+          for (const auto &line : table->lines_of_file())
+            text << "    set line " << ++i << " of the file = " << line << '\n';
+          text << "  end\nend\n";
+        }
+    return text.str();
   }
 
 

@@ -114,7 +114,13 @@ namespace samara
             iterations = statics->n_iterations;
           }
       Table table({"unknowns", "time [s]", "processor time [s]", "steps", "iterations", "factorizations"});
-      table.add_row({context.system.size(), seconds, processor_seconds, steps, iterations, factorizations});
+      using Cell = Table::Cell;
+      table.add_row({context.system.size(),
+                     seconds,
+                     processor_seconds,
+                     Cell::optional(steps),
+                     Cell::optional(iterations),
+                     Cell::optional(factorizations)});
       table.write(context.folder + "/summary.csv");
     }
 
@@ -218,6 +224,7 @@ namespace samara
     Context context{system, log, folder, probes, input.pictures, system.reference(), speeds, input.rotor_speeds};
     context.restart    = options.restart;
     context.least_norm = least_norm;
+    context.used    = input.used();
     const InterruptGuard guard;
     try
       {

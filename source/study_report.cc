@@ -6,7 +6,9 @@
 
 #include <deal.II/base/convergence_table.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace samara
@@ -77,7 +79,8 @@ namespace samara
                                             r.rate};
         std::vector<Table::Cell>  cells  = {member.method < methods.size() ? methods[member.method]->name : "reference",
                                           member.label};
-        cells.insert(cells.end(), row.begin(), row.end());
+        // members that fail, and say so, have no numbers
+        std::transform(row.begin(), row.end(), std::back_inserter(cells), Table::Cell::optional);
         cells.emplace_back(static_cast<int>(i) == reference_member ? "reference" : "");
         cells.emplace_back(r.finished ? "finished" : "fails: " + r.reason);
         table.add_row(cells);
@@ -186,10 +189,10 @@ namespace samara
         const StudyResult nothing, &r = member != nullptr ? member->result : nothing;
         table.add_row({methods[m]->name,
                        member != nullptr ? member->label : "",
-                       r.error,
-                       r.unknowns,
-                       r.seconds,
-                       cost_of(r),
+                       Table::Cell::optional(r.error),
+                       Table::Cell::optional(r.unknowns),
+                       Table::Cell::optional(r.seconds),
+                       Table::Cell::optional(cost_of(r)),
                        tolerance,
                        member != nullptr && member == cheapest ? "cheapest" : verdict});
       }

@@ -68,6 +68,9 @@ namespace samara
      * includes. */
     void print(std::ostream &out) const;
 
+    /** The same with the contents of the files that it names: what the model is, for checkpoints. */
+    std::string used() const;
+
     /** Declare the entries that stand outside of named objects; for reading and for the documentation. */
     void add_parameters(Parameters &prm);
 

@@ -1,4 +1,6 @@
 #include <samara/analysis/analysis.h>
+#include <samara/analysis/finite_matrix.h>
+#include <samara/base/finite.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -28,6 +30,56 @@ namespace samara
     const double nominal = system.model.rotations[0].speed;
     const bool   within  = std::find(sweep.begin(), sweep.end(), nominal) != sweep.end();
     return speeds[0] == (within ? nominal : sweep.back());
+  }
+
+
+
+  void
+  CoarseMeshes::check(const Context &context, const State &state, const std::string &when)
+  {
+    for (const auto &c : context.system.model.contributions)
+      if (warned.count(c.get()) == 0)
+        if (const std::string place = c->coarse_place(state); !place.empty())
+          {
+            context.log.warning(when, place + ". Results may be wrong: give it more <Elements>, or a higher <Degree>.");
+            warned.insert(c.get());
+          }
+  }
+
+
+
+  void
+  require_finite_state(const System &system, const State &state)
+  {
+    const Layout &layout = system.layout;
+    const auto    check  = [&](const double number, const int unknown) {
+      require_finite(number, [&]() { return layout.name_of(unknown); });
+    };
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      for (unsigned int i = 0; i < 6; ++i)
+        {
+          check(state.q[12 * node + i % 3], layout.of_node(node) + i % 3);
+          check(state.triad(node).col(i % 3).sum(), layout.of_node(node) + 3 + i % 3);
+          check(state.y[6 * node + i], layout.of_node(node) + i);
+        }
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      check(state.coordinates[i], layout.of_coordinate(i));
+    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+      check(state.multipliers[i], layout.of_multiplier(i));
+    for (const auto &c : system.model.contributions)
+      for (unsigned int i = 0; i < c->n_strains(); ++i)
+        require_finite(state.stress[c->first_strain + i],
+                       [&]() { return c->name + ", stress " + std::to_string(i + 1); });
+  }
+
+
+
+  void
+  require_finite_matrix(const System &system, const SparseMatrix &A)
+  {
+    for (int j = 0; j < A.pattern->size(); ++j)
+      for (int k = A.pattern->column_start[j]; k < A.pattern->column_start[j + 1]; ++k)
+        require_finite(A.values[k], [&]() { return "the tangent matrix at " + system.layout.name_of(j); });
   }
 
 

@@ -1,7 +1,6 @@
-#include <samara/analysis/dynamic.h>
+#include <samara/analysis/dynamic_parts.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
-#include <samara/output/checkpoint.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
 #include <samara/time/rivals.h>
@@ -11,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 
 namespace samara
 {
@@ -125,71 +125,6 @@ namespace samara
 
 
 
-  /** Files of a run, and what time it is there. */
-  struct DynamicAnalysis::Output
-  {
-    std::unique_ptr<History>  history, energies, steps;
-    std::unique_ptr<Pictures> pictures;
-    double                    next_picture = 0;
-    bool                      is_massless  = false; ///< accelerations cannot be found; has been said
-
-    Output(const Context &context, const DynamicAnalysis &analysis, const double start)
-    {
-      next_picture = start;
-      if (context.folder.empty())
-        return;
-      const std::optional<double> after = context.restart ? std::optional<double>(start) : std::nullopt;
-
-      std::vector<std::pair<std::string, std::string>> columns = {{"t", "s"}};
-      for (const auto &probe : context.probes)
-        columns.emplace_back(probe.name, probe.unit);
-      history = std::make_unique<History>(context.folder, "dynamic", columns, after);
-      energies =
-        std::make_unique<History>(context.folder,
-                                  "dynamic_energy",
-                                  std::vector<std::pair<std::string, std::string>>{{"t", "s"},
-                                                                                   {"kinetic", "J"},
-                                                                                   {"strain", "J"},
-                                                                                   {"potential", "J"},
-                                                                                   {"work of loads", "J"},
-                                                                                   {"work of drives", "J"},
-                                                                                   {"damper loss", "J"},
-                                                                                   {"numerical dissipation", "J"},
-                                                                                   {"balance", "J"}},
-                                  after);
-      steps = std::make_unique<History>(context.folder,
-                                        "dynamic_steps",
-                                        std::vector<std::pair<std::string, std::string>>{{"t", "s"},
-                                                                                         {"step", "s"},
-                                                                                         {"iterations", ""},
-                                                                                         {"factorizations", ""},
-                                                                                         {"rejections", ""},
-                                                                                         {"estimate", ""},
-                                                                                         {"second estimate", ""}},
-                                        after);
-      if (context.pictures && analysis.n_pictures > 0)
-        pictures = std::make_unique<Pictures>(context.folder, "dynamic", after);
-      if (context.restart && pictures != nullptr)
-        {
-          const double interval = (analysis.end_time - analysis.start_time) / analysis.n_pictures;
-          next_picture =
-            analysis.start_time + interval * (std::floor((start - analysis.start_time) / interval + 1e-9) + 1);
-        }
-    }
-
-    void
-    flush()
-    {
-      for (auto *const file : {history.get(), energies.get(), steps.get()})
-        if (file != nullptr)
-          file->flush();
-      if (pictures != nullptr)
-        pictures->finish();
-    }
-  };
-
-
-
   namespace
   {
     double
@@ -209,26 +144,6 @@ namespace samara
       for (unsigned int i = 6; i < state.y.size(); i += 6)
         square = std::max(square, Eigen::Map<const Vector3>(&state.y[i + 3]).squaredNorm());
       return std::sqrt(square);
-    }
-
-    /** What a checkpoint must fit: the unknowns with their names. */
-    std::string
-    fingerprint_of(const System &system)
-    {
-      std::string text;
-      for (const auto &node : system.model.nodes)
-        text += node.name + ';';
-      for (const auto &name : system.model.coordinates)
-        text += name + ';';
-      for (const auto &name : system.layout.multiplier_names)
-        text += name + ';';
-      return text + std::to_string(system.layout.n_strains) + ';' + std::to_string(system.layout.stops.size());
-    }
-
-    std::string
-    checkpoint_file(const Context &context)
-    {
-      return context.folder + "/dynamic.checkpoint";
     }
 
     std::string
@@ -308,54 +223,6 @@ namespace samara
 
 
   void
-  DynamicAnalysis::restore(const Context &context, State &state, Stepper &stepper)
-  {
-    const Checkpoint checkpoint = read_checkpoint(checkpoint_file(context));
-    if (checkpoint.fingerprint != fingerprint_of(context.system))
-      throw InputError(checkpoint_file(context) + ": this checkpoint belongs to another model; run without --restart");
-    const auto &n     = checkpoint.numbers;
-    budget.loads      = n.at("work of loads");
-    budget.drives     = n.at("work of drives");
-    budget.viscous    = n.at("damper loss");
-    budget.dissipated = n.at("numerical dissipation");
-    budget.start      = n.at("energy at start");
-    n_rows            = n.at("rows");
-    n_judged          = n.at("judged steps");
-
-    report.largest_energy = n.at("largest energy");
-    state             = checkpoint.state;
-    if (control == "adaptive")
-      stepper.next_step = checkpoint.step;
-    if (stepper.controller)
-      stepper.controller->E_ref = n.at("reference energy");
-  }
-
-
-
-  void
-  DynamicAnalysis::write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const
-  {
-    if (context.folder.empty())
-      return;
-    Checkpoint checkpoint;
-    checkpoint.state       = state;
-    checkpoint.step        = stepper.next_step;
-    checkpoint.fingerprint = fingerprint_of(context.system);
-    checkpoint.numbers     = {{"work of loads", budget.loads},
-                              {"work of drives", budget.drives},
-                              {"damper loss", budget.viscous},
-                              {"numerical dissipation", budget.dissipated},
-                              {"energy at start", budget.start},
-                              {"largest energy", report.largest_energy},
-                              {"judged steps", n_judged},
-                              {"rows", n_rows},
-                              {"reference energy", stepper.controller ? stepper.controller->E_ref : 0.}};
-    samara::write_checkpoint(checkpoint_file(context), checkpoint);
-  }
-
-
-
-  void
   DynamicAnalysis::record(const Context &context, const State &state, Projection &projection, Output &output)
   {
     const bool is_picture =
@@ -370,6 +237,9 @@ namespace samara
                             budget.viscous,
                             budget.dissipated,
                             budget.balance()});
+    // every few rows: it costs the strains of the beams
+    if (n_recorded++ % 16 == 0 || state.time >= end_time - 1e-12 * (end_time - start_time))
+      meshes.check(context, state, "dynamic, t = " + short_text(state.time) + " s");
     if (context.probes.empty() && !is_picture && !observer)
       return;
     State reported = state;
@@ -469,71 +339,85 @@ namespace samara
     check(context.sweep, complaints);
     complaints.throw_if_any();
 
-    const std::unique_ptr<Integrator> owner  = make_integrator(system, newton_tolerance),
-                                      halves = make_integrator(system, newton_tolerance);
-    Integrator              &integrator      = *owner;
-    const bool               is_adaptive     = control == "adaptive";
-    StepController::Settings settings;
-    settings.tolerance     = tolerance;
-    settings.smallest_step = smallest_step;
-    settings.largest_step  = largest_step > 0 ? largest_step : 0.1 * (end_time - start_time);
-    Stepper stepper = is_adaptive ? Stepper(system, integrator, std::min(step, settings.largest_step), settings) :
-                                    Stepper(system, integrator, step, smallest_step);
-    report          = {};
-    budget          = {};
-    State state     = context.state;
-    n_rows = n_judged = 0;
+    const bool is_adaptive = control == "adaptive";
+    report                 = {};
+    budget                 = {};
+    n_rows = n_judged      = 0;
+    n_grid                 = 0;
+    n_recorded             = 0;
+    meshes                 = {};
+    bool       with_steps  = true;
+    Checkpoint last;
+    State      state = context.state;
     if (context.restart)
-      restore(context, state, stepper);
+      {
+        last  = restore(context, with_steps);
+        state = last.state;
+      }
     else
       prepare(context, state);
-    const double begin  = state.time;
-    const auto   energy = system.energy(state);
-    budget.kinetic      = energy.kinetic;
-    budget.strain       = energy.strain;
-    budget.potential    = potential_energy(system, state);
+    Machinery    machinery    = context.restart ? make_machinery(system, last, with_steps) : make_machinery(system);
+    const bool   can_be_exact = machinery.integrator->family() != nullptr;
+    const double begin        = state.time;
+    const auto   energy       = system.energy(state);
+    budget.kinetic            = energy.kinetic;
+    budget.strain             = energy.strain;
+    budget.potential          = potential_energy(system, state);
     if (!context.restart)
       budget.start = budget.kinetic + budget.strain + budget.potential;
+    else if (!can_be_exact)
+      context.log.line("restart: the integrator <" + integrator +
+                       "> begins afresh here; results are those of an uninterrupted run within its error");
 
-    set_energy_floor(system);
+    if (!context.restart)
+      set_energy_floor(system);
     InterruptGuard interrupt;
-    Projection     projection(system);
-    Output         output(context, *this, begin);
+    Output         output(context, *this, begin, context.restart ? &last : nullptr);
     auto           last_progress = clock_start, last_checkpoint = clock_start;
-    const auto     seconds_since  = [](const Clock::time_point &t) {
+    Report         before_machinery = report;
+    if (!context.restart && !context.folder.empty())
+      std::filesystem::remove(checkpoint_file(context)); // of an earlier run
+    const auto seconds_since = [](const Clock::time_point &t) {
       return std::chrono::duration<double>(Clock::now() - t).count();
     };
     const auto show = [&]() {
       const double seconds = seconds_since(clock_start), done = state.time - begin;
       context.log.progress("t " + format("%.6g", state.time) + " s of " + format("%g", end_time) + ", step " +
-                           format("%.3g", is_adaptive ? stepper.next_step : step) + " s, " +
-                           format("%.1f", double(integrator.n_iterations) / std::max(1u, integrator.n_steps)) +
+                           format("%.3g", is_adaptive ? machinery.stepper->next_step : step) + " s, " +
+                           format("%.1f", double(report.n_iterations) / std::max(1u, report.n_steps)) +
                            " iterations a step, energy " +
                            format("%.6g", budget.kinetic + budget.strain + budget.potential) + " J, " +
                            format("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
                            format("%.0f", done > 0 ? seconds / done * (end_time - state.time) : 0.) + " s");
     };
+    const auto save = [&]() {
+      output.flush();
+      if (!can_be_exact)
+        last = remember(context, state, machinery, output);
+      if (!context.folder.empty())
+        write_checkpoint(checkpoint_file(context), last);
+    };
     const auto close = [&]() {
       if (context.log.is_terminal())
         context.log.line("");
-      output.flush();
-      write_checkpoint(context, state, stepper);
-      for (auto *const file : {output.history.get(), output.energies.get(), output.steps.get()})
-        if (file != nullptr)
-          file->finish();
+      save();
+      for (const auto &[name, table] : output.tables())
+        if (table != nullptr)
+          table->finish();
       report.seconds           = seconds_since(clock_start);
       report.processor_seconds = double(std::clock() - processor_start) / CLOCKS_PER_SEC;
-      report.n_steps           = integrator.n_steps;
-      report.n_iterations      = integrator.n_iterations;
-      report.n_factorizations  = integrator.n_factorizations;
       context.state            = state;
       context.is_equilibrium   = false;
     };
 
     if (!context.restart)
-      record(context, state, projection, output);
-    unsigned long n_grid = std::lround((state.time - start_time) / step), n_factorizations = 0;
-    State         before;
+      {
+        record(context, state, *machinery.projection, output);
+        last = remember(context, state, machinery, output);
+      }
+    unsigned int n_since_fresh = 0, n_factorizations = report.n_factorizations;
+    bool         is_saved = context.restart;
+    State        before;
     try
       {
         while (state.time < end_time - 1e-12 * (end_time - start_time))
@@ -549,10 +433,16 @@ namespace samara
             if (second_estimate)
               before = state;
             const double  from    = state.time;
-            const Advance advance = stepper.advance(state, goal);
+            const Advance advance     = machinery.stepper->advance(state, goal);
             const double  before_step = budget.balance();
             account(context, state, advance.step);
+            if (!std::isfinite(budget.kinetic + budget.strain + budget.potential))
+              require_finite_state(system, state);
             judge(context, advance, from, before_step);
+            const Integrator &integrator = *machinery.integrator;
+            report.n_steps               = before_machinery.n_steps + integrator.n_steps;
+            report.n_iterations          = before_machinery.n_iterations + integrator.n_iterations;
+            report.n_factorizations      = before_machinery.n_factorizations + integrator.n_factorizations;
             report.n_rejected += advance.n_rejected;
             report.n_failed += advance.n_failed;
             report.n_touches += advance.step.touches.size();
@@ -560,35 +450,47 @@ namespace samara
             double second = std::nan("");
             if (second_estimate)
               {
-                halves->forget_history();
-                second = half_steps(context, before, state, state.time - from, *halves);
+                machinery.halves->forget_history();
+                second = half_steps(context, before, state, state.time - from, *machinery.halves);
               }
             const bool is_on_grid = is_adaptive || state.time >= goal - 1e-9 * step;
             if (output.steps != nullptr)
               output.steps->add({state.time,
                                  state.time - from,
                                  double(advance.step.iterations),
-                                 double(integrator.n_factorizations - n_factorizations),
+                                 double(report.n_factorizations - n_factorizations),
                                  double(advance.n_rejected + advance.n_failed),
-                                 stepper.estimate,
-                                 second});
-            n_factorizations = integrator.n_factorizations;
+                                 machinery.stepper->estimate,
+                                 second},
+                                1);
+            n_factorizations = report.n_factorizations;
             if (is_on_grid)
               {
                 ++n_grid;
                 ++n_rows;
                 if (std::lround(n_rows) % output_every == 0 || state.time >= end_time - 1e-12 * (end_time - start_time))
-                  record(context, state, projection, output);
+                  record(context, state, *machinery.projection, output);
               }
             if (seconds_since(last_progress) > (context.log.is_terminal() ? 0.3 : 10.))
               {
                 show();
                 last_progress = Clock::now();
               }
-            if (seconds_since(last_checkpoint) > seconds_between_checkpoints)
+            // not where the end changes rows, or adaptive steps before it: a run may be continued beyond
+            const double ahead       = is_adaptive ? 4 * machinery.stepper->next_step : 1e-9 * step;
+            const bool   is_near_end = state.time + ahead > end_time;
+            if (++n_since_fresh >= steps_between_fresh_starts(system) && can_be_exact && !is_near_end)
               {
-                output.flush();
-                write_checkpoint(context, state, stepper);
+                last             = remember(context, state, machinery, output);
+                machinery        = make_machinery(system, last, true);
+                before_machinery = report;
+                n_since_fresh    = 0;
+                is_saved         = false;
+              }
+            if (seconds_since(last_checkpoint) > seconds_between_checkpoints && (!is_saved || !can_be_exact))
+              {
+                save();
+                is_saved        = true;
                 last_checkpoint = Clock::now();
               }
           }
@@ -602,7 +504,7 @@ namespace samara
           "(<Spectral radius = 0>), or look whether the mechanism locks there");
       }
     close();
-    summarize(context, integrator);
+    summarize(context, *machinery.integrator);
     conclude(context);
   }
 
@@ -611,10 +513,10 @@ namespace samara
   void
   DynamicAnalysis::summarize(const Context &context, const Integrator &integrator) const
   {
-    const double steps = std::max(1u, integrator.n_steps);
-    std::string  text  = "dynamic: " + std::to_string(integrator.n_steps) + " steps, " +
-                       format("%.2f", integrator.n_iterations / steps) + " Newton iterations and " +
-                       format("%.2f", integrator.n_factorizations / steps) + " factorizations a step";
+    const double steps = std::max(1u, report.n_steps);
+    std::string  text  = "dynamic: " + std::to_string(report.n_steps) + " steps, " +
+                       format("%.2f", report.n_iterations / steps) + " Newton iterations and " +
+                       format("%.2f", report.n_factorizations / steps) + " factorizations a step";
     if (report.n_rejected + report.n_failed > 0)
       text += ", " + std::to_string(report.n_rejected) + " rejected, " + std::to_string(report.n_failed) +
               " without solution";

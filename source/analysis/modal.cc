@@ -1,3 +1,4 @@
+#include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
 #include <samara/output/pictures.h>
 #include <samara/solvers/newton.h>
@@ -93,6 +94,7 @@ namespace samara
         set_steady_motion(system, context.state, context.speeds);
         system.stresses(context.state, context.state.stress);
       }
+    require_finite_state(system, context.state);
     State state = context.state;
     state.held  = hold;
     if (!state.left_out.empty())
@@ -103,6 +105,8 @@ namespace samara
       context.log.line("  modal: parts turn against each other; modes are those seen in fixed axes at this moment "
                        "(constant in time if the turning parts are axisymmetric)");
     const Linearization linearization(system, state, fixed);
+    for (const auto *const A : {&linearization.M, &linearization.C, &linearization.K})
+      require_finite_matrix(system, *A);
     try
       {
         modes = find_modes(linearization.M,

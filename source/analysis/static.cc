@@ -275,6 +275,7 @@ namespace samara
   void
   StaticAnalysis::record(Context &context, const State &state, const double progress, const NewtonResult &result)
   {
+    require_finite_state(context.system, state);
     const std::string where = path == "arc length" ? "arc " + short_text(progress) : short_text(100 * progress) + " %";
     context.log.line("  static: load factor " + short_text(state.factor) +
                      (context.speeds.empty() ? "" : ", speed " + short_text(context.speeds[0]) + " rad/s") + " (" +
@@ -283,6 +284,7 @@ namespace samara
     State reported = state;
     if (context.least_norm && !reported.left_out.empty())
       RedundantRows(context.system).make_least(reported);
+    meshes.check(context, state, "static, load factor " + short_text(state.factor));
     if (history)
       history->add(values_of(context, reported, state.factor));
     if (pictures)

@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/beam.h>
+#include <samara/cosserat/section_average.h>
 #include <samara/model/frame_probe.h>
 
 #include <deal.II/base/polynomial.h>
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <numeric>
 
 namespace samara
 {
@@ -25,8 +28,9 @@ namespace samara
     prm.add(
       "Elements",
       elements_wish,
-      "Number of elements along the beam; or <automatic, 1e-4>: elements and their degrees so that the strains of the "
-      "equilibrium, or of the modes without loads, have this relative error in the energy norm, as estimated.");
+      "Number of elements along the beam, which end at corners, frames and, if there are enough of them, where section "
+      "or twist have kinks; or <automatic, 1e-4>: elements and their degrees so that the strains of the equilibrium, or "
+      "of the modes without loads, have this relative error in the energy norm, as estimated.");
     prm.add("Degree",
             degree,
             "Polynomial degree p of an element, 1 to 6; displacements converge with order 2p.",
@@ -105,6 +109,29 @@ namespace samara
 
 
 
+  namespace
+  {
+    std::string
+    short_number(const double number)
+    {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.3g", number);
+      return text;
+    }
+
+    /** In order, and each once. */
+    std::vector<double>
+    sorted(std::vector<double> abscissae, const double length)
+    {
+      std::sort(abscissae.begin(), abscissae.end());
+      const auto are_equal = [&](const double a, const double b) { return b - a < 1e-9 * length; };
+      abscissae.erase(std::unique(abscissae.begin(), abscissae.end(), are_equal), abscissae.end());
+      return abscissae;
+    }
+  } // namespace
+
+
+
   std::vector<double>
   Beam::find_breaks()
   {
@@ -113,8 +140,6 @@ namespace samara
     std::vector<double> breaks = curve->corners();
     breaks.push_back(0.);
     breaks.push_back(L);
-    for (const double x : section->kinks())
-      breaks.push_back(x * L);
     for (const auto &text : frame_names)
       {
         std::string point, place;
@@ -127,12 +152,29 @@ namespace samara
         else
           breaks.push_back(x * L);
       }
-    std::sort(breaks.begin(), breaks.end());
-    breaks.erase(std::unique(breaks.begin(),
-                             breaks.end(),
-                             [L](const double a, const double b) { return b - a < 1e-9 * L; }),
-                 breaks.end());
-    return breaks;
+    return sorted(breaks, L);
+  }
+
+
+
+  bool
+  Beam::find_kinks()
+  {
+    constexpr unsigned int most = 10000;
+    const double           L    = curve->length();
+    for (const double x : section->kinks())
+      kinks.push_back(x * L);
+    for (double s = twist.next_corner(0, L); s < L; s = twist.next_corner(s, L))
+      {
+        if (kinks.size() > most)
+          {
+            model->complaints.add(parameters.where("Twist"), "the twist has more than 10000 corners along the beam");
+            return false;
+          }
+        kinks.push_back(s);
+      }
+    kinks = sorted(kinks, L);
+    return true;
   }
 
 
@@ -174,7 +216,7 @@ namespace samara
               cell->end = s;
             else if (s > 0)
               throw std::invalid_argument("an element of the mesh must end at " + number_to_text(s / L) +
-                                          ", where the beam has a corner, a frame or a kink of its section");
+                                          ", where the beam has a corner or a frame");
           }
         for (unsigned int i = 1; i < cells.size(); ++i)
           cells[i].start = cells[i - 1].end;
@@ -193,13 +235,23 @@ namespace samara
   Beam::make_cells()
   {
     const auto breaks = find_breaks();
+    if (!find_kinks())
+      return;
     if (!mesh_texts.empty())
       {
         take_mesh(breaks);
         return;
       }
-    // an automatic mesh begins with degree 2
-    const auto ends = element_ends(breaks);
+    const unsigned int needed = breaks.size() - 1;
+    if (parameters.is_set("Elements") && elements_wish.error == 0 && elements_wish.number < needed)
+      model->complaints.add(parameters.where("Elements"),
+                            "beam <" + name + "> needs " + std::to_string(needed) +
+                              " elements at least: they end at its corners and at its <Frames>");
+    // at kinks too if there are enough of them; an automatic mesh begins with degree 2
+    auto all = breaks;
+    all.insert(all.end(), kinks.begin(), kinks.end());
+    all             = sorted(all, curve->length());
+    const auto ends = element_ends(elements_wish.error > 0 || elements_wish.number + 1 >= all.size() ? all : breaks);
     for (unsigned int i = 0; i + 1 < ends.size(); ++i)
       cells.push_back({ends[i], ends[i + 1], elements_wish.error > 0 ? 2 : degree});
   }
@@ -221,7 +273,13 @@ namespace samara
   Beam::triad_at(const double s, const double inside) const
   {
     const Matrix3 D = curve->triad(s, inside);
-    return twist.is_zero() ? D : Matrix3(D * rotation_of_vector({twist(s), 0, 0}));
+    if (twist.is_zero())
+      return D;
+    double       angle  = twist(s);
+    const double beside = twist(s + 1e-9 * (inside - s));
+    if (std::abs(beside - angle) > 1e-6)
+      angle = beside; // at a jump
+    return D * rotation_of_vector({angle, 0, 0});
   }
 
 
@@ -239,6 +297,15 @@ namespace samara
     unsigned int highest = 0;
     for (unsigned int i = 0; i < cells.size(); ++i)
       {
+        const double h = cells[i].end - cells[i].start, size = std::max(curve->length(), vertices[i].norm());
+        if (h < 1e-9 * size)
+          {
+            model->complaints.add(
+              parameters.where(shape == "expressions" ? "Expressions" : "Points"),
+              "beam <" + name + "> has an element of " + short_number(h) + " m at numbers of " + short_number(size) +
+                " m: its strains would lose their digits. Put the origin near it; is a unit wrong?");
+            return;
+          }
         cell_data.emplace_back();
         cell_data.back().vertices = {i, i + 1};
         highest                   = std::max(highest, cells[i].degree);
@@ -285,14 +352,13 @@ namespace samara
               frames[a] = frames[a].then(Vector3::Zero(), Q);
           }
 
+        const std::vector<Matrix6> inertias = inertias_of(c);
         for (unsigned int a = 0; a < table->n_nodes; ++a)
           {
             Vector3 dx = Vector3::Zero();
             for (unsigned int b = 0; b < table->n_nodes; ++b)
               dx += table->gradient_at_nodes[0](a, b) * model->position(frames[b]);
-            const double inside = c.start + (0.999 * (table->nodes[a][0] - 0.5) + 0.5) * (c.end - c.start);
-            model->add_inertia(frames[a],
-                               table->node_weights(a) * dx.norm() * section->at(inside / curve->length()).inertia);
+            model->add_inertia(frames[a], table->node_weights(a) * dx.norm() * inertias[a]);
           }
         add_element(*model, frames, materials_of_cell(c));
       }
@@ -320,12 +386,91 @@ namespace samara
 
 
   Beam::Material
-  Beam::material_at(const double s) const
+  Beam::material_of(const Matrix6 &stiffness) const
   {
-    const Matrix6 C = section->at(s / curve->length()).stiffness;
     // symmetric and positive semidefinite also when the six times differ
     const Matrix6 root = relaxation_times().cwiseSqrt().asDiagonal();
-    return {C, root * C * root};
+    return {stiffness, root * stiffness * root};
+  }
+
+
+
+  std::vector<double>
+  Beam::kinks_inside(const Cell &cell) const
+  {
+    const double        margin = 1e-9 * curve->length(), h = cell.end - cell.start;
+    std::vector<double> inside;
+    if (!section->kinks().empty())
+      for (const double s : kinks)
+        if (s > cell.start + margin && s < cell.end - margin)
+          inside.push_back((s - cell.start) / h);
+    if (inside.empty())
+      return {};
+    inside.insert(inside.begin(), 0.);
+    inside.push_back(1.);
+    return inside;
+  }
+
+
+
+  std::vector<Matrix6>
+  Beam::stiffnesses_of(const Cell &cell) const
+  {
+    const auto stiffness = [&](const double xi) {
+      return section->at((cell.start + xi * (cell.end - cell.start)) / curve->length()).stiffness;
+    };
+    const auto           breaks = kinks_inside(cell);
+    std::vector<Matrix6> result;
+    std::vector<double>  points, weights(table->weights.begin(), table->weights.end());
+    for (const auto &xi : table->points)
+      {
+        points.push_back(xi[0]);
+        if (breaks.empty())
+          result.push_back(stiffness(xi[0]));
+      }
+    if (breaks.empty())
+      return result;
+    // of the compliance: section forces are smooth where stiffnesses jump
+    for (const Matrix6 &compliance :
+         section_averages(points, weights, breaks, [&](const double xi) { return Matrix6(stiffness(xi).inverse()); }))
+      result.push_back(compliance.inverse());
+    return result;
+  }
+
+
+
+  std::vector<Matrix6>
+  Beam::inertias_of(const Cell &cell) const
+  {
+    const auto inertia = [&](const double xi) {
+      return section->at((cell.start + xi * (cell.end - cell.start)) / curve->length()).inertia;
+    };
+    const auto           breaks = kinks_inside(cell);
+    std::vector<Matrix6> result;
+    std::vector<double>  points, weights(table->node_weights.begin(), table->node_weights.end());
+    for (const auto &xi : table->nodes)
+      {
+        points.push_back(xi[0]);
+        if (breaks.empty())
+          result.push_back(inertia(0.999 * (xi[0] - 0.5) + 0.5)); // seen from inside of the element
+      }
+    if (breaks.empty())
+      return result;
+    // shares of nodes follow each other along the element, but the table has its ends first
+    std::vector<unsigned int> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) { return points[a] < points[b]; });
+    std::vector<double> sorted_points, sorted_weights;
+    for (const auto a : order)
+      {
+        sorted_points.push_back(points[a]);
+        sorted_weights.push_back(weights[a]);
+      }
+    const auto means = section_averages(sorted_points, sorted_weights, breaks, inertia);
+    result.resize(points.size());
+    for (unsigned int i = 0; i < order.size(); ++i)
+      result[order[i]] = means[i];
+    return result;
   }
 
 
@@ -333,13 +478,14 @@ namespace samara
   std::vector<unsigned int>
   Beam::materials_of_cell(const Cell &cell)
   {
-    std::vector<unsigned int> indices;
-    for (const auto &xi : table->points)
-      {
-        if (materials.empty() || !section->kinks().empty())
-          materials.push_back(material_at(cell.start + xi[0] * (cell.end - cell.start)));
-        indices.push_back(materials.size() - 1);
-      }
+    std::vector<unsigned int> indices(table->n_points, 0);
+    if (!materials.empty() && section->kinks().empty())
+      return indices;
+    for (unsigned int g = 0; g < table->n_points; ++g)
+      indices[g] = materials.size() + (section->kinks().empty() ? 0 : g);
+    const auto stiffnesses = stiffnesses_of(cell);
+    for (unsigned int g = 0; g < (section->kinks().empty() ? 1 : table->n_points); ++g)
+      materials.push_back(material_of(stiffnesses[g]));
     return indices;
   }
 
@@ -420,22 +566,15 @@ namespace samara
 
 
 
-  std::vector<Station>
-  Beam::stations() const
+  std::vector<Span>
+  Beam::spans() const
   {
-    std::vector<Station> result;
+    std::vector<Span> result;
     for (unsigned int i = 0; i < elements.size(); ++i)
       {
-        const ElementTable<1> &t = *elements[i].table;
-        for (unsigned int a = 0; a < t.n_nodes; ++a)
-          {
-            Vector3 dx = Vector3::Zero();
-            for (unsigned int b = 0; b < t.n_nodes; ++b)
-              dx += t.gradient_at_nodes[0](a, b) * model->position(elements[i].frames[b]);
-            result.push_back({elements[i].frames[a],
-                              cells[i].start + t.nodes[a][0] * (cells[i].end - cells[i].start),
-                              t.node_weights(a) * dx.norm()});
-          }
+        result.push_back({elements[i].frames, {}, cells[i].start, cells[i].end});
+        for (const auto &node : elements[i].table->nodes)
+          result.back().abscissae.push_back(cells[i].start + node[0] * (cells[i].end - cells[i].start));
       }
     return result;
   }

@@ -1,7 +1,7 @@
+#include <samara/base/composite_rule.h>
 #include <samara/cosserat/element_table.h>
 
 #include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/fe/fe_q.h>
 
 namespace samara
@@ -10,17 +10,6 @@ namespace samara
 
   namespace
   {
-    /** Value at @p x of the Lagrange polynomial of point @p i among @p points. */
-    double
-    lagrange(const std::vector<Point<1>> &points, const unsigned int i, const double x)
-    {
-      double value = 1;
-      for (unsigned int j = 0; j < points.size(); ++j)
-        if (j != i)
-          value *= (x - points[j][0]) / (points[i][0] - points[j][0]);
-      return value;
-    }
-
     /** Product of a rule along direction @p alpha with another one across; for dim 1 the first alone. */
     template <int dim>
     std::vector<Point<dim>>
@@ -63,7 +52,7 @@ namespace samara
     const Quadrature<dim> rule = dim == 1 ? QGauss<dim>(degree) : QGauss<dim>(degree + 1);
     points                     = rule.get_points();
     n_points                   = rule.size();
-    weights = Eigen::Map<const Eigen::VectorXd>(rule.get_weights().data(), n_points);
+    weights                    = Eigen::Map<const Eigen::VectorXd>(rule.get_weights().data(), n_points);
 
     for (unsigned int alpha = 0; alpha < dim; ++alpha)
       {
@@ -78,13 +67,19 @@ namespace samara
               dN(alpha * n_tying + t, a) = fe.shape_grad(a, tying[t])[alpha];
             }
 
+        const auto abscissae = [](const Quadrature<1> &rule) {
+          std::vector<double> x;
+          for (const auto &point : rule.get_points())
+            x.push_back(point[0]);
+          return x;
+        };
         Eigen::MatrixXd L(n_points, n_tying);
         for (unsigned int g = 0; g < n_points; ++g)
           for (unsigned int t = 0; t < n_tying; ++t)
             {
-              L(g, t) = lagrange(along.get_points(), t % degree, points[g][alpha]);
+              L(g, t) = lagrange(abscissae(along), t % degree, points[g][alpha]);
               if (dim == 2)
-                L(g, t) *= lagrange(across.get_points(), t / degree, points[g][1 - alpha]);
+                L(g, t) *= lagrange(abscissae(across), t / degree, points[g][1 - alpha]);
             }
         interpolation.push_back(L);
 

@@ -265,9 +265,11 @@ namespace samara
     std::string        line;
     std::getline(in, line);
     const auto columns = split_top_level(line, ',');
+    lines.push_back(line);
     for (unsigned int number = 2; std::getline(in, line); ++number)
       {
         const std::string place = " in " + file + ":" + std::to_string(number);
+        lines.push_back(line);
         EngineeringConstants c;
         const std::map<std::string, double *> variables = {
           {"EA", &c.EA},     {"GA2", &c.GA2},   {"GA3", &c.GA3}, {"GJ", &c.GJ},

@@ -1,6 +1,8 @@
+#include <samara/base/composite_rule.h>
 #include <samara/loads/loads.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace samara
 {
@@ -146,12 +148,16 @@ namespace samara
   void
   WrenchLoad::connect(Layout &layout)
   {
-    is_follower = axes == "body";
     for (auto &load : points)
       {
-        load.weight *= shape(load.abscissa);
         load.frame = layout.model.resolved(load.frame);
         layout.couple(load.block, {load.frame});
+      }
+    for (auto &span : spans)
+      {
+        for (auto &frame : span.frames)
+          frame = layout.model.resolved(frame);
+        layout.couple(span.block, span.frames);
       }
   }
 
@@ -165,7 +171,7 @@ namespace samara
     const Vector3 f = value(force, point), m = value(moment, point);
     for (const auto &load : points)
       {
-        if (is_follower)
+        if (is_follower())
           local << (-load.weight * f).template cast<Number>(), (-load.weight * m).template cast<Number>();
         else
           {
@@ -174,6 +180,21 @@ namespace samara
           }
         load.block.add(local, r);
       }
+
+    static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> of_span;
+    for (const auto &span : spans)
+      {
+        of_span.resize(6 * span.frames.size());
+        for (unsigned int a = 0; a < span.frames.size(); ++a)
+          {
+            Mat3<Number> d = Mat3<Number>::Zero(); // ∫ N_a p d ds
+            for (unsigned int b = 0; b < span.frames.size(); ++b)
+              d += span.products(a, b) * span.frames[b].triad(point.q);
+            const Mat3<Number> seen = -span.frames[a].triad(point.q).transpose() * d;
+            of_span.template segment<6>(6 * a) << seen * f, seen * m;
+          }
+        span.block.add(of_span, r);
+      }
   }
 
 
@@ -181,9 +202,11 @@ namespace samara
   void
   WrenchLoad::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    if (is_follower)
-      return;
     const Vector3 f = value(force, point), m = value(moment, point);
+    for (const auto &span : spans)
+      add_tangent(span, f, m, point.q, K);
+    if (is_follower())
+      return;
     for (const auto &load : points)
       {
         const Matrix3 D                 = load.frame.triad(point.q);
@@ -192,6 +215,30 @@ namespace samara
         local.bottomRightCorner<3, 3>() = -load.weight * skew((D.transpose() * m).eval());
         load.block.add(local, K);
       }
+  }
+
+
+
+  void
+  WrenchLoad::add_tangent(const AlongSpan &span, const Vector3 &f, const Vector3 &m, const double *q, SparseMatrix &K)
+    const
+  {
+    // −δ(D_aᵀ W_ab D_b f) with δD = D θ~
+    static thread_local Eigen::MatrixXd local;
+    local.setZero(6 * span.frames.size(), 6 * span.frames.size());
+    for (unsigned int a = 0; a < span.frames.size(); ++a)
+      {
+        const Matrix3 D_a = span.frames[a].triad(q);
+        for (unsigned int b = 0; b < span.frames.size(); ++b)
+          {
+            const Matrix3 W = span.products(a, b) * D_a.transpose() * span.frames[b].triad(q);
+            local.block<3, 3>(6 * a, 6 * b + 3) += W * skew(f);
+            local.block<3, 3>(6 * a + 3, 6 * b + 3) += W * skew(m);
+            local.block<3, 3>(6 * a, 6 * a + 3) -= skew((W * f).eval());
+            local.block<3, 3>(6 * a + 3, 6 * a + 3) -= skew((W * m).eval());
+          }
+      }
+    span.block.add(local, K);
   }
 
 
@@ -221,7 +268,7 @@ namespace samara
     try
       {
         if (parameters.require("At", model.complaints))
-          points.push_back({model.frame(at), 1., 0., {}});
+          points.push_back({model.frame(at), 1., {}});
       }
     catch (const std::invalid_argument &problem)
       {
@@ -248,17 +295,97 @@ namespace samara
   {
     if (!parameters.require("Body", model.complaints))
       return;
+    std::string where = "Body";
     try
       {
-        for (const auto &station : model.find<Body>(body, "body").stations())
-          points.push_back({station.frame, station.weight, station.abscissa, {}});
-        if (points.empty())
+        const auto along = model.find<Body>(body, "body").spans();
+        if (along.empty())
           throw std::invalid_argument("body <" + body + "> has no length along which a load could act");
+        where = "Variation";
+        for (const auto &span : along)
+          add_span(span);
       }
     catch (const std::invalid_argument &problem)
       {
-        model.complaints.add(parameters.where("Body"), problem.what());
+        model.complaints.add(parameters.where(where), problem.what());
       }
+  }
+
+
+
+  namespace
+  {
+    constexpr unsigned int points_a_piece = 10; // exact for the products of two polynomials of degree 6 and one of 7
+
+    /** ∫ p ds and ∫ |p| ds */
+    std::pair<double, double>
+    integrals(const Expression &p, const std::vector<double> &breaks)
+    {
+      std::pair<double, double> sums;
+      for (const auto &[s, ds] : composite_rule(breaks, points_a_piece))
+        {
+          sums.first += p(s) * ds;
+          sums.second += std::abs(p(s)) * ds;
+        }
+      return sums;
+    }
+
+    /** Add breaks between @p a and @p b, and @p b, until the rule is exact to round-off: narrow peaks, roots. */
+    void
+    refine(const Expression    &p,
+           const double         a,
+           const double         b,
+           const double         size, // of all
+           const unsigned int   depth,
+           std::vector<double> &breaks)
+    {
+      constexpr unsigned int most   = 30;
+      const double           middle = 0.5 * (a + b);
+      const double           error  = std::abs(integrals(p, {a, b}).first - integrals(p, {a, middle, b}).first);
+      if (error <= 1e-13 * size || (depth == most && error <= 1e-6 * size))
+        {
+          breaks.push_back(b);
+          return;
+        }
+      if (depth == most || breaks.size() > 5000 || !std::isfinite(error))
+        throw std::invalid_argument("the variation cannot be integrated from s = " + number_to_text(a) + " m to " +
+                                    number_to_text(b) + " m: it is not finite there, or varies too fast");
+      refine(p, a, middle, size, depth + 1, breaks);
+      refine(p, middle, b, size, depth + 1, breaks);
+    }
+
+    /** The ends of a span, jumps and corners of @p p on it, and what refine() adds. */
+    std::vector<double>
+    breaks_of(const Expression &p, const Span &span)
+    {
+      const double        size = integrals(p, {span.start, 0.5 * (span.start + span.end), span.end}).second;
+      std::vector<double> breaks(1, span.start);
+      while (breaks.back() < span.end)
+        refine(p, breaks.back(), std::min(p.next_corner(breaks.back(), span.end), span.end), size, 0, breaks);
+      return breaks;
+    }
+  } // namespace
+
+
+
+  void
+  LineLoad::add_span(const Span &span)
+  {
+    const unsigned int n        = span.frames.size();
+    Eigen::VectorXd    weights  = Eigen::VectorXd::Zero(n), N(n);
+    Eigen::MatrixXd    products = Eigen::MatrixXd::Zero(n, n);
+    for (const auto &[s, ds] : composite_rule(breaks_of(variation, span), points_a_piece))
+      {
+        for (unsigned int a = 0; a < n; ++a)
+          N(a) = lagrange(span.abscissae, a, s);
+        weights += variation(s) * ds * N;
+        products += variation(s) * ds * N * N.transpose();
+      }
+    if (is_follower())
+      spans.push_back({span.frames, products, {}});
+    else
+      for (unsigned int a = 0; a < n; ++a)
+        points.push_back({span.frames[a], weights(a), {}});
   }
 
 

@@ -18,7 +18,7 @@ namespace samara
 
     constexpr std::size_t head_size = 512; // one of the places where HDF5 looks for its beginning
     const std::string     title     = "samara checkpoint, format ";
-    const std::string     format    = "1";
+    const std::string     format    = "2";
 
     const std::pair<const char *, std::vector<double> State::*> vectors_of_state[] = {
       {"state/q", &State::q},
@@ -237,7 +237,7 @@ namespace samara
       const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), &H5Fclose);
       write_state(file, checkpoint.state);
       write(file, "step", std::vector<double>{checkpoint.step});
-      write(file, "fingerprint", std::vector<char>(checkpoint.fingerprint.begin(), checkpoint.fingerprint.end()));
+      write(file, "model", std::vector<char>(checkpoint.model.begin(), checkpoint.model.end()));
       write_named(file, "arrays", checkpoint.arrays);
       std::map<std::string, std::vector<double>> numbers;
       for (const auto &[name, number] : checkpoint.numbers)
@@ -264,8 +264,8 @@ namespace samara
       Checkpoint checkpoint;
       checkpoint.state                    = read_state(file);
       checkpoint.step                     = read_number(file, "step");
-      const std::vector<char> fingerprint = read<char>(file, "fingerprint");
-      checkpoint.fingerprint.assign(fingerprint.begin(), fingerprint.end());
+      const std::vector<char> model = read<char>(file, "model");
+      checkpoint.model.assign(model.begin(), model.end());
       checkpoint.arrays = read_named(file, "arrays");
       for (const auto &[name, numbers] : read_named(file, "numbers"))
         checkpoint.numbers[name] = numbers.at(0);

@@ -1,4 +1,5 @@
 #include <samara/base/errors.h>
+#include <samara/base/finite.h>
 #include <samara/output/file.h>
 #include <samara/output/history.h>
 #include <samara/output/number_rows.h>
@@ -47,7 +48,8 @@ namespace samara
   History::History(const std::string                                      &folder,
                    const std::string                                      &name,
                    const std::vector<std::pair<std::string, std::string>> &columns,
-                   const std::optional<double>                            &resume_after)
+                   const std::optional<double>                            &resume_after,
+                   const std::optional<std::uint64_t>                     &n_expected)
     : columns(columns)
     , csv_file(folder + "/" + name + ".csv")
     , hdf5_file(folder + "/" + name + ".h5")
@@ -55,7 +57,7 @@ namespace samara
     , time_of_writing(std::chrono::steady_clock::now())
   {
     make_folder(folder);
-    const bool resumes = resume_after && keep_rows(*resume_after);
+    const bool resumes = resume_after && keep_rows(*resume_after, n_expected);
     csv                = open_file(csv_file, resumes);
     if (!resumes)
       write_now(csv, header, csv_file);
@@ -83,10 +85,19 @@ namespace samara
 
 
   bool
-  History::keep_rows(const double resume_after)
+  History::keep_rows(const double resume_after, const std::optional<std::uint64_t> &n_expected)
   {
+    const auto check = [&]() {
+      if (n_expected && n_rows != *n_expected)
+        throw InputError(csv_file + " has " + std::to_string(n_rows) +
+                         " rows up to where the run shall go on, not the " + std::to_string(*n_expected) +
+                         " that it had there. Put the rows back, or start without --restart.");
+    };
     if (!std::filesystem::exists(csv_file) || is_stub(csv_file, header))
-      return false;
+      {
+        check();
+        return false;
+      }
     std::uintmax_t end = 0;
     try
       {
@@ -100,6 +111,7 @@ namespace samara
         throw InputError(std::string(error.what()) + ", so that the run cannot be continued in it. Were the probes "
                                                      "changed? Remove the file, or start without --restart.");
       }
+    check();
     cut_file(csv_file, end);
     return true;
   }
@@ -107,10 +119,15 @@ namespace samara
 
 
   void
-  History::add(const std::vector<double> &row)
+  History::add(const std::vector<double> &row, const unsigned int n_optional)
   {
     AssertThrow(!finished, dealii::ExcMessage("A finished history takes no rows."));
     AssertThrow(row.size() == columns.size(), dealii::ExcDimensionMismatch(row.size(), columns.size()));
+    for (unsigned int c = 0; c + n_optional < row.size(); ++c)
+      require_finite(row[c], [&]() {
+        return csv_file + ", row " + std::to_string(n_rows + 1) + ", " + columns[0].first + " = " +
+               number_to_field(row[0], digits_of_records) + ": <" + columns[c].first + ">";
+      });
 
     for (unsigned int c = 0; c < row.size(); ++c)
       {

@@ -1,3 +1,4 @@
+#include <samara/base/finite.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 
@@ -53,6 +54,11 @@ namespace samara
   Table::append(std::vector<Cell> cells)
   {
     AssertThrow(cells.size() == columns.size(), dealii::ExcDimensionMismatch(cells.size(), columns.size()));
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      if (!cells[c].is_optional)
+        require_finite(cells[c].number, [&]() {
+          return columns[0] + " " + text_of(cells[0], digits_on_terminal) + ": <" + columns[c] + ">";
+        });
     rows.push_back(std::move(cells));
   }
 

@@ -104,6 +104,24 @@ namespace samara
 
 
 
+  std::array<double, 3>
+  StepController::memory() const
+  {
+    return {{E_ref, double(hold), last_ratio}};
+  }
+
+
+
+  void
+  StepController::set_memory(const std::array<double, 3> &memory)
+  {
+    E_ref      = memory[0];
+    hold       = static_cast<unsigned int>(memory[1]);
+    last_ratio = memory[2];
+  }
+
+
+
   void
   StepController::update(const double energy)
   {

@@ -33,6 +33,28 @@ namespace samara
 
 
 
+  Stepper::Memory
+  Stepper::memory() const
+  {
+    return {next_step, controller ? controller->memory() : std::array<double, 3>{}, steady_twists};
+  }
+
+
+
+  void
+  Stepper::set_memory(const Memory &memory, const bool with_steps)
+  {
+    steady_twists = memory.steady_twists;
+    if (with_steps)
+      next_step = memory.next_step;
+    if (controller && with_steps)
+      controller->set_memory(memory.of_controller);
+    else if (controller)
+      controller->E_ref = memory.of_controller[0];
+  }
+
+
+
   double
   Stepper::corner(const double from, const double to) const
   {

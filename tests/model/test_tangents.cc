@@ -154,7 +154,9 @@ subsection Joints
                            " set Moment = 2, 1, t^2\n end\n subsection g\n set Type = point load\n set At = rod.end\n"
                            " set Force = 1, 2, 3\n set Axes = body\n end\nend\n";
     s["line load"].rest       = "subsection Loads\n subsection f\n set Type = line load\n set Body = rod\n set Force = 1, t, 3\n"
-                           " set Variation = 1 + s^2\n end\nend\n";
+                           " set Variation = 1 + s^2\n end\n subsection g\n set Type = line load\n set Body = rod\n"
+                           " set Force = 1, t, 3\n set Moment = 2, -1, t^2\n set Axes = body\n"
+                           " set Variation = s < 0.7 ? 1 : -s\n end\nend\n";
     s["steady rotation"].rest = hinge + "end\nsubsection Loads\n subsection r\n set Type = steady rotation\n set Joint = a\n"
                                    " set Speed = 3\n end\nend\n";
     return s;

@@ -119,6 +119,40 @@ TEST(LinearTheory, LineLoadConvergesWithOrderTwiceTheDegree)
 
 
 
+// q on a < s < b alone: tip q/(6 EI) [L s³ − s⁴/4] + q/(2 GA) [s²], θ = q (b³ − a³)/(6 EI); a and b anywhere. Exact for
+// p ≥ 3, or for p = 2 where elements end at the jumps; otherwise of order 2p, from the element with the jump.
+TEST(LinearTheory, LineLoadThatJumps)
+{
+  const double L = 10, EI = 1e4, GA = 1e4, q = 1e-3, a = 3.1, b = 7.4;
+  const auto   at        = [&](const double s) { return L * s * s * s - s * s * s * s / 4; };
+  const double tip       = q / (6 * EI) * (at(b) - at(a)) + q / (2 * GA) * (b * b - a * a);
+  const double rotation  = q / (6 * EI) * (b * b * b - a * a * a);
+  const auto   with_load = [](std::vector<std::string> overrides) {
+    overrides.push_back("Loads/weight/Variation = s >= 3.1 && s <= 7.4 ? 1 : 0");
+    return overrides;
+  };
+  const auto error_of_tip = [&](const std::vector<std::string> &overrides) {
+    return std::abs(-Linear("prm/benchmarks/uniform_load.prm", with_load(overrides)).at("beam.end")(2) / tip - 1);
+  };
+  for (const unsigned int p : {2, 3, 4})
+    for (const unsigned int n : {1, 2, 3, 5})
+      {
+        const Linear linear("prm/benchmarks/uniform_load.prm", with_load(mesh("beam", p, n)));
+        EXPECT_NEAR(linear.at("beam.end")(4) / rotation, 1., 1e-11) << "degree " << p << ", " << n << " elements";
+        if (p > 2)
+          EXPECT_NEAR(-linear.at("beam.end")(2) / tip, 1., 1e-11) << "degree " << p << ", " << n << " elements";
+      }
+  EXPECT_LT(error_of_tip({"Bodies/beam/Mesh = 2 to 0.31, 2 to 0.74, 2 to 1"}), 1e-11);
+  for (const unsigned int p : {1, 2})
+    {
+      // the jump stays where it is in its element
+      const double errors[] = {error_of_tip(mesh("beam", p, 10)), error_of_tip(mesh("beam", p, 70))};
+      EXPECT_NEAR(std::log(errors[0] / errors[1]) / std::log(7.), 2. * p, 0.8) << "degree " << p;
+    }
+}
+
+
+
 // Triangular load q (1 − s/L): q L⁴/(30 EI) + q L²/(6 GA). Moment per length m about −y: m L³/(3 EI), θ = m L²/(2 EI).
 TEST(LinearTheory, VaryingLoadAndDistributedMoment)
 {

@@ -3,6 +3,7 @@
 // References: closed forms of straight members that hold for displacements and rotations of any size, because nothing
 // but extension, twist or a plane rotation comes about: u = ∫ F/EA, angle of twist ∫ M/GJ, angle of bending ∫ M/EI.
 
+#include <samara/cosserat/beam.h>
 #include <samara/cosserat/section.h>
 
 #include "../scene.h"
@@ -174,4 +175,104 @@ TEST(Sections, StiffnessOfSimpleShapes)
          Vector6(260 * A, 0, 0, 200 * I_thin, 260 * I_thin, 260 * I_thin) +
            2.6 / 4.9 * 100 * A * Vector6(0, 1, 1, 0, 0, 0),
          1e-6);
+}
+
+
+
+namespace
+{
+  /** Soft up to 0.37, stiff beyond, then soft again in a short piece, with other masses; or "s" everywhere. */
+  std::string
+  stepped(const double ratio, const double mass = 1)
+  {
+    std::string heavy = constants("b", ratio);
+    heavy.replace(heavy.find("Mass = 1"), 8, "Mass = " + std::to_string(mass));
+    return constants("a", 1) + heavy +
+           "subsection s\n set Type = table\n set Stations = a at 0, a at 0.37, b at 0.37, b at 0.61, a at 0.61, a at 1\nend\n";
+  }
+} // namespace
+
+
+
+// Stations inside of elements: forces F at the end of a cantilever give u = ∫ F (L − s)²/EI ds + ∫ F/GA ds in linear
+// theory, exact for p ≥ 3 whatever the stations, since the section's compliance is integrated against the polynomials
+// of the section forces; the rotation ∫ F (L − s)/EI ds for p ≥ 2.
+TEST(Sections, StationsInsideOfElementsAreIntegrated)
+{
+  const double L = 2, a = 0.37 * L, b = 0.61 * L, F = 1e-6;
+  for (const double ratio : {5., 0.3})
+    {
+      const auto   sum   = [&](const auto &f) { return f(a) - f(0) + (f(b) - f(a)) / ratio + f(L) - f(b); };
+      const double u     = F * (sum([&](const double s) { return -std::pow(L - s, 3) / 3; }) / 3 +
+                            sum([](const double s) { return s; }) / 70);
+      const double angle = F * sum([&](const double s) { return -std::pow(L - s, 2) / 2; }) / 3;
+      for (const std::string degree : {"1", "2", "3", "5"})
+        for (const std::string elements : {"1", "2", "3"})
+          {
+            const std::vector<std::string> mesh  = {"Bodies/beam/Degree = " + degree,
+                                                    "Bodies/beam/Elements = " + elements};
+            const std::string              force = model(stepped(ratio), "Force = 0, 0, " + std::to_string(F));
+            const std::string              where =
+              "degree " + degree + ", " + elements + " elements, ratio " + std::to_string(ratio);
+            Scene scene(force, mesh);
+            scene.equilibrium();
+            if (degree > "2")
+              EXPECT_NEAR(scene.value("beam.end.displacement z") / u, 1, 1e-8) << where;
+            if (degree > "1")
+              EXPECT_NEAR(scene.value("beam.end.rotation y") / -angle, 1, 1e-8) << where;
+            EXPECT_EQ(dynamic_cast<const Beam &>(*scene.input.model.contributions[3]).n_elements(),
+                      std::stoul(elements));
+          }
+    }
+}
+
+
+
+// Extension ∫ F/EA at any size, for all degrees, also where a short piece is so soft that the polynomials of a degree
+// would make a compliance negative. Masses and their centre are those of the stations.
+TEST(Sections, StationsInsideOfElementsAtAnySize)
+{
+  const double L = 2, F = 40;
+  for (const double ratio : {3., 0.3, 1e-3})
+    for (const std::string degree : {"1", "2", "3", "4", "6"})
+      for (const std::string elements : {"1", "2"})
+        {
+          const std::string where = "degree " + degree + ", " + elements + " elements, ratio " + std::to_string(ratio);
+          Scene             scene(model(stepped(ratio, 7), "Force = 40, 0, 0"),
+                      {"Bodies/beam/Degree = " + degree, "Bodies/beam/Elements = " + elements});
+          scene.equilibrium();
+          EXPECT_NEAR(scene.value("beam.end.displacement x") / (L * F / 100 * (0.76 + 0.24 / ratio)), 1, 1e-10)
+            << where;
+          const auto   mass     = scene.system.mass_properties(scene.system.reference());
+          const double expected = L * (0.76 + 0.24 * 7);
+          EXPECT_NEAR(mass.mass, expected, 1e-12) << where;
+          EXPECT_NEAR(mass.centre(0) * expected, L * L / 2 * (1 + 6 * (0.61 * 0.61 - 0.37 * 0.37)), 1e-12) << where;
+        }
+}
+
+
+
+// A piece of a hundredth of the length that is 3000 times as heavy or as soft: nodes keep positive masses, points
+// positive compliances, with the right totals.
+TEST(Sections, ExtremeStationsStayPositive)
+{
+  std::string heavy = constants("b", 1. / 3000);
+  heavy.replace(heavy.find("Mass = 1"), 8, "Mass = 3000");
+  const std::string sections =
+    constants("a", 1) + heavy +
+    "subsection s\n set Type = table\n set Stations = a at 0, a at 0.95, b at 0.95, b at 0.96, "
+    "a at 0.96, a at 1\nend\n";
+  for (const std::string degree : {"1", "2", "3", "4", "5", "6"})
+    {
+      Scene scene(model(sections, "Force = 1, 0, 0"), {"Bodies/beam/Degree = " + degree, "Bodies/beam/Elements = 1"});
+      scene.equilibrium();
+      EXPECT_NEAR(scene.value("beam.end.displacement x") / (2. / 100 * (0.99 + 0.01 * 3000)), 1, 1e-10) << degree;
+      double total = 0;
+      for (const auto &node : scene.system.model.nodes)
+        {
+          EXPECT_GE(node.inertia(0, 0), 0) << degree;
+          total += node.inertia(0, 0);
+        }
+      EXPECT_NEAR(total, 2 * (0.99 + 0.01 * 3000), 1e-11) << degree;
+    }
 }

@@ -4,6 +4,8 @@
 #include <samara/base/log.h>
 #include <samara/model/system.h>
 
+#include <set>
+
 namespace samara
 {
   /** What an analysis starts from, and leaves for the next one. */
@@ -20,6 +22,7 @@ namespace samara
     bool                     is_equilibrium = false; ///< whether the state has been found by a static analysis
     bool                     restart        = false; ///< go on from a checkpoint in the folder
     bool                     least_norm     = true;  ///< whether probes show reactions that are not unique
+    std::string              used = "";              ///< all entries as used, see Input::used(), for checkpoints
 
     /**
      * Whether pictures are to be made here: of a sweep only at the model's own speed, or the last one if that is not
@@ -66,6 +69,20 @@ namespace samara
     finish(Context &)
     {}
   };
+
+  /** Warn once of each contribution whose mesh is too coarse for a state, see Contribution::coarse_place(). */
+  class CoarseMeshes
+  {
+  public:
+    /** @p when: "static, load factor 0.5" */
+    void check(const Context &context, const State &state, const std::string &when);
+
+  private:
+    std::set<const Contribution *> warned;
+  };
+
+  /** What must not be nor come out of an analysis: @throws NotConverged naming an unknown that is not finite. */
+  void require_finite_state(const System &system, const State &state);
 
   /** A number for the names of files and for messages: 12.5, 1e+06. */
   std::string short_text(double number);

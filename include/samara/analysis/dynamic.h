@@ -2,6 +2,7 @@
 #define samara_analysis_dynamic_h
 
 #include <samara/analysis/analysis.h>
+#include <samara/output/checkpoint.h>
 #include <samara/output/history.h>
 #include <samara/output/pictures.h>
 #include <samara/time/projection.h>
@@ -19,6 +20,10 @@ namespace samara
    *
    * Writes dynamic.csv (.h5) with the probes, dynamic_energy.csv with the energy budget, dynamic_steps.csv with the
    * steps, dynamic.pvd with the moving model, and dynamic.checkpoint from which a run is continued (--restart).
+   *
+   * Every steps_between_fresh_starts() steps of the integrator family everything that remembers (factors, pivots,
+   * extrapolation) is made anew from what a checkpoint holds. Checkpoints are those moments, so that a run that is
+   * continued has the numbers of one that was not interrupted, to the last bit.
    */
   class DynamicAnalysis : public Analysis
   {
@@ -72,6 +77,10 @@ namespace samara
     };
     Budget budget;
 
+    /** Steps from one fresh start to the next; by the number of unknowns if fresh_every is 0. */
+    unsigned int steps_between_fresh_starts(const System &system) const;
+    unsigned int fresh_every = 0;
+
     /** To be called with the reported state at each output; for tests and studies. */
     std::function<void(const State &)> observer;
 
@@ -95,12 +104,24 @@ namespace samara
     std::string resolution(const Integrator &integrator) const;
     /** Say what does not hold. @throws NotConverged if the energy account does not close, unless told otherwise. */
     void conclude(const Context &context) const;
-    double n_rows = 0; ///< steps on the grid since the start; of each of <Output every> a row is written
+    struct Machinery;
+    double        n_rows         = 0; ///< steps on the grid since the start; of each of <Output every> a row is written
+    unsigned long n_grid         = 0; ///< steps of the grid that are done
+    unsigned int  n_recorded     = 0;
+    CoarseMeshes  meshes;
 
     std::unique_ptr<Integrator> make_integrator(const System &system, double tolerance) const;
+    Machinery                   make_machinery(const System &system) const;
+    Machinery                   make_machinery(const System &system, const Checkpoint &memory, bool with_steps) const;
     void                        prepare(Context &context, State &state) const;
-    void                        restore(const Context &context, State &state, Stepper &stepper);
-    void write_checkpoint(const Context &context, const State &state, const Stepper &stepper) const;
+
+    /** @name Restarts (dynamic_restart.cc) @{ */
+    Checkpoint remember(const Context &context, const State &state, const Machinery &machinery, const Output &output);
+    /** @throws InputError if there is no checkpoint, or one of another model */
+    Checkpoint restore(const Context &context, bool &with_steps);
+    /** Numbers by their names in a checkpoint, to be saved and restored. */
+    std::vector<std::pair<std::string, double *>> remembered_numbers();
+    /** @} */
     void record(const Context &context, const State &state, Projection &projection, Output &output);
     void account(const Context &context, const State &state, const StepResult &step);
     double

@@ -81,6 +81,8 @@ namespace samara
     double find_end(Context &context, ArcLength &method, const PathPoint &from, PathPoint &to, double s);
     /** @} */
 
+    CoarseMeshes meshes;
+
     void              record(Context &context, const State &state, double progress, const NewtonResult &result);
     [[noreturn]] void give_up(const Context &context, const NewtonResult &result, double fraction) const;
   };

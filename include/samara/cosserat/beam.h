@@ -27,12 +27,24 @@ namespace samara
     /** start, end, middle, the user's frames, each at a node. */
     Frame                    frame(const std::string &point) const override;
     std::vector<std::string> points() const override;
-    std::vector<Station>     stations() const override;
+    std::vector<Span>        spans() const override;
 
     /** The points above or "at x" (relative abscissa), then position, displacement, ... see probe_names(). */
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
+
+    std::string coarse_place(const State &state) const override;
+
+    /** Angles of an element, by which one sees that it is too long (doc/theory/element.md). */
+    struct Turn
+    {
+      double between_ends; ///< relative rotation of its end sections [rad]
+      double
+        unresolved; ///< h times the highest Legendre coefficient of the curvatures on it, orthonormal on (0, 1) [rad]
+    };
+    /** Of element @p i; @p e: strains of this beam. */
+    Turn turn(unsigned int i, const State &state, const double *e) const;
 
     /** All nodes take part in the rigid motion about the start that the user gives, see InitialVelocity. */
     void add_initial_velocities(State &state) const override;
@@ -95,6 +107,7 @@ namespace samara
     std::vector<Cell>             cells;
     std::vector<Frame>            node_frames;
     std::vector<double>           node_abscissae;
+    std::vector<double>           kinks; ///< arc lengths where section or twist have one; elements need not end there
     std::map<std::string, double> named; ///< arc length of named points
 
     bool                      find_curve();
@@ -103,7 +116,11 @@ namespace samara
     bool                      take_mesh(const std::vector<double> &breaks);
     void                      make_cells();
     void                      make_nodes_and_elements();
-    Material                  material_at(double s) const;
+    bool                      find_kinks();
+    std::vector<double>       kinks_inside(const Cell &cell) const;
+    std::vector<Matrix6>      stiffnesses_of(const Cell &cell) const;
+    std::vector<Matrix6>      inertias_of(const Cell &cell) const;
+    Material                  material_of(const Matrix6 &stiffness) const;
     Vector6                   relaxation_times() const;
     Matrix3                   triad_at(double s, double inside) const;
     std::vector<unsigned int> materials_of_cell(const Cell &cell);

@@ -24,7 +24,7 @@ namespace samara
     unsigned int degree, n_nodes, n_points, n_tying; ///< tying points per direction
 
     std::vector<dealii::Point<dim>> nodes; ///< on the unit cell, in the order of FE_Q
-    Eigen::VectorXd                 node_weights; ///< Gauss–Lobatto weights: lumped inertia and loads
+    Eigen::VectorXd                 node_weights; ///< Gauss–Lobatto weights: lumped inertia
 
     std::vector<dealii::Point<dim>> points; ///< of integration
     Eigen::VectorXd                 weights;

@@ -107,8 +107,15 @@ namespace samara
     SectionValues       at(double x) const override;
     std::vector<double> kinks() const override;
 
+    /** What was read from the file, if there is one. */
+    const std::vector<std::string> &
+    lines_of_file() const
+    {
+      return lines;
+    }
+
   private:
-    std::vector<std::string> stations;
+    std::vector<std::string> stations, lines;
     std::string              file;
     std::vector<double>      abscissae;
     std::vector<SectionValues> values;

@@ -44,21 +44,10 @@ namespace samara
 
 
 
-  /** A force f and a moment m at a frame, with the sparse block they act on. */
-  struct PointLoad
-  {
-    Frame  frame;
-    double weight   = 1; ///< of a distributed load, with its variation along the body
-    double abscissa = 0;
-    Block  block;
-  };
-
-
-
   /**
-   * Forces and moments per point: what concentrated and distributed loads have in common. Dead loads keep their
-   * direction in the inertial frame, followers in the frame they act on. A dead moment about a fixed axis is not
-   * conservative.
+   * A force f and a moment m, at points or per length: what concentrated and distributed loads have in common. Dead
+   * loads keep their direction in the inertial frame, followers in the frame they act on. A dead moment about a fixed
+   * axis is not conservative.
    */
   class WrenchLoad : public Evaluated<WrenchLoad>
   {
@@ -81,19 +70,36 @@ namespace samara
   protected:
     void add_axes_parameter(Parameters &prm);
 
-    std::vector<PointLoad> points;
-    VectorOfTime           force, moment;
-
-    /** How the load varies along a body. */
-    virtual double
-    shape(const double /*abscissa*/) const
+    bool
+    is_follower() const
     {
-      return 1;
+      return axes == "body";
     }
 
+    /** weight f and weight m at a frame. */
+    struct AtPoint
+    {
+      Frame  frame;
+      double weight; ///< of a dead line load ∫ N_a p ds, see LineLoad [m]
+      Block  block;
+    };
+    std::vector<AtPoint> points;
+
+    /** A follower per length on a span: Σ_b products(a, b) D_b f at its frame a. */
+    struct AlongSpan
+    {
+      std::vector<Frame> frames;
+      Eigen::MatrixXd    products; ///< ∫ N_a N_b p ds, see LineLoad [m]
+      Block              block;
+    };
+    std::vector<AlongSpan> spans;
+
+    VectorOfTime force, moment;
+
   private:
-    std::string axes        = "inertial";
-    bool        is_follower = false;
+    std::string axes = "inertial";
+
+    void add_tangent(const AlongSpan &span, const Vector3 &f, const Vector3 &m, const double *q, SparseMatrix &K) const;
   };
 
 
@@ -111,23 +117,27 @@ namespace samara
 
 
 
-  /** A force and a moment per length along a beam, at the Gauss–Lobatto nodes. */
+  /**
+   * A force p(s) f and a moment p(s) m per length along a beam, p its variation. The virtual work is
+   *
+   *     ∫ p (f · δx + m · δθ) ds,   x = Σ N_a x_a,  δθ = Σ N_a D_a θ_a,   of a follower with d f, d m for d = Σ N_a
+   * D_a,
+   *
+   * with the shape functions N_a of an element and the exact arc length, integrated by Gauss's rule on each piece
+   * between the jumps and corners of p: force and moment that result are those of p on the interpolated line, wherever
+   * elements end.
+   */
   class LineLoad : public WrenchLoad
   {
   public:
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
 
-  protected:
-    double
-    shape(const double abscissa) const override
-    {
-      return variation(abscissa);
-    }
-
   private:
     std::string body;
     Expression  variation{1.};
+
+    void add_span(const Span &span);
   };
 
 

@@ -198,6 +198,13 @@ namespace samara
     draw(const State &, Drawing &) const
     {}
 
+    /** Where the mesh is too coarse for this state and why, for a warning; empty if it is fine enough. */
+    virtual std::string
+    coarse_place(const State &) const
+    {
+      return {};
+    }
+
     /** First strain of this contribution in the state's stress, set by the layout. */
     unsigned int first_strain = 0;
   };

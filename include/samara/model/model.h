@@ -13,12 +13,12 @@
 
 namespace samara
 {
-  /** A place on a body where distributed loads act, with the length [m] (or area) that belongs to it. */
-  struct Station
+  /** A piece of a body along which loads act: everything on it is a polynomial through its frames. */
+  struct Span
   {
-    Frame  frame;
-    double abscissa; ///< arc length from the body's start [m]
-    double weight;   ///< [m]
+    std::vector<Frame>  frames;
+    std::vector<double> abscissae;  ///< of the frames: arc length from the body's start [m]
+    double              start, end; ///< of the piece [m]
   };
 
 
@@ -35,9 +35,9 @@ namespace samara
 
     virtual std::vector<std::string> points() const = 0;
 
-    /** Points with weights at which loads per length are applied; empty for a body without extent. */
-    virtual std::vector<Station>
-    stations() const
+    /** Pieces along which loads per length are applied; empty for a body without extent. */
+    virtual std::vector<Span>
+    spans() const
     {
       return {};
     }

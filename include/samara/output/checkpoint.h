@@ -20,7 +20,7 @@ namespace samara
     std::map<std::string, std::vector<double>> arrays;
     /** @} */
 
-    std::string fingerprint; ///< of the model that the state belongs to; compared by those who read
+    std::string model; ///< all entries of the model that the state belongs to; compared by those who read
   };
 
 
@@ -32,14 +32,14 @@ namespace samara
    *
    * The file has a head of 512 bytes with a text that tells what it is, its format and a checksum, and behind it HDF5,
    * which HDF5's tools find there: state/q, state/time and so on; step; numbers/0, numbers/1, ..., arrays/0, ... with
-   * the attribute `name`; and the letters of the fingerprint.
+   * the attribute `name`; and the letters of the model.
    */
   void write_checkpoint(const std::string &file, const Checkpoint &checkpoint);
 
   /**
    * Read what write_checkpoint() wrote. Throws an InputError if the file is missing, is no checkpoint, is one of
-   * another format, or has changed or lost a byte. Whether it fits the model is for the caller to see: fingerprint and
-   * sizes.
+   * another format, or has changed or lost a byte. Whether it fits the model is for the caller to see: the model's
+   * entries and sizes.
    */
   Checkpoint read_checkpoint(const std::string &file);
 } // namespace samara

@@ -32,13 +32,14 @@ namespace samara
      *
      * The history begins afresh, or, with @p resume_after, goes on behind the rows of an existing CSV file: those up to
      * the first one whose number in the first column is larger. The rest is cut off, a last line without an end too.
-     * If there is no such file the history begins afresh. If it has other columns, or rows that are not numbers, that
-     * is an InputError, and the file stays as it is.
+     * If there is no such file the history begins afresh. If it has other columns, rows that are not numbers, or another
+     * number of rows to be kept than @p n_expected, that is an InputError, and the file stays as it is.
      */
     History(const std::string                                      &folder,
             const std::string                                      &name,
             const std::vector<std::pair<std::string, std::string>> &columns,
-            const std::optional<double>                            &resume_after = std::nullopt);
+            const std::optional<double>                            &resume_after = std::nullopt,
+            const std::optional<std::uint64_t>                     &n_expected   = std::nullopt);
 
     History(const History &)            = delete;
     History &operator=(const History &) = delete;
@@ -49,8 +50,10 @@ namespace samara
     /**
      * One number a column. The row is in the file 0.2 s later at the latest, provided that rows go on to be added: a
      * killed program may lose the rows of its last 0.2 s, and the last row.
+     *
+     * @throws NotConverged naming the column if a number is not finite; the last @p n_optional ones may be missing, nan.
      */
-    void add(const std::vector<double> &row);
+    void add(const std::vector<double> &row, unsigned int n_optional = 0);
 
     /**
      * Bring all rows to the disk. Call it before write_checkpoint(): otherwise rows before the checkpoint may be
@@ -58,11 +61,18 @@ namespace samara
      */
     void flush();
 
+    /** Rows there are, with those that were kept. */
+    std::uint64_t
+    size() const
+    {
+      return n_rows;
+    }
+
     /** Flush and write the HDF5 file. No rows can follow. A second call does nothing. */
     void finish();
 
   private:
-    bool keep_rows(double resume_after);
+    bool keep_rows(double resume_after, const std::optional<std::uint64_t> &n_expected);
     void write_lines();
     void write_hdf5_file() const;
 

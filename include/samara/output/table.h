@@ -37,16 +37,26 @@ namespace samara
         : text(text)
       {}
 
+      /** A number that may be missing: nan. */
+      static Cell
+      optional(const double number)
+      {
+        Cell cell(number);
+        cell.is_optional = true;
+        return cell;
+      }
+
       std::string text;
-      double      number    = 0;
-      bool        is_number = false;
+      double      number      = 0;
+      bool        is_number   = false;
+      bool        is_optional = false;
     };
 
     const std::vector<std::string> columns;
 
     explicit Table(const std::vector<std::string> &columns);
 
-    /** One cell a column. @{ */
+    /** One cell a column. @throws NotConverged naming row and column if a number is not finite and not optional. @{ */
     void add_row(std::initializer_list<Cell> cells);
 
     template <typename T>

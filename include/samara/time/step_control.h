@@ -119,6 +119,11 @@ namespace samara
      */
     double after_failure(double h);
 
+    /** All that later steps depend on, for restarts: reference energy, steps without growth, last ratio. @{ */
+    std::array<double, 3> memory() const;
+    void                  set_memory(const std::array<double, 3> &memory);
+    /** @} */
+
     const DissipationRelation relation;
     const double              Y_target, zeta_target;
 

@@ -4,6 +4,7 @@
 #include <samara/time/integrator.h>
 #include <samara/time/step_control.h>
 
+#include <array>
 #include <optional>
 
 namespace samara
@@ -35,7 +36,18 @@ namespace samara
      */
     Advance advance(State &state, double end);
 
-    /** The step to be tried next [s]; for restarts. */
+    /** All that later steps depend on besides the state, for restarts. */
+    struct Memory
+    {
+      double                next_step; ///< to be tried next [s]
+      std::array<double, 3> of_controller{};
+      std::vector<double>   steady_twists;
+    };
+    Memory memory() const;
+    /** @p with_steps: go on with the step sequence; otherwise with the step that was given. */
+    void set_memory(const Memory &memory, bool with_steps);
+
+    /** The step to be tried next [s]. */
     double next_step;
 
     /** Of the last accepted step: the size of the energy indicator, relative to the reference energy. */

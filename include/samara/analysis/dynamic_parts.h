@@ -1,0 +1,53 @@
+#ifndef samara_analysis_dynamic_parts_h
+#define samara_analysis_dynamic_parts_h
+
+#include <samara/analysis/dynamic.h>
+
+#include <array>
+
+namespace samara
+{
+  /** Files of a run, and what time it is there. */
+  struct DynamicAnalysis::Output
+  {
+    std::unique_ptr<History>  history, energies, steps;
+    std::unique_ptr<Pictures> pictures;
+    double                    next_picture = 0;
+    bool                      is_massless  = false; ///< accelerations cannot be found; has been said
+
+    /** @p last: the checkpoint that the run goes on from, or none. */
+    Output(const Context &context, const DynamicAnalysis &analysis, double start, const Checkpoint *last);
+
+    /** The tables with their names, null where nothing is written. */
+    std::array<std::pair<const char *, History *>, 3>
+    tables() const
+    {
+      return {{{"dynamic", history.get()}, {"dynamic_energy", energies.get()}, {"dynamic_steps", steps.get()}}};
+    }
+
+    void
+    flush()
+    {
+      for (const auto &[name, table] : tables())
+        if (table != nullptr)
+          table->flush();
+      if (pictures != nullptr)
+        pictures->finish();
+    }
+  };
+
+
+
+  /** All that computes steps and remembers something from one to the next. */
+  struct DynamicAnalysis::Machinery
+  {
+    std::unique_ptr<Integrator> integrator, halves; ///< of the steps, and of the second estimate
+    std::unique_ptr<Stepper>    stepper;
+    std::unique_ptr<Projection> projection;
+  };
+
+  /** Of a run into this folder. */
+  std::string checkpoint_file(const Context &context);
+} // namespace samara
+
+#endif

@@ -1,0 +1,291 @@
+// Runs that are killed and go on from their checkpoint have the files of one that was not, byte by byte. Checkpoints of
+// another model are refused with a list of what differs.
+
+#include <samara/analysis/dynamic.h>
+#include <samara/base/errors.h>
+
+#include "../output/scratch_folder.h"
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace samara;
+
+namespace
+{
+  /** A flexible rod on a hinge, with a rigid body hinged to its end that has a spring; both fall. */
+  const std::string pendulum = R"(
+set Analyses = dynamic
+subsection Sections
+  subsection s
+    set Type = tube
+    set E = 2e9
+    set Density = 1000
+    set Outer radius = 0.02
+  end
+  subsection other
+    set Type = tube
+    set E = 2e9
+    set Density = 1000
+    set Outer radius = 0.02
+  end
+end
+subsection Bodies
+  subsection rod
+    set Type = beam
+    set Points = 0, 0, 0; 1, 0, 0
+    set Section = s
+    set Elements = 2
+    set Damping = 1e-4
+  end
+  subsection bob
+    set Type = rigid body
+    set Mass = 1
+    set Inertia = 0.1, 0.1, 0.1
+    set Position = 1, 0, 0
+  end
+end
+subsection Joints
+  subsection hinge
+    set Type = revolute
+    set Body A = ground
+    set Body B = rod.start
+    set Axis = 0, 1, 0
+  end
+  subsection pin
+    set Type = revolute
+    set Body A = rod.end
+    set Body B = bob
+    set Axis = 0, 1, 0
+    subsection rotation
+      set Spring = 3
+      set Damper = 0.1
+    end
+  end
+end
+subsection Loads
+  subsection g
+    set Type = gravity
+  end
+  subsection push
+    set Type = point load
+    set At = rod.end
+    set Force = 0, 0, t < 0.1234 ? 5 : 0
+  end
+end
+subsection Output
+  set Probes = rod.end.position x, rod.end.acceleration z, rod.start.moment 2, pin.rotation, hinge.force 1
+end
+subsection Dynamic
+  set End time = 0.6
+  set Step = 0.005
+  set Pictures = 7
+end
+)";
+
+  /** Thrown in the middle of a run: what is not yet written is lost with it. */
+  struct Killed
+  {};
+
+  /** A run of @p text into @p folder, ended by force at the time @p killed; every fresh start is written. */
+  void
+  run(const std::string              &text,
+      const std::string              &folder,
+      const std::vector<std::string> &overrides,
+      const bool                      restart,
+      const double                    killed = 1e300,
+      const unsigned int              every  = 23)
+  {
+    Scene scene(text, overrides);
+    scene.context.folder                = folder;
+    scene.context.probes                = scene.input.make_probes();
+    scene.context.restart               = restart;
+    scene.context.used                  = scene.input.used();
+    auto &dynamic                       = scene.analysis<DynamicAnalysis>();
+    dynamic.fresh_every                 = every;
+    dynamic.seconds_between_checkpoints = 0;
+    dynamic.observer                    = [&](const State &state) {
+      if (state.time > killed)
+        throw Killed();
+    };
+    dynamic.start(scene.context);
+    dynamic.run(scene.context);
+    dynamic.finish(scene.context);
+  }
+
+  void
+  expect_same_files(const std::string &a, const std::string &b, const std::string &where)
+  {
+    for (const std::string file : {"dynamic.csv", "dynamic_energy.csv", "dynamic_steps.csv", "dynamic.pvd"})
+      EXPECT_EQ(content_of(a + "/" + file), content_of(b + "/" + file)) << file << ", " << where;
+  }
+
+  std::string
+  refusal(const std::string &folder, const std::vector<std::string> &overrides, const std::string &text = pendulum)
+  {
+    try
+      {
+        run(text, folder, overrides, true);
+      }
+    catch (const InputError &problem)
+      {
+        return problem.what();
+      }
+    return "";
+  }
+} // namespace
+
+
+
+TEST(Restart, KilledRunsGoOnToTheLastBit)
+{
+  for (const std::string stages : {"1", "2", "3"})
+    for (const std::string control : {"fixed", "adaptive"})
+      {
+        const std::vector<std::string> settings = {"Dynamic/Stages = " + stages,
+                                                   "Dynamic/Step control = " + control,
+                                                   "Dynamic/Tolerance = 1e-3"};
+        const ScratchFolder            scratch;
+        const std::string              whole = scratch.path + "/whole";
+        run(pendulum, whole, settings, false);
+        for (const double killed : {0.01, 0.2, 0.55})
+          {
+            const std::string folder = scratch.path + "/" + std::to_string(killed);
+            const std::string where  = stages + " stages, " + control + ", killed at " + std::to_string(killed);
+            EXPECT_THROW(run(pendulum, folder, settings, false, killed), Killed) << where;
+            EXPECT_NE(content_of(whole + "/dynamic.csv"), content_of(folder + "/dynamic.csv")) << where;
+            run(pendulum, folder, settings, true);
+            expect_same_files(whole, folder, where);
+          }
+      }
+}
+
+
+
+TEST(Restart, KilledAgainAndAgain)
+{
+  const ScratchFolder scratch;
+  const std::string   whole = scratch.path + "/whole", folder = scratch.path + "/folder";
+  run(pendulum, whole, {}, false);
+  EXPECT_THROW(run(pendulum, folder, {}, false, 0.3), Killed);
+  for (const double killed : {0.35, 0.36, 0.5})
+    EXPECT_THROW(run(pendulum, folder, {}, true, killed), Killed);
+  run(pendulum, folder, {}, true);
+  expect_same_files(whole, folder, "killed four times");
+}
+
+
+
+TEST(Restart, FinishedRunsGoOnBeyondTheirEnd)
+{
+  // the largest adaptive step follows the end unless it is given
+  for (const std::string control : {"fixed", "adaptive"})
+    {
+      const std::vector<std::string> settings = {"Dynamic/Step control = " + control,
+                                                 "Dynamic/Largest step = 0.02",
+                                                 "Dynamic/Tolerance = 1e-3",
+                                                 "Output/Pictures = false"};
+      auto                           shorter  = settings;
+      shorter.push_back("Dynamic/End time = 0.3331");
+      const ScratchFolder scratch;
+      const std::string   whole = scratch.path + "/whole", folder = scratch.path + "/folder";
+      run(pendulum, whole, settings, false);
+      run(pendulum, folder, shorter, false);
+      run(pendulum, folder, settings, true);
+      for (const std::string file : {"dynamic.csv", "dynamic_energy.csv", "dynamic_steps.csv"})
+        EXPECT_EQ(content_of(whole + "/" + file), content_of(folder + "/" + file)) << file << ", " << control;
+    }
+}
+
+
+
+TEST(Restart, OtherModelsAreRefused)
+{
+  const ScratchFolder folder;
+  EXPECT_THROW(run(pendulum, folder.path, {}, false, 0.3), Killed);
+  const std::string before = content_of(folder.path + "/dynamic.csv");
+  for (const auto &[entry, value] : {std::make_pair("Sections/s/E", "3e9"),
+                                     {"Bodies/bob/Mass", "2"},
+                                     {"Bodies/bob/Position", "1, 0, 0.1"},
+                                     {"Bodies/rod/Elements", "3"},
+                                     {"Bodies/rod/Degree", "2"},
+                                     {"Bodies/rod/Damping", "0"},
+                                     {"Bodies/rod/Section", "other"},
+                                     {"Joints/pin/Axis", "1, 0, 0"},
+                                     {"Joints/pin/rotation/Spring", "4"},
+                                     {"Loads/g/Acceleration", "0, 0, -1"},
+                                     {"Loads/push/Force", "0, 0, t"},
+                                     {"Dynamic/Start time", "0.01"}})
+    {
+      const std::string complaint = refusal(folder.path, {std::string(entry) + " = " + value});
+      EXPECT_NE(complaint.find("belongs to another model"), std::string::npos) << entry << ": " << complaint;
+      EXPECT_NE(complaint.find(std::string(entry) + ": "), std::string::npos) << complaint;
+    }
+  EXPECT_EQ(content_of(folder.path + "/dynamic.csv"), before);
+}
+
+
+
+TEST(Restart, ContentsOfTablesBelongToTheModel)
+{
+  const ScratchFolder folder;
+  const std::string   table = folder.path + "/blade.csv";
+  std::filesystem::create_directories(folder.path);
+  const auto write = [&](const std::string &E) {
+    std::ofstream(table) << "x,EA,GA2,GA3,GJ,EI2,EI3,mass\n0,1e6,1e6,1e6,100,100,100,1\n1,1e6,1e6,1e6,100," << E
+                         << ",100,1\n";
+  };
+  std::string       text = pendulum;
+  const std::string tube = "set Type = tube\n    set E = 2e9\n    set Density = 1000\n    set Outer radius = 0.02\n";
+  text.replace(text.find(tube),
+               tube.size(),
+               "set Type = table\n    set File = " + std::filesystem::absolute(table).string() + "\n");
+  write("100");
+  EXPECT_THROW(run(text, folder.path, {}, false, 0.3), Killed);
+  write("101");
+  const std::string complaint = refusal(folder.path, {}, text);
+  EXPECT_NE(complaint.find("Sections/s/line 3 of the file"), std::string::npos) << complaint;
+  write("100");
+  EXPECT_EQ(refusal(folder.path, {}, text), "");
+}
+
+
+
+TEST(Restart, HarmlessChangesAreTold)
+{
+  const ScratchFolder folder;
+  EXPECT_THROW(run(pendulum, folder.path, {}, false, 0.3), Killed);
+  Scene scene(pendulum, {"Dynamic/End time = 0.4", "Dynamic/Stages = 1", "Title = New"});
+  scene.context.folder  = folder.path;
+  scene.context.probes  = scene.input.make_probes();
+  scene.context.restart = true;
+  scene.context.used    = scene.input.used();
+  scene.analysis<DynamicAnalysis>().run(scene.context);
+  for (const std::string line :
+       {"Dynamic/End time: 0.6 before, 0.4 now", "Dynamic/Stages: 3 before, 1 now", "Title: nothing before"})
+    EXPECT_NE(scene.stream.str().find(line), std::string::npos) << scene.stream.str();
+}
+
+
+
+TEST(Restart, TablesMustHaveTheirRows)
+{
+  for (const std::string table : {"dynamic.csv", "dynamic_energy.csv", "dynamic_steps.csv"})
+    {
+      const ScratchFolder folder;
+      EXPECT_THROW(run(pendulum, folder.path, {}, false, 0.4), Killed);
+      const std::string file = folder.path + "/" + table, text = content_of(file);
+      // without its fourth line
+      std::size_t begin = 0;
+      for (unsigned int i = 0; i < 3; ++i)
+        begin = text.find('\n', begin) + 1;
+      std::ofstream(file, std::ios::binary) << text.substr(0, begin) + text.substr(text.find('\n', begin) + 1);
+      const std::string complaint = refusal(folder.path, {});
+      EXPECT_NE(complaint.find(table + " has "), std::string::npos) << complaint;
+      EXPECT_NE(complaint.find("not the"), std::string::npos) << complaint;
+      std::filesystem::remove(file);
+      EXPECT_NE(refusal(folder.path, {}).find(table + " has 0 rows"), std::string::npos);
+    }
+}
