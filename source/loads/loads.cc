@@ -335,13 +335,15 @@ namespace samara
     refine(const Expression    &p,
            const double         a,
            const double         b,
-           const double         size, // of all
+           double              &size, // ∫ |p| ds, as far as it has been seen
            const unsigned int   depth,
            std::vector<double> &breaks)
     {
       constexpr unsigned int most   = 30;
       const double           middle = 0.5 * (a + b);
-      const double           error  = std::abs(integrals(p, {a, b}).first - integrals(p, {a, middle, b}).first);
+      const auto             halves = integrals(p, {a, middle, b});
+      const double           error  = std::abs(integrals(p, {a, b}).first - halves.first);
+      size                          = std::max(size, halves.second);
       if (error <= 1e-13 * size || (depth == most && error <= 1e-6 * size))
         {
           breaks.push_back(b);
@@ -358,7 +360,7 @@ namespace samara
     std::vector<double>
     breaks_of(const Expression &p, const Span &span)
     {
-      const double        size = integrals(p, {span.start, 0.5 * (span.start + span.end), span.end}).second;
+      double              size = integrals(p, {span.start, 0.5 * (span.start + span.end), span.end}).second;
       std::vector<double> breaks(1, span.start);
       while (breaks.back() < span.end)
         refine(p, breaks.back(), std::min(p.next_corner(breaks.back(), span.end), span.end), size, 0, breaks);

@@ -234,8 +234,8 @@ TEST(Restart, ContentsOfTablesBelongToTheModel)
   const std::string   table = folder.path + "/blade.csv";
   std::filesystem::create_directories(folder.path);
   const auto write = [&](const std::string &E) {
-    std::ofstream(table) << "x,EA,GA2,GA3,GJ,EI2,EI3,mass\n0,1e6,1e6,1e6,100,100,100,1\n1,1e6,1e6,1e6,100," << E
-                         << ",100,1\n";
+    std::ofstream(table) << "x,EA,GA2,GA3,GJ,EI2,EI3,mass,I2,I3\n0,1e6,1e6,1e6,100,100,100,1,1e-3,1e-3\n"
+                         << "1,1e6,1e6,1e6,100," << E << ",100,1,1e-3,1e-3\n";
   };
   std::string       text = pendulum;
   const std::string tube = "set Type = tube\n    set E = 2e9\n    set Density = 1000\n    set Outer radius = 0.02\n";

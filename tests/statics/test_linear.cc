@@ -98,7 +98,7 @@ TEST(LinearTheory, UniformLoad)
 
 
 
-// q cos(k s), k = π/(2 L): tip q/(k EI) (L³/3 − 1/k³) + q/(k GA) (L − 1/k).
+// q cos(k s), k = π/(2 L), exact for p ≥ 3: tip q/(k EI) (L³/3 − 1/k³) + q/(k GA) (L − 1/k).
 TEST(LinearTheory, LineLoadConvergesWithOrderTwiceTheDegree)
 {
   const double       L = 10, k = M_PI / (2 * L);
@@ -113,7 +113,10 @@ TEST(LinearTheory, LineLoadConvergesWithOrderTwiceTheDegree)
           overrides.push_back("Loads/weight/Variation = cos(pi*s/20)");
           error[i] = std::abs(-Linear("prm/benchmarks/uniform_load.prm", overrides).at("beam.end")(2) / exact - 1);
         }
-      EXPECT_NEAR(std::log2(error[0] / error[1]), 2. * p, 0.3) << "degree " << p;
+      if (p > 2)
+        EXPECT_LT(std::max(error[0], error[1]), 1e-11) << "degree " << p;
+      else
+        EXPECT_NEAR(std::log2(error[0] / error[1]), 2. * p, 0.3) << "degree " << p;
     }
 }
 
@@ -140,7 +143,9 @@ TEST(LinearTheory, LineLoadThatJumps)
         const Linear linear("prm/benchmarks/uniform_load.prm", with_load(mesh("beam", p, n)));
         EXPECT_NEAR(linear.at("beam.end")(4) / rotation, 1., 1e-11) << "degree " << p << ", " << n << " elements";
         if (p > 2)
-          EXPECT_NEAR(-linear.at("beam.end")(2) / tip, 1., 1e-11) << "degree " << p << ", " << n << " elements";
+          {
+            EXPECT_NEAR(-linear.at("beam.end")(2) / tip, 1., 1e-11) << "degree " << p << ", " << n << " elements";
+          }
       }
   EXPECT_LT(error_of_tip({"Bodies/beam/Mesh = 2 to 0.31, 2 to 0.74, 2 to 1"}), 1e-11);
   for (const unsigned int p : {1, 2})
