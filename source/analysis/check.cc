@@ -23,8 +23,15 @@ namespace samara
       return K;
     }
 
-    /** More free motions are not counted: the search works with as many full vectors. */
-    constexpr int most_free_motions = 32;
+    /** More free motions are not counted: the search works with as many full vectors of @p n numbers. */
+    int
+    most_free_motions(const int n)
+    {
+      return n > 20000 ? 8 : 32;
+    }
+
+    /** Joints' motions are told by name in models of up to so many joints. */
+    constexpr unsigned int few_joints = 1000;
 
     /** "model.prm:12: ", where a motion is prescribed that has a row in this combination. */
     std::string
@@ -84,6 +91,8 @@ namespace samara
     std::vector<std::string>
     moving_joints(const System &system, const Eigen::VectorXd &z)
     {
+      if (system.layout.constraining.size() > few_joints)
+        return {};
       const State         start = system.reference();
       State               moved = start;
       std::vector<double> step(system.size(), 0.);
@@ -232,7 +241,7 @@ namespace samara
           if (strain_energy(Z.col(j)) < 1e-14 && std::abs(ritz.eigenvalues()(j)) < 1e-8)
             zero.push_back(j);
         const bool are_all = static_cast<int>(zero.size()) < block || block == n;
-        if (!are_all && block < most_free_motions)
+        if (!are_all && block < most_free_motions(n))
           continue;
 
         check.n_free_motions = zero.size();

@@ -64,12 +64,13 @@ namespace samara
       }
     catch (const SingularMatrix &)
       {
-        if (system.layout.n_multipliers == 0)
+        if (system.layout.n_multipliers == 0 || is_massless)
           throw;
       }
     // at a singular position more rows depend on others than are redundant: velocities that obey those obey all of them
     auto dependent = RedundantRows(system).dependent_here(state);
-    if (dependent.size() > left_out.size())
+    is_massless    = dependent.size() <= left_out.size();
+    if (!is_massless)
       left_out = std::move(dependent);
     factorize_rows(state);
   }
