@@ -48,10 +48,11 @@ namespace samara
     lock_rotation(2, 1);
     lock_rotation(0, 1);
     Joint::add_parameters(prm);
-    prm.add("Reaction",
-            reaction_wanted,
-            "Keep both nodes and make the forces and moments between them unknowns: at Position, in the axes of Axis and "
-            "Axis 1, which have no effect otherwise.");
+    prm.add(
+      "Reaction",
+      reaction_wanted,
+      "Keep both nodes and make the forces and moments between them unknowns: at Position, in the axes of Axis and "
+      "Axis 1, which have no effect otherwise.");
   }
 
 
@@ -156,7 +157,8 @@ namespace samara
     FreeMotion &motion = free[0];
     motion.reference   = (model.position(frame_b) - model.position(frame_a)).norm();
     if (motion.reference == 0)
-      throw std::invalid_argument("the two points of a spring must not coincide: it would have no direction");
+      model.complaints.add(parameters.where("Position"),
+                           "the two points of a spring must not coincide: it would have no direction");
     // what users say of the length is the length itself, the coordinate is its change
     motion.rest = parameters.subsection("length").is_set("Rest") ? motion.rest - motion.reference : 0.;
     motion.lower_stop -= motion.reference;
@@ -222,7 +224,8 @@ namespace samara
     if (length == 0)
       length = reference;
     if (reference == 0)
-      throw std::invalid_argument("the two points of a distance joint must not coincide: it would have no direction");
+      model.complaints.add(parameters.where("Position"),
+                           "the two points of a distance joint must not coincide: it would have no direction");
     locked[0].value = length * length;
   }
 
