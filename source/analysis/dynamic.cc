@@ -62,11 +62,12 @@ namespace samara
       "Newton's method stops when velocities change by less, relative to the largest, and the energy statement is "
       "satisfied to this part of the energy [1].",
       Double(0));
-    prm.add("Energy balance",
-            energy_balance,
-            "What to do when the energy account misses more than the Newton tolerance explains: refuse the results, which "
-            "are written, with exit code 3; or warn.",
-            Selection("refuse|warn"));
+    prm.add(
+      "Energy balance",
+      energy_balance,
+      "What to do when the energy account misses more than the Newton tolerance explains: refuse the results, which "
+      "are written, with exit code 3; or warn.",
+      Selection("refuse|warn"));
     prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
     prm.add(
       "Inconsistent velocities",
@@ -101,8 +102,7 @@ namespace samara
       complain("Step", "the <Step> must be positive");
     else if ((end_time - start_time) / step > most_steps)
       complain("Step",
-               "with this <Step> there are " + short_text((end_time - start_time) / step) +
-                 " steps to the <End time>");
+               "with this <Step> there are " + short_text((end_time - start_time) / step) + " steps to the <End time>");
     if (!(newton_tolerance > 0))
       complain("Newton tolerance", "the <Newton tolerance> must be positive");
     if (!rotor_speeds.empty())
@@ -342,11 +342,11 @@ namespace samara
     const bool is_adaptive = control == "adaptive";
     report                 = {};
     budget                 = {};
-    n_rows = n_judged      = 0;
-    n_grid                 = 0;
-    n_recorded             = 0;
-    meshes                 = {};
-    bool       with_steps  = true;
+    n_rows = n_judged     = 0;
+    n_grid                = 0;
+    n_recorded            = 0;
+    meshes                = {};
+    bool       with_steps = true;
     Checkpoint last;
     State      state = context.state;
     if (context.restart)
@@ -432,7 +432,7 @@ namespace samara
             const double goal = is_adaptive ? end_time : std::min(end_time, start_time + (n_grid + 1) * step);
             if (second_estimate)
               before = state;
-            const double  from    = state.time;
+            const double  from        = state.time;
             const Advance advance     = machinery.stepper->advance(state, goal);
             const double  before_step = budget.balance();
             account(context, state, advance.step);
@@ -481,6 +481,7 @@ namespace samara
             const bool   is_near_end = state.time + ahead > end_time;
             if (++n_since_fresh >= steps_between_fresh_starts(system) && can_be_exact && !is_near_end)
               {
+                collect(context, *machinery.integrator);
                 last             = remember(context, state, machinery, output);
                 machinery        = make_machinery(system, last, true);
                 before_machinery = report;
@@ -504,6 +505,7 @@ namespace samara
           "(<Spectral radius = 0>), or look whether the mechanism locks there");
       }
     close();
+    collect(context, *machinery.integrator);
     summarize(context, *machinery.integrator);
     conclude(context);
   }
@@ -524,21 +526,35 @@ namespace samara
       text += ", " + std::to_string(report.n_touches) + " times a stop was touched or left";
     text += "; " + format("%.3g", report.seconds) + " s, " + format("%.3g", report.processor_seconds) +
             " s of the processor; the energy budget closes to " + format("%.1e", report.largest_balance) +
-            (report.largest_energy > energy_floor ? " of the largest energy" : ": nothing moves") + resolution(integrator);
+            (report.largest_energy > energy_floor ? " of the largest energy" : ": nothing moves") +
+            resolution(integrator);
     context.log.line(text);
+    if (report.n_exact_steps > 0)
+      context.log.line(
+        "  " + std::to_string(report.n_exact_steps) +
+        " steps were repeated with the exact matrix of all stages: is the mechanism near a singular position?");
+    if (report.n_exchanges > 0)
+      context.log.line("  redundant constraints: other rows were chosen to be left out " +
+                       std::to_string(report.n_exchanges) + " times");
+    if (report.largest_gap_left_out > 1e-8 * model_length(context.system.model))
+      context.log.warning("dynamic",
+                          "constraints that are redundant but for rounded places or axes are violated by up to " +
+                            format("%.1e", report.largest_gap_left_out) + " m, most: " + report.worst_left_out);
+  }
+
+
+
+  void
+  DynamicAnalysis::collect(const Context &context, const Integrator &integrator)
+  {
     const auto *const family = dynamic_cast<const StageIntegrator *>(&integrator);
     if (family == nullptr)
       return;
-    if (family->n_exact_steps > 0)
-      context.log.line("  " + std::to_string(family->n_exact_steps) +
-                       " steps were repeated with the exact matrix of all stages: is the mechanism near a singular position?");
-    if (family->n_exchanges() > 0)
-      context.log.line("  redundant constraints: other rows were chosen to be left out " +
-                       std::to_string(family->n_exchanges()) + " times");
-    if (family->largest_gap_left_out > 1e-8 * model_length(context.system.model))
-      context.log.warning("dynamic",
-                          "constraints that are redundant but for rounded places or axes are violated by up to " +
-                            format("%.1e", family->largest_gap_left_out) + " m, most: " +
-                            context.system.layout.multiplier_names[family->worst_left_out]);
+    report.n_exact_steps += family->n_exact_steps;
+    report.n_exchanges += family->n_exchanges();
+    if (family->largest_gap_left_out <= report.largest_gap_left_out)
+      return;
+    report.largest_gap_left_out = family->largest_gap_left_out;
+    report.worst_left_out       = context.system.layout.multiplier_names[family->worst_left_out];
   }
 } // namespace samara

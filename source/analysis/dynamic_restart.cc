@@ -98,6 +98,7 @@ namespace samara
             {"largest indicator", &report.indicator},
             {"largest work defect", &report.work_defect},
             {"judged steps", &n_judged},
+            {"largest gap left out", &report.largest_gap_left_out},
             {"rows", &n_rows}};
   }
 
@@ -126,7 +127,9 @@ namespace samara
                                                                       {"factorizations", report.n_factorizations},
                                                                       {"rejected", report.n_rejected},
                                                                       {"failed", report.n_failed},
-                                                                      {"touches", report.n_touches}};
+                                                                      {"touches", report.n_touches},
+                                                                      {"exact steps", report.n_exact_steps},
+                                                                      {"exchanges", report.n_exchanges}};
     for (const auto &[name, count] : counts)
       checkpoint.numbers["number of " + name] = count;
     return checkpoint;
@@ -164,6 +167,9 @@ namespace samara
     report.n_rejected       = count("rejected");
     report.n_failed         = count("failed");
     report.n_touches        = count("touches");
+    report.n_exact_steps    = count("exact steps");
+    report.n_exchanges      = count("exchanges");
+    report.worst_left_out   = "one before the restart";
     n_grid =
       with_steps ? checkpoint.numbers.at("steps of the grid") : std::floor((state.time - start_time) / step + 1e-6);
     return checkpoint;

@@ -44,6 +44,10 @@ namespace samara
       unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0, n_rejected = 0, n_failed = 0, n_touches = 0;
       double       seconds = 0, processor_seconds = 0; ///< by the clock; of the processor, all threads [s]
 
+      unsigned int n_exact_steps = 0, n_exchanges = 0; ///< see StageIntegrator
+      double       largest_gap_left_out = 0;           ///< of constraints that are left out [m]
+      std::string  worst_left_out;                     ///< the name of that constraint
+
       /** @name The energy account, relative to the largest energy that moved (DynamicAnalysis::judge()) @{ */
       double      largest_balance = 0; ///< of the energy that does not close
       double      largest_miss    = 0; ///< of a single step, which is this one:
@@ -126,6 +130,8 @@ namespace samara
     void account(const Context &context, const State &state, const StepResult &step);
     double
     half_steps(const Context &context, const State &start, const State &end, double h, Integrator &integrator) const;
+    /** Into the report what an integrator that ends here has counted. */
+    void collect(const Context &context, const Integrator &integrator);
     void summarize(const Context &context, const Integrator &integrator) const;
   };
 } // namespace samara
