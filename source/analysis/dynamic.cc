@@ -157,21 +157,74 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** The contribution that these velocities strain, at rates above @p bound [1/s]; nothing if there is none. */
+    const Contribution *
+    strained(const System &system, const State &state, const double bound)
+    {
+      std::vector<double> e;
+      for (const auto &c : system.model.contributions)
+        {
+          e.assign(c->n_strains(), 0.);
+          c->strain_rates(state.point(), e.data());
+          if (c->strain_energy(e.data()) > 0 &&
+              std::any_of(e.begin(), e.end(), [=](double r) { return std::abs(r) > bound; }))
+            return c.get();
+        }
+      return nullptr;
+    }
+  } // namespace
+
+
+
+  void
+  DynamicAnalysis::refuse_turning_ground(const Context &context,
+                                         const State   &given,
+                                         const State   &projected,
+                                         const double   change) const
+  {
+    const System &system    = context.system;
+    const auto   &rotations = system.model.rotations;
+    unsigned int  i         = 0;
+    while (i < rotations.size() && (rotations[i].coordinate >= 0 || context.speeds[i] == 0.))
+      ++i;
+    if (i == rotations.size())
+      return;
+    std::string where;
+    if (change > 1e-6)
+      {
+        std::vector<double> rates(system.layout.n_multipliers, 0.);
+        for (const auto *c : system.layout.constraining)
+          c->constraint_rates(given.point(), rates.data());
+        const auto worst =
+          std::max_element(rates.begin(), rates.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+        where = system.layout.multiplier_names[worst - rates.begin()];
+      }
+    else if (const auto *const c = strained(system, projected, 1e-6 * std::abs(context.speeds[i])))
+      where = "<" + c->name + ">, which would be strained";
+    else
+      return;
+    throw InputError(
+      parameters.where() + ": steady rotation <" + rotations[i].name +
+      "> turns the whole model; in the dynamic analysis the ground stands still, and what is fixed to it cannot go on "
+      "turning: " +
+      where + ".\n  Put a revolute between the ground and what turns, and let the steady rotation turn that <Joint>.");
+  }
+
+
+
   void
   DynamicAnalysis::prepare(Context &context, State &state) const
   {
     const System &system = context.system;
-    for (unsigned int i = 0; i < system.model.rotations.size(); ++i)
-      if (system.model.rotations[i].coordinate < 0 && context.speeds[i] != 0.)
-        throw InputError(
-          parameters.where() + ": steady rotation <" + system.model.rotations[i].name +
-          "> turns the whole model, ground included; the dynamic analysis sees it from the ground, which stands "
-          "still. Let a joint turn: give the steady rotation a <Joint>.");
-    state.held   = false;
-    state.factor = 1;
-    state.time   = start_time;
+    state.held           = false;
+    state.factor         = 1;
+    state.time           = start_time;
     if (!context.is_equilibrium)
       set_steady_motion(system, state, context.speeds);
+    // of a model that turns as a whole the ground stops, and nothing else
+    std::fill_n(state.y.begin(), 6, 0.);
     for (const auto &c : system.model.contributions)
       c->add_initial_velocities(state);
 
@@ -204,6 +257,7 @@ namespace samara
                          (problem.unknown >= 0 ? ": " + system.layout.name_of(problem.unknown) : std::string()) +
                          "; the dynamic analysis needs a mass or an inertia there");
       }
+    refuse_turning_ground(context, given, state, change);
     if (change > 1e-6)
       {
         unsigned int worst = 6;

@@ -80,6 +80,12 @@ namespace samara
             "Axes in which small motions are seen: turning with each body; fixed in space at the moment of the state; "
             "automatic: turning, unless parts turn against each other.",
             Selection("automatic|turning|fixed"));
+    prm.add(
+      "Unsteady motion",
+      unsteady,
+      "Where parts that turn against each other do not turn steadily, as a universal joint on a bend: refuse, or allow, "
+      "and find the modes of the moment, if it is known that little changes.",
+      Selection("refuse|allow"));
     prm.add("Animations", n_animations, "Number of modes for which a moving picture is written.", Integer(0));
   }
 
@@ -95,6 +101,7 @@ namespace samara
         system.stresses(context.state, context.state.stress);
       }
     require_finite_state(system, context.state);
+    check_motion(context);
     State state = context.state;
     state.held  = hold;
     if (!state.left_out.empty())
@@ -145,6 +152,25 @@ namespace samara
     if (context.pictures && context.is_shown() && !context.folder.empty())
       for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
         animate(context, k);
+  }
+
+
+
+  void
+  ModalAnalysis::check_motion(const Context &context) const
+  {
+    State              turning = context.state;
+    const SteadyMotion motion  = set_steady_motion(context.system, turning, context.speeds);
+    if (motion.is_steady())
+      return;
+    const std::string why =
+      "parts do not turn steadily: " + why_not_steady(context.system, turning, context.speeds, motion);
+    if (unsteady == "refuse")
+      throw InputError(
+        (parameters.where().empty() ? "" : parameters.where() + ": ") + "modal analysis: " + why +
+        ".\n  Modes belong to a motion that stays as it is. If they are wanted for the moment nevertheless, set "
+        "Unsteady motion = allow in subsection Modal.");
+    context.log.line("  modal: " + why + "; modes are those of this moment");
   }
 
 

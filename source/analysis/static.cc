@@ -71,6 +71,7 @@ namespace samara
   StaticAnalysis::start(Context &context)
   {
     processor_start = std::clock();
+    has_told_motion = false;
     solver          = make_solver(context.system.layout.pattern);
     if (context.folder.empty())
       return;
@@ -192,6 +193,7 @@ namespace samara
     else
       follow_load(context);
     context.is_equilibrium = true;
+    tell_motion(context);
     State reported = context.state;
     if (context.least_norm && !reported.left_out.empty())
       RedundantRows(context.system).make_least(reported);
@@ -202,6 +204,33 @@ namespace samara
       context.log.warning("static",
                           "the tangent matrix is nearly singular (reciprocal condition number " +
                             short_text(condition) + "): is a motion free, or a stability limit near?");
+  }
+
+
+
+  void
+  StaticAnalysis::tell_motion(const Context &context)
+  {
+    if (has_told_motion)
+      return;
+    State              turning = context.state;
+    const SteadyMotion motion  = set_steady_motion(context.system, turning, context.speeds);
+    has_told_motion            = !motion.is_steady() || !motion.shared.empty() || motion.n_at_rest > 0;
+    if (!motion.is_steady())
+      context.log.warning("static",
+                          "parts do not turn steadily: " +
+                            why_not_steady(context.system, turning, context.speeds, motion) +
+                            "; this is the equilibrium of one moment, as if speeds stayed what they are");
+    if (!motion.shared.empty())
+      {
+        std::string names;
+        for (const auto &name : motion.shared)
+          names += (names.empty() ? "<" : ", <") + name + ">";
+        context.log.warning("static", "nothing says how the turning is shared between " + names + ": hold one of them");
+      }
+    if (motion.n_at_rest > 0)
+      context.log.line("  static: " + std::to_string(motion.n_at_rest) +
+                       " rigid motions that nothing relates to a drive or the ground; they are taken to be at rest");
   }
 
 
@@ -287,12 +316,13 @@ namespace samara
     meshes.check(context, state, "static, load factor " + short_text(state.factor));
     if (history)
       history->add(values_of(context, reported, state.factor));
-    if (pictures)
+    // of a sweep one at each speed
+    if (pictures && (context.sweep.empty() || progress == 1.))
       {
         Drawing drawing;
         for (const auto &c : context.system.model.contributions)
           c->draw(state, drawing);
-        pictures->add(std::move(drawing), progress);
+        pictures->add(std::move(drawing), context.sweep.empty() ? progress : context.speeds[0]);
       }
   }
 

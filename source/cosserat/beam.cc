@@ -503,6 +503,17 @@ namespace samara
 
 
 
+  std::vector<unsigned int>
+  Beam::rigid_nodes() const
+  {
+    std::vector<unsigned int> nodes;
+    for (const auto &frame : node_frames)
+      nodes.push_back(frame.node);
+    return nodes;
+  }
+
+
+
   void
   Beam::add_initial_velocities(State &state) const
   {

@@ -16,6 +16,7 @@ namespace samara
     about_2.first       = {PairFunction::cosine, 0, 0};
     about_2.second      = {PairFunction::cosine, 0, 2};
     about_2.axis        = 1;
+    about_2.is_on_b     = true;
     axis                = Vector3::UnitX();
     add_ends(prm);
     prm.add("Axis",

@@ -43,12 +43,14 @@ namespace samara
     unsigned int n_modes = 10, n_animations = 4;
     double       shift = 1;
     bool         hold  = false;
-    std::string  axes  = "automatic";
+    std::string  axes = "automatic", unsteady = "refuse";
 
     std::vector<Mode>         previous; ///< of the speed before, in the order of branches
     std::vector<unsigned int> branches;
     std::unique_ptr<Table>    fan;
 
+    /** Complain if the state is none of a steady motion: what would be frozen then? */
+    void check_motion(const Context &context) const;
     void track(const Linearization &linearization);
     void report(Context &context) const;
     void animate(const Context &context, unsigned int k) const;

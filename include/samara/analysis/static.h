@@ -49,6 +49,7 @@ namespace samara
     unsigned int passages = 1, most_steps = 1000;
 
     std::clock_t                  processor_start = 0;
+    bool                          has_told_motion = false; ///< why it is not steady; once in a sweep
     std::unique_ptr<LinearSolver> solver;
     std::unique_ptr<History>      history, speed_history, path_history, limits_history;
     std::unique_ptr<Pictures>     pictures;
@@ -84,6 +85,7 @@ namespace samara
     CoarseMeshes meshes;
 
     void              record(Context &context, const State &state, double progress, const NewtonResult &result);
+    void              tell_motion(const Context &context);
     [[noreturn]] void give_up(const Context &context, const NewtonResult &result, double fraction) const;
   };
 } // namespace samara

@@ -6,6 +6,7 @@
 #include <samara/cosserat/curve.h>
 #include <samara/cosserat/initial_velocity.h>
 #include <samara/cosserat/section.h>
+#include <samara/model/relative_motion.h>
 
 namespace samara
 {
@@ -17,7 +18,7 @@ namespace samara
    * and frequencies for degree p with p Gauss points; no locking at any slenderness. Elements of one beam may have
    * different degrees; a mesh that meets an error is found by automatic_mesh.h.
    */
-  class Beam : public Cosserat<1>
+  class Beam : public Cosserat<1>, public RelativeMotions
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -45,6 +46,9 @@ namespace samara
     };
     /** Of element @p i; @p e: strains of this beam. */
     Turn turn(unsigned int i, const State &state, const double *e) const;
+
+    /** All nodes. */
+    std::vector<unsigned int> rigid_nodes() const override;
 
     /** All nodes take part in the rigid motion about the start that the user gives, see InitialVelocity. */
     void add_initial_velocities(State &state) const override;

@@ -2,6 +2,7 @@
 #define samara_joints_flexible_joint_h
 
 #include <samara/joints/pair.h>
+#include <samara/model/relative_motion.h>
 #include <samara/model/system.h>
 
 namespace samara
@@ -12,7 +13,7 @@ namespace samara
    * Strains: the gap in the axes of A, E_iᴬ·Δ [m], and ½ (E_kᴬ·E_jᴮ − E_jᴬ·E_kᴮ), the sine of a rotation about axis i
    * alone [1]. Axis 1 is along "Axis": 1 axial, 2 3 transverse, then torsion about 1, bending about 2 and 3.
    */
-  class FlexibleJoint : public Evaluated<FlexibleJoint>
+  class FlexibleJoint : public Evaluated<FlexibleJoint>, public RelativeMotions
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -28,6 +29,9 @@ namespace samara
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   damping(const Point<double> &point, SparseMatrix &C) const override;
     double strain_energy(const double *e) const override;
+
+    /** Those without any stiffness. */
+    void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
     bool
     has_damping() const override
     {

@@ -3,6 +3,7 @@
 
 #include <samara/joints/angle.h>
 #include <samara/joints/pair.h>
+#include <samara/model/relative_motion.h>
 #include <samara/model/system.h>
 
 #include <array>
@@ -23,7 +24,8 @@ namespace samara
     /** The functions that tell it: d is the first; θ = atan2(second, first); l is the root of the first. */
     PairFunction first, second;
     double       reference = 0; ///< of a length: its value in the reference configuration, where the coordinate is zero
-    unsigned int axis      = 2; ///< joint axis along or about which the force or moment of this motion acts
+    unsigned int axis      = 2;     ///< joint axis along or about which the force or moment of this motion acts
+    bool         is_on_b   = false; ///< whether that is an axis of B, not of A
 
     // entries
     double         spring = 0, rest = 0, damper = 0;
@@ -162,7 +164,7 @@ namespace samara
    * Strains are d − rest of the motions in use, then d − stop of their stops, 0 while the stop is not touched. In time steps
    * of the integrator family Layout::stops stand for them.
    */
-  class Joint : public Evaluated<Joint>
+  class Joint : public Evaluated<Joint>, public RelativeMotions
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -187,6 +189,9 @@ namespace samara
     std::unique_ptr<LinearStrains> linear_strains() const override;
 
     double next_corner(double from, double to) const override;
+
+    /** Those of all free motions. */
+    void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;
@@ -246,6 +251,13 @@ namespace samara
 
     /** Where the end on A is of what add_two_points() declares. */
     Frame end_on_a(const Model &model, const Frame &body_a) const;
+
+    /** @name For add_relative_rates() @{ */
+    /** The tilts of the line between the two frames, against A and against B: what a rod with balls at its ends has. */
+    void add_tilts(const double *q, std::vector<RelativeRate> &rates) const;
+    /** The three rotations of a ball joint. */
+    void add_turns(const double *q, std::vector<RelativeRate> &rates) const;
+    /** @} */
 
     std::string body_a, body_b, gap = "refused";
     Vector3     position = Vector3::Zero(), axis = Vector3::UnitZ(), axis_1 = Vector3::Zero();

@@ -50,6 +50,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
   };
 } // namespace samara
 

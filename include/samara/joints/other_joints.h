@@ -62,6 +62,9 @@ namespace samara
   public:
     void add_parameters(Parameters &prm) override;
 
+    /** The length, and the tilts of a rod. */
+    void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
+
     /** "length", "length rate"; "force": tension positive */
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
@@ -81,6 +84,9 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+
+    /** The tilts of the rod. */
+    void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
 
     /** "force": axial, tension positive */
     std::optional<Probe>     probe(const std::string &path) const override;
