@@ -196,7 +196,7 @@ namespace samara
     auto       probes = input.make_probes();
     const auto counts = check_model(system);
     if (!counts.contradictions.empty())
-      throw InputError(counts.complaint());
+      throw InputError(with_place({counts.complaint()}, input.where("Title")));
     if (options.check)
       return log.line(counts.text(system, options.model));
     system.drop(counts.redundant_multipliers);
