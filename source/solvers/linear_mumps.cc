@@ -37,6 +37,14 @@ namespace samara
 
 
 
+    /**
+     * MUMPS, real and complex, and MPI keep what belongs to one call in variables of their own: calls follow each other,
+     * also those for the real and the complex factors of a step, which two threads make.
+     */
+    std::mutex one_at_a_time;
+
+
+
     template <typename Number>
     struct Mumps_of;
 
@@ -167,9 +175,6 @@ namespace samara
       void
       run(const int job) const
       {
-        // MUMPS keeps what belongs to one call in variables of its modules, and so does MPI: one call at a time, also
-        // of the real and the complex factors of a step, which are made in two threads
-        static std::mutex                 one_at_a_time;
         const std::lock_guard<std::mutex> lock(one_at_a_time);
         data.job = job;
         Mumps_of<Number>::run(data);
