@@ -169,7 +169,6 @@ class Generator:
         if kind == "rigid":
             kind = "spherical"
         model.joints.append(self.joint(f"loop{number}", kind, a, b, place))
-        model.extra = [("Redundant constraints", "drop")]
 
     def on_the_plane(self, model):
         """A ball that rolls, or a blade that does not slip, on the ground, a free body."""

@@ -222,7 +222,6 @@ class Mechanism:
     radius: float = 0.5
     newton: float = 1e-10
     modes: int = 6
-    extra: list = field(default_factory=list)  # entries outside of all subsections
 
     def body(self, point):
         """The body and the name of the point in "body.point"."""
@@ -265,7 +264,6 @@ class Mechanism:
         """The file as nested lists of (entry, value) and (subsection, list)."""
         yield "Title", self.title
         yield "Analyses", ", ".join(self.analyses)
-        yield from self.extra
         yield "Sections", [("of " + b.name, list(b.section_text(world))) for b in self.bodies if isinstance(b, Beam)]
         yield "Bodies", [(body.name, list(body.text(world))) for body in self.bodies]
         yield "Joints", [(joint.name, list(joint.text(world))) for joint in (*self.joints, *self.gears)]
