@@ -487,8 +487,10 @@ namespace samara
     std::vector<int> result;
     for (int j = 0; j < X.cols(); ++j)
       {
-        const double terms = change.cwiseProduct(X.col(j)).cwiseAbs().sum();
-        if (terms > 0 && std::abs(change.dot(X.col(j))) > 0.1 * terms)
+        // entries that are round-off are none
+        const double terms = change.cwiseProduct(X.col(j)).cwiseAbs().sum(),
+                     noise = 1e-6 * X.col(j).lpNorm<Eigen::Infinity>() * change.lpNorm<Eigen::Infinity>();
+        if (terms > noise && std::abs(change.dot(X.col(j))) > 0.1 * terms)
           result.push_back(j);
       }
     return result;

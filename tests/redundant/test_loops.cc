@@ -177,6 +177,20 @@ TEST(Redundant, TwoDrivesThatContradictEachOther)
 
 
 
+// A drive that has no part in the loop contradicts nothing, round-off or not.
+TEST(Redundant, ADriveElsewhereContradictsNothing)
+{
+  std::string text = parallelogram(0.3 * M_PI);
+  text.insert(text.find("end\nsubsection Joints"), bar("arm", Vector3(0.4, 0.7, 0), Vector3(0.9, 1.3, 0)));
+  text.insert(text.find("end\nsubsection Loads"),
+              revolute("again", "ground", "left.a") + revolute("shoulder", "left.b", "arm.a", driven("0.3*sin(2*t)")));
+  Scene scene(text);
+  EXPECT_EQ(redundancy(scene).redundant_multipliers.size(), 8u);
+  EXPECT_TRUE(redundancy(scene).contradictions.empty());
+}
+
+
+
 // A ball rolls between the floor and a lid that a planar joint holds: its distance to both is said once too often. It
 // rolls half as fast as the lid: (M + m/4 + J/(4 r²)) a = M g + m g/2, g along x.
 TEST(Redundant, BallBetweenFloorAndLid)
