@@ -181,7 +181,8 @@ TEST(Redundant, TwoDrivesThatContradictEachOther)
 TEST(Redundant, ADriveElsewhereContradictsNothing)
 {
   std::string text = parallelogram(0.3 * M_PI);
-  text.insert(text.find("end\nsubsection Joints"), bar("arm", Vector3(0.4, 0.7, 0), Vector3(0.9, 1.3, 0)));
+  text.insert(text.find("end\nsubsection Joints"),
+              bar("arm", Vector3(std::cos(0.3 * M_PI), std::sin(0.3 * M_PI), 0), Vector3(0.9, 1.3, 0)));
   text.insert(text.find("end\nsubsection Loads"),
               revolute("again", "ground", "left.a") + revolute("shoulder", "left.b", "arm.a", driven("0.3*sin(2*t)")));
   Scene scene(text);
