@@ -140,6 +140,10 @@ namespace samara
     std::vector<double> breaks = curve->corners();
     breaks.push_back(0.);
     breaks.push_back(L);
+    if (const auto sides = sorted(breaks, L); sides.size() < breaks.size())
+      model->complaints.add(parameters.where("Points"),
+                            "beam <" + name + "> has a side of less than a billionth of its " + short_number(L) +
+                              " m: its place would be lost in round-off. Is a unit wrong?");
     for (const auto &text : frame_names)
       {
         std::string point, place;

@@ -77,7 +77,7 @@ main()
      "prm/benchmarks/deep_arch.prm",
      "arch",
      "arch.middle",
-     {"Static/Path = arc length", "Static/Arc length = 60", "Static/Stability limits = pass"},
+     {"Static/Path = arc length"},
      64}};
   for (const auto &model : cases)
     {
@@ -89,7 +89,7 @@ main()
                   fine.x(2));
       std::printf("|---|---|---|---|---|---|\n");
       for (unsigned int degree = 1; degree <= 4; ++degree)
-        for (const unsigned int elements : {2, 3, 4, 6, 8, 10, 12, 16, 24, 32, 64})
+        for (const unsigned int elements : {2, 4, 6, 8, 10, 12, 16, 24, 32, 64})
           {
             const Found found = solve(model, degree, elements);
             std::printf("| %u | %u | %.0f | %.1f | %.1e%s | %s |\n",
