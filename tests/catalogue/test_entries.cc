@@ -427,7 +427,8 @@ TEST_F(Catalogued, Modes)
          {"Shift", "40", {"Modal/Modes = 2"}},
          {"Hold rotations", "true"},
          {"Axes", "fixed"},
-         {"Animations", "1"}});
+         {"Animations", "1"}},
+        {{"Unsteady motion", "only where parts do not turn steadily: tests/modes/test_rotors.cc"}});
 }
 
 
