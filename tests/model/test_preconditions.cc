@@ -1,6 +1,5 @@
 // What a debug build catches: errors of programmers, in each room that has preconditions. (A release does not look.)
 
-#include "../scene.h"
 #include <samara/cosserat/element_table.h>
 #include <samara/rotation/rotation.h>
 #include <samara/solvers/linear.h>
@@ -8,6 +7,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include "../scene.h"
 #include <gtest/gtest.h>
 
 using namespace samara;
