@@ -2,7 +2,6 @@
 the run says so, and its line goes."""
 
 KNOWN = {
-    "mechanism 100": "rows that repeat each other beside a drive of another joint are taken for a contradiction",
     "mutant 10": "a model without bodies is refused without a line",
     "extreme distance / Length = 1e12": "a constraint that is violated at the start is refused without a line",
     "extreme universal / rotation 2 / Prescribed = 1/t": "a drive that is infinite at the start is refused without a line",
