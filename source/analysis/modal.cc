@@ -1,5 +1,6 @@
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
+#include <samara/base/errors.h>
 #include <samara/output/pictures.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
@@ -11,70 +12,19 @@
 
 namespace samara
 {
-  namespace
-  {
-    /** The constant rotation rate of each node's axes, blockdiag(Ω~, Ω~). */
-    Matrix6
-    turning(const State &state, const unsigned int node)
-    {
-      Matrix6 W                 = Matrix6::Zero();
-      W.topLeftCorner<3, 3>() = W.bottomRightCorner<3, 3>() =
-        skew(Eigen::Map<const Vector6>(&state.y[6 * node]).tail<3>());
-      return W;
-    }
-
-
-
-    /** B += factor · A W, W block diagonal with one block for each node. */
-    void
-    add_times_turning(const System &system, const State &state, const double factor, const SparseMatrix &A, SparseMatrix &B)
-    {
-      const Pattern &pattern = *A.pattern;
-      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-        {
-          const Matrix6 W     = factor * turning(state, node);
-          const int     first = system.layout.of_node(node);
-          // the six columns of a node have the same rows, as all couplings are by nodes
-          const int n = pattern.column_start[first + 1] - pattern.column_start[first];
-          const Eigen::Map<const Eigen::MatrixXd> a(&A.values[pattern.column_start[first]], n, 6);
-          Eigen::Map<Eigen::MatrixXd>             b(&B.values[pattern.column_start[first]], n, 6);
-          b += a * W;
-        }
-    }
-  } // namespace
-
-
-
-  Linearization::Linearization(const System &system, const State &state, const bool fixed_axes)
-    : M(system.layout.pattern)
-    , C(system.layout.pattern)
-    , K(system.layout.pattern)
-  {
-    system.mass(M);
-    system.damping(state, C);
-    system.tangent(state, K);
-    if (!fixed_axes)
-      return;
-    // ζ = Rᵀη with R turning at W: ζ̇ = η̇ − Wη, ζ̈ = η̈ − 2Wη̇ + W²η
-    SparseMatrix MW(system.layout.pattern);
-    add_times_turning(system, state, 1., M, MW);
-    add_times_turning(system, state, -1., C, K);
-    add_times_turning(system, state, 1., MW, K);
-    C.add(-2., MW);
-  }
-
-
-
   void
   ModalAnalysis::add_parameters(Parameters &prm)
   {
     using namespace dealii::Patterns;
     prm.add("Modes", n_modes, "Number of modes, those of lowest frequency.", Integer(1));
-    prm.add("Shift",
-            shift,
-            "Modes nearest to this real number are found; it must not be an eigenvalue itself, such as 0 when something can "
-            "move freely [rad/s].");
-    prm.add("Hold rotations", hold, "Whether joints in steady rotation keep their speed, or are free to follow the motion.");
+    prm.add(
+      "Shift",
+      shift,
+      "Modes nearest to this real number are found; 0: those of lowest frequency, about a number found from the model "
+      "[rad/s].");
+    prm.add("Hold rotations",
+            hold,
+            "Whether joints in steady rotation keep their speed, or are free to follow the motion.");
     prm.add("Axes",
             axes,
             "Axes in which small motions are seen: turning with each body; fixed in space at the moment of the state; "
@@ -103,7 +53,8 @@ namespace samara
     require_finite_state(system, context.state);
     check_motion(context);
     State state = context.state;
-    state.held  = hold;
+    check_equilibrium(system, state);
+    state.held = hold;
     if (!state.left_out.empty())
       RedundantRows(system).choose(state);
 
@@ -112,43 +63,15 @@ namespace samara
       context.log.line("  modal: parts turn against each other; modes are those seen in fixed axes at this moment "
                        "(constant in time if the turning parts are axisymmetric)");
     const Linearization linearization(system, state, fixed);
-    for (const auto *const A : {&linearization.M, &linearization.C, &linearization.K})
+    for (const auto *const A : {&linearization.M, &linearization.gyroscopic, &linearization.S})
       require_finite_matrix(system, *A);
-    try
-      {
-        modes = find_modes(linearization.M,
-                           linearization.C,
-                           linearization.K,
-                           system.layout.of_multiplier(0),
-                           n_modes,
-                           shift);
-      }
-    catch (const SingularMatrix &singular)
-      {
-        throw NotConverged("modal analysis: the matrix is singular at " +
-                           (singular.unknown < 0 ? std::string("an unknown") : system.layout.name_of(singular.unknown)) +
-                           ".\n  Choose a <Shift> that is not an eigenvalue (not 0 if something can move freely); if it "
-                           "stays singular, a constraint is there twice or something has neither mass nor stiffness.");
-      }
-    track(linearization);
+    check_mass(linearization);
+    find(context, linearization);
+    branches = tracking.follow(modes, linearization.M);
     report(context);
+    check_errors(context);
     if (!context.sweep.empty())
-      {
-        if (!fan)
-          fan = std::make_unique<Table>(std::vector<std::string>{"speed [rad/s]",
-                                                                 "branch",
-                                                                 "frequency [rad/s]",
-                                                                 "damping ratio",
-                                                                 "real [1/s]",
-                                                                 "imaginary [rad/s]"});
-        for (unsigned int i = 0; i < modes.size(); ++i)
-          fan->add_row({context.speeds[0],
-                        branches[i],
-                        modes[i].frequency(),
-                        modes[i].damping_ratio(),
-                        modes[i].lambda.real(),
-                        modes[i].lambda.imag()});
-      }
+      add_to_fan(context);
     if (context.pictures && context.is_shown() && !context.folder.empty())
       for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
         animate(context, k);
@@ -176,62 +99,94 @@ namespace samara
 
 
   void
-  ModalAnalysis::track(const Linearization &linearization)
+  ModalAnalysis::check_equilibrium(const System &system, State &state) const
   {
-    branches.assign(modes.size(), 0);
-    std::vector<Mode> by_branch;
-    if (previous.empty())
+    Imbalance imbalance;
+    try
       {
-        for (unsigned int i = 0; i < modes.size(); ++i)
-          branches[i] = i + 1;
-        previous = modes;
-        return;
+        imbalance = balance_stresses(system, state);
       }
-    // mass-weighted assurance criterion between all pairs, the best pairs first
-    const unsigned int n = modes[0].shape.size();
-    const auto weighted  = [&](const Eigen::VectorXcd &shape) {
-      std::vector<double> re(linearization.M.pattern->size(), 0.), im = re, Mre = re, Mim = re;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          re[i] = shape(i).real();
-          im[i] = shape(i).imag();
-        }
-      linearization.M.multiply(re.data(), Mre.data());
-      linearization.M.multiply(im.data(), Mim.data());
-      Eigen::VectorXcd result(n);
-      for (unsigned int i = 0; i < n; ++i)
-        result(i) = {Mre[i], Mim[i]};
-      return result;
-    };
-    std::vector<Eigen::VectorXcd> weighted_shapes;
-    for (const auto &mode : modes)
-      weighted_shapes.push_back(weighted(mode.shape));
-    std::vector<std::tuple<double, unsigned int, unsigned int>> pairs;
-    for (unsigned int j = 0; j < previous.size(); ++j)
+    catch (const SingularMatrix &)
       {
-        const double norm = previous[j].shape.dot(weighted(previous[j].shape)).real();
-        for (unsigned int i = 0; i < modes.size(); ++i)
-          pairs.emplace_back(std::norm(previous[j].shape.dot(weighted_shapes[i])) /
-                               std::max(1e-300, norm * modes[i].shape.dot(weighted_shapes[i]).real()),
-                             i,
-                             j);
+        return; // find() says where
       }
-    std::sort(pairs.rbegin(), pairs.rend());
-    std::vector<bool> taken(previous.size(), false);
-    for (const auto &[mac, i, j] : pairs)
-      if (branches[i] == 0 && !taken[j] && mac > 0.3)
-        {
-          branches[i] = j + 1;
-          taken[j]    = true;
-          previous[j] = modes[i];
-        }
-    // shapes never seen before begin new branches
+    if (imbalance.is_large())
+      throw NotConverged(
+        "modal analysis: the state is not an equilibrium: loads or inertia forces act that its stresses do not "
+        "balance.\n  Modes would be those of a state that does not last. Find the equilibrium first: set Analyses = "
+        "static, modal.");
+  }
+
+
+
+  void
+  ModalAnalysis::check_mass(const Linearization &linearization) const
+  {
+    const auto &values = linearization.M.values;
+    if (std::all_of(values.begin(), values.end(), [](const double m) { return m == 0.; }))
+      throw NotConverged(
+        "modal analysis: nothing that can move has mass.\n  Give the sections a density or mass, or the "
+        "rigid bodies a mass.");
+  }
+
+
+
+  void
+  ModalAnalysis::find(const Context &context, const Linearization &linearization)
+  {
+    Modes result;
+    try
+      {
+        result = find_modes(linearization, n_modes, shift == 0. ? std::optional<double>() : shift);
+      }
+    catch (const SingularMatrix &singular)
+      {
+        throw NotConverged(
+          "modal analysis: the matrix is singular at " +
+          (singular.unknown < 0 ? std::string("an unknown") : context.system.layout.name_of(singular.unknown)) +
+          ".\n  A constraint is there twice, or something has neither mass nor stiffness; or the <Shift> is an "
+          "eigenvalue.");
+      }
+    modes = result.found;
+    if (result.is_all)
+      context.log.line("  modal: only " + std::to_string(modes.size()) + " of " + std::to_string(n_modes) +
+                       " modes are there: no other motion moves mass, or all lie a million times higher");
+  }
+
+
+
+  void
+  ModalAnalysis::check_errors(const Context &context) const
+  {
     for (unsigned int i = 0; i < modes.size(); ++i)
-      if (branches[i] == 0)
-        {
-          previous.push_back(modes[i]);
-          branches[i] = previous.size();
-        }
+      {
+        const std::string text = "mode " + std::to_string(i + 1) + " at " + short_text(modes[i].frequency()) +
+                                 " rad/s has an estimated error of " + short_text(100 * modes[i].error) + " %";
+        if (!(modes[i].error < 1e-2))
+          throw NotConverged(
+            "modal analysis: " + text +
+            ".\n  It is lost in round-off. Set the <Shift> to about its frequency, ask for fewer modes, or "
+            "look for stiffnesses and masses that differ by many orders of magnitude.");
+        if (modes[i].error > 1e-6)
+          context.log.warning("modal", text + "; set the <Shift> to about its frequency, or ask for fewer modes");
+      }
+  }
+
+
+
+  void
+  ModalAnalysis::add_to_fan(const Context &context)
+  {
+    if (!fan)
+      fan = std::make_unique<Table>(std::vector<std::string>{
+        "speed [rad/s]", "branch", "frequency [rad/s]", "damping ratio", "real [1/s]", "imaginary [rad/s]"});
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      fan->add_row({context.speeds[0],
+                    branches[i],
+                    modes[i].frequency(),
+                    modes[i].damping_ratio(),
+                    modes[i].lambda.real(),
+                    modes[i].lambda.imag()});
   }
 
 
@@ -260,16 +215,33 @@ namespace samara
   void
   ModalAnalysis::report(Context &context) const
   {
-    Table table({"mode", "frequency [rad/s]", "frequency [Hz]", "damping ratio", "real [1/s]", "imaginary [rad/s]"});
+    Table table({"mode",
+                 "frequency [rad/s]",
+                 "frequency [Hz]",
+                 "damping ratio",
+                 "real [1/s]",
+                 "imaginary [rad/s]",
+                 "estimated relative error"});
     for (unsigned int i = 0; i < modes.size(); ++i)
       {
         const Mode &m = modes[i];
-        table.add_row({i + 1, m.frequency(), m.frequency() / (2 * M_PI), m.damping_ratio(), m.lambda.real(), m.lambda.imag()});
+        table.add_row({i + 1,
+                       m.frequency(),
+                       m.frequency() / (2 * M_PI),
+                       m.damping_ratio(),
+                       m.lambda.real(),
+                       m.lambda.imag(),
+                       m.error});
         std::ostringstream line;
-        line << "  mode " << i + 1 << ": " << short_text(m.frequency()) << " rad/s, damping ratio "
-             << short_text(std::abs(m.damping_ratio()) < 1e-10 ? 0. : m.damping_ratio()) << "  (";
+        line << "  mode " << i + 1 << ": ";
+        if (m.is_free())
+          line << "0 rad/s, a free motion  (";
+        else
+          line << short_text(m.frequency()) << " rad/s, damping ratio "
+               << short_text(std::abs(m.damping_ratio()) < 10 * m.error + 1e-10 ? 0. : m.damping_ratio()) << "  (";
         const auto shares = participation(context.system, m);
-        for (unsigned int k = 0; k < std::min<unsigned int>(3, shares.size()) && (k == 0 || shares[k].second > 0.02); ++k)
+        for (unsigned int k = 0; k < std::min<unsigned int>(3, shares.size()) && (k == 0 || shares[k].second > 0.02);
+             ++k)
           line << (k > 0 ? ", " : "") << shares[k].first << " " << std::lround(100 * shares[k].second) << " %";
         context.log.line(line.str() + ")");
       }
@@ -286,15 +258,15 @@ namespace samara
   void
   ModalAnalysis::animate(const Context &context, const unsigned int k) const
   {
-    const System &system = context.system;
-    Eigen::VectorXcd shape = modes[k].shape;
+    const System    &system = context.system;
+    Eigen::VectorXcd shape  = modes[k].shape;
     // the phase in which it is largest comes first, at a twentieth of the model's size
     double               largest = 0;
     std::complex<double> phase   = 1;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       for (unsigned int i = 0; i < 6; ++i)
         {
-          const auto   z = shape(system.layout.of_node(node) + i);
+          const auto   z    = shape(system.layout.of_node(node) + i);
           const double size = std::abs(z) * (i < 3 ? 1. : 0.1 * model_length(system.model));
           if (size > largest)
             {

@@ -2,6 +2,7 @@
 
 #include <samara/base/threads.h>
 #include <samara/cosserat/cosserat.h>
+#include <samara/model/strain_rows.h>
 
 namespace samara
 {
@@ -194,7 +195,8 @@ namespace samara
       [&](const unsigned int i, Eigen::MatrixXd &K_element) {
         Scratch &s = scratch();
         to_tying(i, stress + n * elements[i].first_point, s.tied.data());
-        add_material(i, &Material::stiffness, K_element);
+        if (point.material)
+          add_material(i, &Material::stiffness, K_element);
         add_geometric(i, s.tied.data(), K_element);
       },
       point);
@@ -206,7 +208,7 @@ namespace samara
   void
   Cosserat<dim>::damping(const Point<double> &point, SparseMatrix &C) const
   {
-    if (!has_damping())
+    if (!has_damping() || !point.material)
       return;
     add_matrices(
       C,
@@ -216,6 +218,40 @@ namespace samara
 
 
 
+  template <int dim>
+  void
+  Cosserat<dim>::strain_rows(const Point<double> &point, StrainRows &rows) const
+  {
+    RowMajor &B = scratch().B;
+    for (unsigned int i = 0; i < n_elements(); ++i)
+      {
+        const Element &element = elements[i];
+        interpolate_element(i, point.q);
+        B.resize(n * element.table->n_points, 6 * element.table->n_nodes);
+        strain_matrix(i, B);
+        element.block.to_nodes(B);
+        for (unsigned int g = 0; g < element.table->n_points; ++g)
+          {
+            const IntegrationPoint &at       = points[element.first_point + g];
+            const Material         &material = materials[at.material];
+            rows.add_point(this->first_strain + n * (element.first_point + g),
+                           at.weight,
+                           material.stiffness,
+                           material.viscosity);
+            for (unsigned int row = 0; row < n; ++row)
+              {
+                rows.begin_row();
+                for (int j = 0; j < B.cols(); ++j)
+                  rows.add_entry(element.block.row(j), B(n * g + row, j));
+              }
+          }
+      }
+  }
+
+
+
+  template void Cosserat<1>::strain_rows(const Point<double> &, StrainRows &) const;
+  template void Cosserat<2>::strain_rows(const Point<double> &, StrainRows &) const;
   template void Cosserat<1>::add_material(unsigned int, MatrixN Material::*, Eigen::MatrixXd &) const;
   template void Cosserat<1>::add_geometric(unsigned int, const Vec6<double> *, Eigen::MatrixXd &) const;
   template void Cosserat<1>::tangent(const Point<double> &, SparseMatrix &) const;

@@ -1,5 +1,6 @@
 #include <samara/joints/flexible_joint.h>
 #include <samara/joints/joint.h>
+#include <samara/model/strain_rows.h>
 
 #include <algorithm>
 #include <array>
@@ -192,7 +193,7 @@ namespace samara
   void
   FlexibleJoint::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    add(point, C, true, K);
+    add(point, point.material ? C : Matrix6(Matrix6::Zero()), true, K);
   }
 
 
@@ -200,8 +201,29 @@ namespace samara
   void
   FlexibleJoint::damping(const Point<double> &point, SparseMatrix &matrix) const
   {
-    if (has_damping())
+    if (has_damping() && point.material)
       add(point, C_d, false, matrix);
+  }
+
+
+
+  void
+  FlexibleJoint::strain_rows(const Point<double> &point, StrainRows &rows) const
+  {
+    const PairValues<double> pair(frame_a, frame_b, point.q);
+    Eigen::Matrix<double, 6, 12, Eigen::RowMajor> B = Eigen::Matrix<double, 6, 12, Eigen::RowMajor>::Zero();
+    for_each_function([&](const unsigned int i, const double factor, const PairFunction &function) {
+      Vector12 gradient = Vector12::Zero();
+      function.add_gradient(pair, factor, gradient);
+      B.row(i) += gradient.transpose();
+    });
+    rows.add_point(first_strain, 1., C, C_d);
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        rows.begin_row();
+        for (unsigned int j = 0; j < 12; ++j)
+          rows.add_entry(block.row(j), B(i, j));
+      }
   }
 
 

@@ -1,4 +1,5 @@
 #include <samara/joints/joint.h>
+#include <samara/model/strain_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -340,7 +341,7 @@ namespace samara
         const auto        of    = m.derivatives(pair, point.coordinates[m.coordinate]);
         const Vector12    first = gradient(m.first, pair);
         Vector12          g     = of.first * first;
-        block.add_entry(i, i, m.spring + *lambda * of.curvature, K);
+        block.add_entry(i, i, (point.material ? m.spring : 0.) + *lambda * of.curvature, K);
         add_symmetric(i, row, of.slope);
         twists.add(m.first, *lambda * of.first);
         if (m.is_angle())
@@ -372,7 +373,7 @@ namespace samara
         s.velocity.add_derivative(pair, *lambda++, H);
         block.add_border(row++, coefficients, K);
       }
-    for (unsigned int i = 0; i < stops.size(); ++i)
+    for (unsigned int i = 0; i < stops.size() && point.material; ++i)
       {
         const unsigned int k = 12 + stops[i].motion;
         block.add_entry(k, k, touches(point, i) * used[stops[i].motion]->stop_stiffness, K);
@@ -384,8 +385,29 @@ namespace samara
 
 
   void
+  Joint::strain_rows(const Point<double> &point, StrainRows &strain_rows) const
+  {
+    const auto add = [&](const unsigned int i, const unsigned int motion, const double k, const double c, const double factor) {
+      strain_rows.add_point(first_strain + i, 1., Eigen::Matrix<double, 1, 1>(k), Eigen::Matrix<double, 1, 1>(c));
+      strain_rows.begin_row();
+      strain_rows.add_entry(block.row(12 + motion), factor);
+    };
+    for (unsigned int i = 0; i < used.size(); ++i)
+      add(i, i, used[i]->spring, used[i]->damper, 1.);
+    for (unsigned int i = 0; i < stops.size(); ++i)
+      {
+        const FreeMotion &m = *used[stops[i].motion];
+        add(used.size() + i, stops[i].motion, m.stop_stiffness, m.stop_damping, touches(point, i));
+      }
+  }
+
+
+
+  void
   Joint::damping(const Point<double> &point, SparseMatrix &C) const
   {
+    if (!point.material)
+      return;
     for (unsigned int i = 0; i < used.size(); ++i)
       block.add_entry(12 + i, 12 + i, used[i]->damper, C);
     for (unsigned int i = 0; i < stops.size(); ++i)

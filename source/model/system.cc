@@ -1,3 +1,4 @@
+#include <samara/model/strain_rows.h>
 #include <samara/model/system.h>
 
 #include <deal.II/base/exceptions.h>
@@ -157,13 +158,15 @@ namespace samara
 
 
   void
-  System::tangent(const State &state, SparseMatrix &K) const
+  System::tangent(const State &state, SparseMatrix &K, const bool with_material) const
   {
     Assert(fits(state, layout), ExcOtherSystem());
     Assert(K.pattern == layout.pattern, ExcOtherPattern());
     K.clear();
+    Point<double> point = state.point();
+    point.material      = with_material;
     for (const auto &c : model.contributions)
-      c->tangent(state.point(), K);
+      c->tangent(point, K);
     if (std::any_of(state.y.begin(), state.y.end(), [](const double v) { return v != 0.; }))
       add_nodal(layout, K, [&](const unsigned int node) -> Matrix6 {
         const Eigen::Map<const Vector6> y(&state.y[6 * node]);
@@ -188,14 +191,27 @@ namespace samara
 
 
 
+  StrainRows
+  System::strain_rows(const State &state) const
+  {
+    StrainRows rows(size());
+    for (const auto &c : model.contributions)
+      c->strain_rows(state.point(), rows);
+    return rows;
+  }
+
+
+
   void
-  System::damping(const State &state, SparseMatrix &C) const
+  System::damping(const State &state, SparseMatrix &C, const bool with_material) const
   {
     Assert(fits(state, layout), ExcOtherSystem());
     Assert(C.pattern == layout.pattern, ExcOtherPattern());
     C.clear();
+    Point<double> point = state.point();
+    point.material      = with_material;
     for (const auto &c : model.contributions)
-      c->damping(state.point(), C);
+      c->damping(point, C);
     add_nodal(layout, C, [&](const unsigned int node) -> Matrix6 {
       const Eigen::Map<const Vector6> y(&state.y[6 * node]);
       const Matrix6                  &M = model.nodes[node].inertia;

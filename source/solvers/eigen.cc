@@ -1,298 +1,290 @@
 #include <samara/base/errors.h>
+#include <samara/solvers/arnoldi.h>
 #include <samara/solvers/eigen.h>
-#include <samara/solvers/linear.h>
-
-#include <AnasaziBasicEigenproblem.hpp>
-#include <AnasaziBlockKrylovSchurSolMgr.hpp>
-#include <AnasaziEpetraAdapter.hpp>
-#include <Epetra_Map.h>
-#include <Epetra_MultiVector.h>
-#include <Epetra_Operator.h>
-#include <Epetra_SerialComm.h>
+#include <samara/solvers/frequency_scale.h>
+#include <samara/solvers/shift_invert.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace samara
 {
   namespace
   {
-    /** The nonzero entries of a matrix, for products: mass and damping fill little of the system's pattern. */
-    struct Entries
+    using Complex = std::complex<double>;
+
+    /** An eigenvalue of the shifted problem and its ζ. */
+    struct EigenPair
     {
-      std::vector<int>    rows, columns;
-      std::vector<double> values;
-
-      explicit Entries(const SparseMatrix &A)
-      {
-        for (int j = 0; j < A.pattern->size(); ++j)
-          for (int k = A.pattern->column_start[j]; k < A.pattern->column_start[j + 1]; ++k)
-            if (A.values[k] != 0.)
-              {
-                rows.push_back(A.pattern->rows[k]);
-                columns.push_back(j);
-                values.push_back(A.values[k]);
-              }
-      }
-
-      void
-      add_product(const double factor, const double *x, double *y) const
-      {
-        for (unsigned int k = 0; k < values.size(); ++k)
-          y[rows[k]] += factor * values[k] * x[columns[k]];
-      }
+      Complex          lambda;
+      Eigen::VectorXcd zeta;
     };
 
 
 
-    /**
-     * (A − σB)⁻¹ B of the first-order form with the states z = (ζ, v):
-     * v' − σζ' = ζ and −(K + σC + σ²M) ζ' − Gᵀμ = M v + (C + σM) ζ, G ζ' = 0.
-     */
-    class ShiftInvert : public Epetra_Operator
-    {
-    public:
-      ShiftInvert(const SparseMatrix &M,
-                  const SparseMatrix &C,
-                  const SparseMatrix &K,
-                  const unsigned int  n,
-                  const double        shift)
-        : n(n)
-        , shift(shift)
-        , M(M)
-        , C(C)
-        , solver(make_solver(K.pattern))
-        , b(K.pattern->size())
-        , map(static_cast<int>(2 * n), 0, communicator)
-      {
-        SparseMatrix saddle = K;
-        saddle.add(shift, C);
-        saddle.add(shift * shift, M);
-        solver->factorize(saddle);
-      }
-
-      void
-      apply(const double *z, double *result) const
-      {
-        std::fill(b.begin(), b.end(), 0.);
-        M.add_product(-1., z + n, b.data());
-        C.add_product(-1., z, b.data());
-        M.add_product(-shift, z, b.data());
-        solver->solve(b.data());
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            result[i]     = b[i];
-            result[n + i] = z[i] + shift * b[i];
-          }
-      }
-
-      /** @name Epetra_Operator @{ */
-      int
-      Apply(const Epetra_MultiVector &X, Epetra_MultiVector &Y) const override
-      {
-        for (int j = 0; j < X.NumVectors(); ++j)
-          apply(X[j], Y[j]);
-        return 0;
-      }
-      int
-      SetUseTranspose(bool) override
-      {
-        return -1;
-      }
-      int
-      ApplyInverse(const Epetra_MultiVector &, Epetra_MultiVector &) const override
-      {
-        return -1;
-      }
-      double
-      NormInf() const override
-      {
-        return 0;
-      }
-      const char *
-      Label() const override
-      {
-        return "shift-invert of the linearised motion";
-      }
-      bool
-      UseTranspose() const override
-      {
-        return false;
-      }
-      bool
-      HasNormInf() const override
-      {
-        return false;
-      }
-      const Epetra_Comm &
-      Comm() const override
-      {
-        return communicator;
-      }
-      const Epetra_Map &
-      OperatorDomainMap() const override
-      {
-        return map;
-      }
-      const Epetra_Map &
-      OperatorRangeMap() const override
-      {
-        return map;
-      }
-      /** @} */
-
-      const unsigned int n;
-      const double       shift;
-
-    private:
-      Entries                       M, C;
-      std::unique_ptr<LinearSolver> solver;
-      mutable std::vector<double>   b;
-      Epetra_SerialComm             communicator;
-      Epetra_Map                    map;
-    };
-
-
-
-    void
-    add_mode(std::vector<Mode> &modes, const std::complex<double> &nu, const double shift, const Eigen::VectorXcd &z)
-    {
-      Mode mode;
-      mode.lambda = shift + 1. / nu;
-      if (mode.lambda.imag() < 0)
-        return; // its conjugate stands for both
-      mode.shape = z / z.norm();
-      modes.push_back(mode);
-    }
-
-
-
-    /** An orthonormal basis of the motions that obey the constraints, G ζ = 0. */
+    /** An orthonormal basis of the motions that obey the constraints, G ζ = 0, in the motion's units. */
     Eigen::MatrixXd
-    admissible(const SparseMatrix &K, const unsigned int n)
+    admissible(const LinearMotion &motion)
     {
-      const Eigen::MatrixXd Gt = K.dense().topRightCorner(n, K.pattern->size() - n);
+      const unsigned int n  = motion.n_kinematic;
+      Eigen::MatrixXd    Gt = motion.S.dense().topRightCorner(n, motion.S.pattern->size() - n);
+      for (unsigned int i = 0; i < n; ++i)
+        Gt.row(i) *= motion.units[i];
       if (Gt.cols() == 0)
         return Eigen::MatrixXd::Identity(n, n);
-      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
+      for (int j = 0; j < Gt.cols(); ++j)
+        if (Gt.col(j).norm() > 0)
+          Gt.col(j).normalize();
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
+      qr.setThreshold(1e-12);
       return Eigen::MatrixXd(qr.householderQ()).rightCols(n - qr.rank());
     }
 
 
 
     /**
-     * All modes by the dense matrix of the same operator in a basis of the admissible motions. Without this projection the
-     * infinite eigenvalues of the constraints, which are threefold defective, would come out as large finite ones.
+     * All modes by the columns of the operator in a basis of the admissible motions. Without it the infinite
+     * eigenvalues of the constraints, which are threefold defective, would come out as large finite ones.
      */
-    std::vector<Mode>
-    dense_modes(const SparseMatrix &M, const SparseMatrix &C, const SparseMatrix &K, const unsigned int n, const double shift)
+    std::vector<EigenPair>
+    dense_pairs(const LinearMotion &motion, const ShiftInvert &op)
     {
-      const Eigen::MatrixXd Z = admissible(K, n);
+      const unsigned int    n = motion.n_kinematic;
+      const Eigen::MatrixXd Z = admissible(motion);
       const unsigned int    m = Z.cols();
+      Eigen::MatrixXd       A(2 * m, 2 * m);
+      Eigen::VectorXd       z(2 * n), image(2 * n);
+      for (unsigned int j = 0; j < 2 * m; ++j)
+        {
+          z.setZero();
+          z.segment(j < m ? 0 : n, n) = Z.col(j % m);
+          op.apply(z.data(), image.data());
+          A.col(j) << Z.transpose() * image.head(n), Z.transpose() * image.tail(n);
+        }
       if (m == 0)
         return {};
-      const auto reduced      = [&](const SparseMatrix &A) -> Eigen::MatrixXd {
-        return Z.transpose() * A.dense().topLeftCorner(n, n) * Z;
-      };
-      const Eigen::MatrixXd Mr = reduced(M), Cr = reduced(C);
-      const Eigen::PartialPivLU<Eigen::MatrixXd> lu(reduced(K) + shift * Cr + shift * shift * Mr);
-      Eigen::MatrixXd                            A(2 * m, 2 * m);
-      A << -lu.solve(Cr + shift * Mr), -lu.solve(Mr), Eigen::MatrixXd::Identity(m, m), Eigen::MatrixXd::Zero(m, m);
-      A.bottomRows(m) += shift * A.topRows(m);
       const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
       // what has no mass is twice defective at zero: its eigenvalues are there to the root of round-off
-      const double      zero = 1e-7 * eigen.eigenvalues().cwiseAbs().maxCoeff();
-      std::vector<Mode> modes;
+      const double           zero = 1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+      std::vector<EigenPair> pairs;
       for (unsigned int i = 0; i < 2 * m; ++i)
         if (std::abs(eigen.eigenvalues()(i)) > zero)
-          add_mode(modes, eigen.eigenvalues()(i), shift, Z * eigen.eigenvectors().col(i).head(m));
-      return modes;
+          pairs.push_back({op.shift() + 1. / eigen.eigenvalues()(i),
+                           op.zeta(Z.cast<Complex>() * eigen.eigenvectors().col(i).head(m))});
+      return pairs;
     }
 
 
 
-    std::vector<Mode>
-    krylov_modes(const Teuchos::RCP<ShiftInvert> &op, const unsigned int n_modes, const unsigned int n_blocks, const unsigned int attempt)
+    /** The least number from @p wanted on of the largest values with which no complex pair is parted. */
+    unsigned int
+    closed(const std::vector<Complex> &values, const unsigned int wanted)
     {
-      using MV      = Epetra_MultiVector;
-      using Problem = Anasazi::BasicEigenproblem<double, MV, Epetra_Operator>;
-
-      // a start vector with all modes in it and, after one application, without the infinite ones
-      auto start = Teuchos::rcp(new MV(op->OperatorDomainMap(), 1));
-      for (unsigned int i = 0; i < 2 * op->n; ++i)
-        (*start)[0][i] = std::sin(1. + (1.7 + 0.3 * attempt) * i);
-      MV copy(*start);
-      op->Apply(copy, *start);
-
-      auto problem = Teuchos::rcp(new Problem(op, start));
-      problem->setHermitian(false);
-      problem->setNEV(2 * n_modes);
-      problem->setProblem();
-
-      Teuchos::ParameterList parameters;
-      parameters.set("Which", std::string("LM"));
-      parameters.set("Block Size", 1);
-      parameters.set("Num Blocks", static_cast<int>(n_blocks));
-      parameters.set("Maximum Restarts", 200);
-      parameters.set("Convergence Tolerance", 1e-10);
-      parameters.set("Verbosity", static_cast<int>(Anasazi::Errors));
-      Anasazi::BlockKrylovSchurSolMgr<double, MV, Epetra_Operator> manager(problem, parameters);
-      if (manager.solve() != Anasazi::Converged)
-        throw NotConverged("the Arnoldi iteration did not find all " + std::to_string(n_modes) +
-                           " modes; ask for fewer or move the shift nearer to them");
-
-      const auto       &solution = problem->getSolution();
-      const MV         &vectors  = *solution.Evecs;
-      std::vector<Mode> modes;
-      for (int i = 0; i < solution.numVecs; ++i)
+      int balance = 0;
+      for (unsigned int k = 0; k < values.size(); ++k)
         {
-          // index 0: a real one; 1: real part of a pair, imaginary part next; -1: the conjugate
-          const int              index = solution.index[i];
-          const int              real  = index == -1 ? i - 1 : i;
-          Eigen::VectorXcd       z     = Eigen::Map<const Eigen::VectorXd>(vectors[real], op->n).cast<std::complex<double>>();
-          const std::complex<double> nu(solution.Evals[i].realpart, solution.Evals[i].imagpart);
-          if (index != 0)
-            z += std::complex<double>(0, index) * Eigen::Map<const Eigen::VectorXd>(vectors[real + 1], op->n);
-          add_mode(modes, nu, op->shift, z);
+          if (k >= wanted && balance == 0)
+            return k;
+          if (values[k].imag() != 0.)
+            balance += values[k].imag() > 0 ? 1 : -1;
         }
+      return values.size();
+    }
+
+
+
+    /** Whether the residuals of the first @p k eigenvalues are near round-off. */
+    bool
+    have_converged(const Arnoldi &arnoldi, const unsigned int k)
+    {
+      for (unsigned int i = 0; i < k; ++i)
+        if (!(arnoldi.residuals[i] < 1e-11 * std::abs(arnoldi.values[i]) + 1e-14 * std::abs(arnoldi.values[0])))
+          return false;
+      return true;
+    }
+
+
+
+    std::vector<EigenPair>
+    pairs_of(const ShiftInvert &op, const Arnoldi &arnoldi, const unsigned int k)
+    {
+      std::vector<EigenPair> pairs;
+      for (unsigned int i = 0; i < k; ++i)
+        pairs.push_back({op.shift() + 1. / arnoldi.values[i], op.zeta(arnoldi.vector(i))});
+      return pairs;
+    }
+
+
+
+    std::vector<EigenPair>
+    krylov_pairs(const ShiftInvert &op, const unsigned int wanted, const unsigned int largest_basis)
+    {
+      Arnoldi      arnoldi([&](const double *x, double *y) { op.apply(x, y); }, op.size(), 2);
+      double       smallest_before = 0;
+      unsigned int k               = 0;
+      for (unsigned int m = 2 * wanted + 16; m <= largest_basis; m += wanted / 2 + 12)
+        {
+          arnoldi.expand(m);
+          k = closed(arnoldi.values, wanted);
+          if (!have_converged(arnoldi, k))
+            continue;
+          const double smallest = std::abs(arnoldi.values[k - 1]);
+          if (arnoldi.largest_missed(12) <= smallest || std::abs(smallest - smallest_before) < 1e-6 * smallest)
+            return pairs_of(op, arnoldi, k);
+          smallest_before = smallest;
+          arnoldi.widen();
+        }
+      // what is far below the largest one may be infinite eigenvalues, seen through round-off, that converge to nothing
+      while (k > 0 && std::abs(arnoldi.values[k - 1]) < 1e-6 * std::abs(arnoldi.values[0]))
+        --k;
+      if (k > 0 && k < wanted && have_converged(arnoldi, k))
+        return pairs_of(op, arnoldi, k);
+      throw NotConverged(
+        "the Arnoldi iteration did not find all modes; ask for fewer or more, or move the <Shift> nearer "
+        "to them");
+    }
+
+
+
+    /** No more eigenvalues are finite than twice the unknowns with mass, if nothing is viscous. */
+    unsigned int
+    most_eigenvalues(const LinearMotion &motion)
+    {
+      unsigned int n = 0;
+      for (unsigned int i = 0; i < motion.n_kinematic; ++i)
+        {
+          const int k = motion.M.pattern->position(i, i);
+          n += motion.strains.is_viscous() || (k >= 0 && motion.M.values[k] != 0.);
+        }
+      return 2 * n;
+    }
+
+
+
+    /** One real shape for each independent motion among those that are there twice at λ = 0. */
+    void
+    add_free_motions(const std::vector<Eigen::VectorXcd> &shapes, const LinearMotion &motion, std::vector<Mode> &modes)
+    {
+      if (shapes.empty())
+        return;
+      const Eigen::Map<const Eigen::VectorXd> units(motion.units.data(), motion.n_kinematic);
+      Eigen::MatrixXd                         all(motion.n_kinematic, 2 * shapes.size());
+      for (unsigned int i = 0; i < shapes.size(); ++i)
+        {
+          const Eigen::VectorXcd x = shapes[i].cwiseQuotient(units.cast<Complex>());
+          all.col(2 * i)           = x.real() / x.norm();
+          all.col(2 * i + 1)       = x.imag() / x.norm();
+        }
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(all);
+      qr.setThreshold(1e-4);
+      const Eigen::MatrixXd Q = Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(all.rows(), qr.rank()));
+      for (int i = 0; i < Q.cols(); ++i)
+        modes.push_back({0., Q.col(i).cwiseProduct(units).normalized().cast<Complex>(), 0.});
+    }
+
+
+
+    /** What of the eigenvalues are modes: one of each pair, nothing that moves no mass, free motions once. */
+    Modes
+    select(const std::vector<EigenPair> &pairs,
+           const LinearMotion           &motion,
+           const ShiftInvert            &op,
+           const double                  frequency)
+    {
+      Modes                         modes;
+      std::vector<Eigen::VectorXcd> free;
+      for (const auto &pair : pairs)
+        {
+          if (pair.lambda.imag() < 0)
+            continue; // its conjugate stands for both
+          const auto   judgement = op.judge(pair.lambda, pair.zeta);
+          const double size      = std::abs(pair.lambda);
+          if (size < 3e-8 * frequency ||
+              (size < 1e-5 * frequency && size * size * judgement.mass <= 100 * judgement.lost))
+            free.push_back(pair.zeta);
+          else if (!(judgement.error > 1e-2 * size && size * size * judgement.mass < 0.1 * judgement.work))
+            modes.found.push_back({pair.lambda, pair.zeta.normalized(), judgement.error / size});
+        }
+      add_free_motions(free, motion, modes.found);
+      std::stable_sort(modes.found.begin(), modes.found.end(), [](const Mode &a, const Mode &b) {
+        return std::abs(a.lambda) < std::abs(b.lambda);
+      });
       return modes;
     }
   } // namespace
 
 
 
-  std::vector<Mode>
-  find_modes(const SparseMatrix &M,
-             const SparseMatrix &C,
-             const SparseMatrix &K,
-             const unsigned int  n_kinematic,
-             const unsigned int  n_modes,
-             const double        shift)
+  namespace
   {
-    const auto         op       = Teuchos::rcp(new ShiftInvert(M, C, K, n_kinematic, shift));
-    const unsigned int n_blocks = std::max(4 * n_modes, 30u);
-    std::vector<Mode>  modes;
-    bool               found = false;
-    // the Schur form of nearly equal eigenvalues cannot always be sorted (LAPACK trexc), and a Krylov space of one start vector
-    // finds equal ones by round-off only: then from another start vector
-    for (unsigned int attempt = 0; attempt < 3 && !found && n_kinematic > std::max(n_blocks, 60u); ++attempt)
-      try
+    Modes
+    modes_near_shift(const LinearMotion &motion,
+                     const ShiftInvert  &op,
+                     const unsigned int  n_modes,
+                     const double        frequency)
+    {
+      const unsigned int n = motion.n_kinematic, wanted = std::min(2 * n_modes, most_eigenvalues(motion));
+      // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
+      const bool is_small = n <= std::max(2 * wanted, 60u);
+      const auto pairs =
+        is_small ? dense_pairs(motion, op) : krylov_pairs(op, wanted, std::min(2 * n - 20, 8 * wanted + 100));
+      return select(pairs, motion, op, frequency);
+    }
+
+
+
+    void
+    sort(std::vector<Mode> &modes)
+    {
+      std::stable_sort(modes.begin(), modes.end(), [](const Mode &a, const Mode &b) {
+        return std::abs(a.lambda) < std::abs(b.lambda);
+      });
+    }
+
+
+
+    /** Frequencies far below the shift σ are known to ε (σ/λ)² only: see them again from a shift of their own. */
+    void
+    look_again_at_low_modes(const LinearMotion &motion, ShiftInvert &op, const double frequency, Modes &modes)
+    {
+      const auto is_doubtful = [&](const Mode &mode) {
+        return !mode.is_free() && mode.frequency() < 1e-2 * modes.shift && mode.error > 1e-8;
+      };
+      const auto lowest = std::find_if(modes.found.begin(), modes.found.end(), is_doubtful);
+      if (lowest == modes.found.end())
+        return;
+      const double       size  = lowest->frequency();
+      const unsigned int n_low = std::count_if(modes.found.begin(), modes.found.end(), [&](const Mode &mode) {
+        return mode.frequency() < 1e-2 * modes.shift;
+      });
+      op.set(0.3 * size, size);
+      for (const Mode &better : modes_near_shift(motion, op, n_low + 1, frequency).found)
         {
-          modes = krylov_modes(op, n_modes, n_blocks + 12 * attempt, attempt);
-          found = true;
+          const auto nearest =
+            std::min_element(modes.found.begin(), modes.found.end(), [&](const Mode &a, const Mode &b) {
+              return std::abs(a.lambda - better.lambda) < std::abs(b.lambda - better.lambda);
+            });
+          if (is_doubtful(*nearest) && better.error < nearest->error)
+            *nearest = better;
         }
-      catch (const std::exception &)
-        {
-          continue; // LAPACK's complaint, or no convergence
-        }
-    // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
-    if (!found && n_kinematic > 1500)
-      throw NotConverged("the Arnoldi iteration cannot separate nearly equal eigenvalues; ask for fewer or more modes, or move the "
-                         "shift");
-    if (!found)
-      modes = dense_modes(M, C, K, n_kinematic, shift);
-    std::sort(modes.begin(), modes.end(), [](const Mode &a, const Mode &b) { return std::abs(a.lambda) < std::abs(b.lambda); });
-    if (modes.size() > n_modes)
-      modes.resize(n_modes);
+      sort(modes.found);
+    }
+  } // namespace
+
+
+
+  Modes
+  find_modes(const LinearMotion &motion, const unsigned int n_modes, const std::optional<double> shift)
+  {
+    ShiftInvert  op(motion);
+    const double frequency = set_by_lowest_frequency(motion, op, shift);
+    Modes        modes     = modes_near_shift(motion, op, n_modes, frequency);
+    modes.shift            = op.shift();
+    if (!shift)
+      look_again_at_low_modes(motion, op, frequency, modes);
+    modes.is_all = modes.found.size() < n_modes;
+    if (modes.found.size() > n_modes)
+      modes.found.resize(n_modes);
     return modes;
   }
 } // namespace samara

@@ -11,7 +11,7 @@ namespace samara
 
     template <typename Number>
     std::unique_ptr<Factorization<Number>>
-    make_factorization(const Pattern &pattern, const Library library)
+    make_factorization(const Pattern &pattern, const Library library, const Ordering ordering = Ordering::symmetric)
     {
       switch (library)
         {
@@ -20,7 +20,7 @@ namespace samara
           case Library::mumps:
             return mumps_factorization<Number>(pattern);
           default:
-            return klu_factorization<Number>(pattern);
+            return klu_factorization<Number>(pattern, ordering);
         }
     }
 
@@ -29,9 +29,9 @@ namespace samara
     class RealSolver : public LinearSolver
     {
     public:
-      RealSolver(const std::shared_ptr<const Pattern> &pattern, const Library library)
+      RealSolver(const std::shared_ptr<const Pattern> &pattern, const Library library, const Ordering ordering)
         : pattern(pattern)
-        , factorization(make_factorization<double>(*pattern, library))
+        , factorization(make_factorization<double>(*pattern, library, ordering))
       {}
 
       void
@@ -132,9 +132,9 @@ namespace samara
 
 
   std::unique_ptr<LinearSolver>
-  make_solver(const std::shared_ptr<const Pattern> &pattern, const Library library)
+  make_solver(const std::shared_ptr<const Pattern> &pattern, const Library library, const Ordering ordering)
   {
-    return std::make_unique<RealSolver>(pattern, library);
+    return std::make_unique<RealSolver>(pattern, library, ordering);
   }
 
 

@@ -72,10 +72,15 @@ namespace samara
     class Klu : public Factorization<Number>
     {
     public:
-      explicit Klu(const Pattern &pattern)
+      Klu(const Pattern &pattern, const Ordering ordering)
         : pattern(pattern)
       {
         klu_defaults(&common);
+        if (ordering == Ordering::columns)
+          {
+            common.ordering = 1; // COLAMD
+            common.tol      = 1.;
+          }
         // one block, so that A has no entries outside of those of L and U
         common.btf = 0;
         symbolic   = klu_analyze(pattern.size(),
@@ -188,11 +193,11 @@ namespace samara
 
   template <typename Number>
   std::unique_ptr<Factorization<Number>>
-  klu_factorization(const Pattern &pattern)
+  klu_factorization(const Pattern &pattern, const Ordering ordering)
   {
-    return std::make_unique<Klu<Number>>(pattern);
+    return std::make_unique<Klu<Number>>(pattern, ordering);
   }
 
-  template std::unique_ptr<Factorization<double>>               klu_factorization(const Pattern &);
-  template std::unique_ptr<Factorization<std::complex<double>>> klu_factorization(const Pattern &);
+  template std::unique_ptr<Factorization<double>>               klu_factorization(const Pattern &, Ordering);
+  template std::unique_ptr<Factorization<std::complex<double>>> klu_factorization(const Pattern &, Ordering);
 } // namespace samara

@@ -101,16 +101,17 @@ subsection Joints
     return result;
   }
 
-  /** Number of motions without frequency; each is a double zero, which round-off may split into ±ε or ±iε. */
+  /** Number of motions without frequency; each is a double zero that is told once. */
   unsigned int
   zero_modes(Scene &scene)
   {
     unsigned int n = 0;
     for (const auto &mode : scene.modes())
-      if (mode.frequency() < 1e-3)
-        n += mode.lambda.imag() > 0 ? 2 : 1;
-    EXPECT_EQ(n % 2, 0u);
-    return n / 2;
+      {
+        EXPECT_TRUE(mode.is_free() || mode.frequency() > 1e-3);
+        n += mode.is_free();
+      }
+    return n;
   }
 } // namespace
 

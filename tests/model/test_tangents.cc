@@ -6,6 +6,8 @@
 
 #include "../complex_step.h"
 #include "../scene.h"
+#include <samara/model/strain_rows.h>
+
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -198,4 +200,41 @@ TEST(Tangents, StrainRatesAreDerivativesOfStrains)
   for (const auto &[kind, text] : scenes())
     for (const bool with_stops : {false, true})
       EXPECT_LT(ComplexStep(Scene(text.model()).system, false, with_stops).error_of_strain_rates(), 1e-13) << kind;
+}
+
+
+
+// Whoever offers strains as rows leaves BᵀCB out where the material is not wanted: together they are the tangent.
+TEST(Tangents, StrainRowsHoldTheMaterial)
+{
+  for (const auto &[kind, text] : scenes())
+    {
+      const Scene         scene(text.model());
+      const System       &system = scene.system;
+      State               state  = system.reference();
+      std::vector<double> z(system.size());
+      for (unsigned int i = 0; i < z.size(); ++i)
+        z[i] = 0.1 * std::sin(1. + i);
+      system.update(state, z);
+      SparseMatrix K(system.layout.pattern), C(system.layout.pattern), rest(system.layout.pattern);
+      system.tangent(state, K);
+      system.damping(state, C);
+      const StrainRows rows = system.strain_rows(state);
+      Eigen::MatrixXd  B    = Eigen::MatrixXd::Zero(rows.B.n_rows(), system.size());
+      for (unsigned int i = 0; i < rows.B.n_rows(); ++i)
+        for (unsigned int k = rows.B.start[i]; k < rows.B.start[i + 1]; ++k)
+          B(i, rows.B.columns[k]) += rows.B.values[k];
+      EXPECT_EQ(rows.B.n_rows(), system.layout.n_strains) << kind;
+      Eigen::MatrixXd material = Eigen::MatrixXd::Zero(system.size(), system.size()), viscous = material;
+      for (const auto &p : rows.points)
+        {
+          const Eigen::MatrixXd B_p = B.middleRows(p.first_row, p.size);
+          material += p.weight * B_p.transpose() * rows.C(p) * B_p;
+          viscous += p.weight * B_p.transpose() * rows.C_d(p) * B_p;
+        }
+      system.tangent(state, rest, false);
+      EXPECT_LT((K.dense() - rest.dense() - material).norm(), 1e-13 * K.dense().norm()) << kind;
+      system.damping(state, rest, false);
+      EXPECT_LT((C.dense() - rest.dense() - viscous).norm(), 1e-13 * C.dense().norm()) << kind;
+    }
 }

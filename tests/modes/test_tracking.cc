@@ -81,3 +81,36 @@ TEST(Tracking, BranchesCross)
         EXPECT_NEAR(row->frequency, expected, 1e-4 * expected) << "branch " << branch << " at speed " << speeds[i];
       }
 }
+
+
+
+// At a crossing two shapes are any two of a plane. Those that continue the branches are found there, so that each goes on
+// through it; without that, one in two crossings changes their numbers.
+TEST(Tracking, EqualFrequenciesOnTheWay)
+{
+  const unsigned int n       = 4;
+  auto               pattern = std::make_shared<Pattern>();
+  for (unsigned int i = 0; i <= n; ++i)
+    pattern->column_start.push_back(i);
+  for (unsigned int i = 0; i < n; ++i)
+    pattern->rows.push_back(i);
+  SparseMatrix M(pattern);
+  for (unsigned int i = 0; i < n; ++i)
+    M.values[i] = 1. + i;
+
+  const auto mode = [&](const double frequency, const Eigen::VectorXcd &shape) {
+    return Mode{{0., frequency}, shape.normalized(), 0.};
+  };
+  const Eigen::VectorXcd a = Eigen::Vector4cd(1, 0, 0, 0), b = Eigen::Vector4cd(0, 1, 0.2, 0);
+  for (const double angle : {0.1, 0.7853, 1.2, 2.5})
+    {
+      ModeTracking      tracking;
+      std::vector<Mode> before = {mode(1, a), mode(2, b)};
+      EXPECT_EQ(tracking.follow(before, M), (std::vector<unsigned int>{1, 2}));
+      std::vector<Mode> at = {mode(1.5, std::cos(angle) * a + std::sin(angle) * b),
+                              mode(1.5, std::sin(angle) * a - std::cos(angle) * b)};
+      tracking.follow(at, M);
+      std::vector<Mode> after = {mode(1.8, b), mode(1.9, a)};
+      EXPECT_EQ(tracking.follow(after, M), (std::vector<unsigned int>{2, 1})) << angle;
+    }
+}

@@ -2,32 +2,19 @@
 #define samara_analysis_modal_h
 
 #include <samara/analysis/analysis.h>
+#include <samara/analysis/linearization.h>
+#include <samara/analysis/mode_tracking.h>
 #include <samara/output/table.h>
-#include <samara/solvers/eigen.h>
 
 namespace samara
 {
-  /** Matrices of the motion about a state: M ζ̈ + C ζ̇ + (K ζ + Gᵀμ) = 0, G ζ = 0, all with the pattern of the system. */
-  struct Linearization
-  {
-    SparseMatrix M, C, K;
-
-    /**
-     * About @p state, in axes that turn with the nodes. With @p fixed_axes the increments of turning nodes are seen in
-     * axes that stand still, which makes parts turning against others comparable: the matrices are those of the moment,
-     * and constant if what turns is axisymmetric.
-     */
-    Linearization(const System &system, const State &state, bool fixed_axes);
-  };
-
-
-
   /**
    * Modes of small motions about the context's state (the paper, section 4.1; doc/theory/modes.md), an equilibrium at
-   * rest or in steady rotation.
+   * rest or in steady rotation. A state that is none, because loads act on it that its stresses do not balance, is refused.
    *
    * Writes modes.csv, or modes_<speed>.csv for each speed of a sweep and fan.csv with all of them, where modes keep
-   * their number by their shape (MAC); mode_<k>.pvd shows a mode moving.
+   * their number by their shape (MAC); mode_<k>.pvd shows a mode moving. Each mode has an estimate of its error: above 1e-6
+   * of the frequency it is warned about, above 1e-2 refused.
    */
   class ModalAnalysis : public Analysis
   {
@@ -41,17 +28,22 @@ namespace samara
   private:
     // entries
     unsigned int n_modes = 10, n_animations = 4;
-    double       shift = 1;
+    double       shift = 0; ///< 0: found from the model
     bool         hold  = false;
     std::string  axes = "automatic", unsteady = "refuse";
 
-    std::vector<Mode>         previous; ///< of the speed before, in the order of branches
+    ModeTracking              tracking;
     std::vector<unsigned int> branches;
     std::unique_ptr<Table>    fan;
 
     /** Complain if the state is none of a steady motion: what would be frozen then? */
     void check_motion(const Context &context) const;
-    void track(const Linearization &linearization);
+    /** Balance the stresses of @p state; throws NotConverged if it is no equilibrium. */
+    void check_equilibrium(const System &system, State &state) const;
+    void check_mass(const Linearization &linearization) const;
+    void find(const Context &context, const Linearization &linearization);
+    void check_errors(const Context &context) const;
+    void add_to_fan(const Context &context);
     void report(Context &context) const;
     void animate(const Context &context, unsigned int k) const;
   };

@@ -28,6 +28,7 @@ namespace samara
     void   strain_rates(const Point<double> &point, double *rates) const override;
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   damping(const Point<double> &point, SparseMatrix &C) const override;
+    void   strain_rows(const Point<double> &point, StrainRows &rows) const override;
     double strain_energy(const double *e) const override;
 
     /** Those without any stiffness. */

@@ -17,6 +17,7 @@ namespace samara
 {
   class Model;
   class Layout;
+  class StrainRows;
 
   /** A number that can be asked of a state: a column of the histories. */
   struct Probe
@@ -107,6 +108,12 @@ namespace samara
     virtual void residual(const Point<std::complex<double>> &, std::complex<double> *) const {}
     virtual void tangent(const Point<double> &, SparseMatrix &) const {}
     virtual void damping(const Point<double> &, SparseMatrix &) const {}
+
+    /**
+     * Offer B, C and C_d of all strains, for matrices in which stresses are unknowns. Whoever does leaves BᵀCB and
+     * BᵀC_dB out of tangent() and damping() where the point is without material.
+     */
+    virtual void strain_rows(const Point<double> &, StrainRows &) const {}
 
     /** The rows of the residual that hold constraints, where only they are wanted; others may change, too. */
     virtual void

@@ -87,6 +87,15 @@ namespace samara
       return rows[i];
     }
 
+    /** Coefficients of the frames' twists, 6 columns a frame, become those of the nodes' twists. */
+    template <typename Matrix>
+    void
+    to_nodes(Matrix &coefficients) const
+    {
+      for (const auto &[i, T] : transfers)
+        coefficients.template middleCols<6>(6 * i) = (coefficients.template middleCols<6>(6 * i) * T).eval();
+    }
+
     /** Add to one entry. */
     void
     add_entry(const unsigned int i, const unsigned int j, const double value, SparseMatrix &global) const

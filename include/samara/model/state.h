@@ -24,6 +24,7 @@ namespace samara
     double        factor      = 1;       ///< of all loads and prescribed motions; the load steps of statics
     bool          held        = true;    ///< steady rotations hold their joints (statics), or leave them free
     bool          stops       = true;    ///< touched by the sign of their gap here; or left to who integrates in time
+    bool          material    = true;    ///< whether tangent() and damping() hold what strain_rows() says: BᵀCB, BᵀC_dB
   };
 
 

@@ -143,11 +143,17 @@ namespace samara
      */
     void residual(const State &state, const std::vector<double> &stress, std::vector<double> &r) const;
 
-    /** Its derivative with δσ = C B ζ, at the stress the state has (mixed Newton: not that of its configuration). */
-    void tangent(const State &state, SparseMatrix &K) const;
+    /**
+     * Its derivative with δσ = C B ζ, at the stress the state has (mixed Newton: not that of its configuration);
+     * without material: at fixed stress, what strain_rows() holds is left out.
+     */
+    void tangent(const State &state, SparseMatrix &K, bool with_material = true) const;
 
     /** Derivative of the residual with respect to velocities; K and C refer to ζ̇ in axes turning with each node. */
-    void damping(const State &state, SparseMatrix &C) const;
+    void damping(const State &state, SparseMatrix &C, bool with_material = true) const;
+
+    /** B, C and C_d of all strains at the state. */
+    StrainRows strain_rows(const State &state) const;
     void mass(SparseMatrix &M) const;
 
     /**

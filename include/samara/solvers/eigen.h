@@ -1,9 +1,10 @@
 #ifndef samara_solvers_eigen_h
 #define samara_solvers_eigen_h
 
-#include <samara/model/matrix.h>
+#include <samara/solvers/mixed_matrix.h>
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace samara
@@ -11,8 +12,9 @@ namespace samara
   /** A solution ζ(t) = Re[shape exp(λ t)] of the linearised motion. */
   struct Mode
   {
-    std::complex<double> lambda;
-    Eigen::VectorXcd     shape; ///< increments of nodal twists and joint coordinates
+    std::complex<double> lambda;    ///< exactly zero for a free motion
+    Eigen::VectorXcd     shape;     ///< increments of nodal twists and joint coordinates, unit 2-norm
+    double               error = 0; ///< estimate of |δλ|/|λ|, see find_modes()
 
     /** |λ| [rad/s] for oscillating modes; for the others, |λ| too: the rate of growth or decay. */
     double
@@ -25,27 +27,37 @@ namespace samara
     {
       return std::abs(lambda) > 0 ? -lambda.real() / std::abs(lambda) : 0.;
     }
+    bool
+    is_free() const
+    {
+      return lambda == 0.;
+    }
+  };
+
+  struct Modes
+  {
+    std::vector<Mode> found;          ///< sorted by |λ|
+    double            shift  = 0;     ///< [1/s]
+    bool              is_all = false; ///< fewer than wanted: nothing else moves mass
   };
 
 
 
   /**
-   * Eigenvalues of M ζ̈ + C ζ̇ + K ζ + Gᵀ μ = 0, G ζ = 0 nearest to the real @p shift [1/s].
+   * The @p n_modes modes of a motion nearest to the real @p shift [1/s]; without one, those of lowest frequency.
    *
-   * All three matrices have the pattern of the system; G and Gᵀ are in K, and the first @p n_kinematic unknowns are ζ. By
-   * shift-invert Arnoldi (Anasazi, block Krylov–Schur) on the first-order form with one factorisation of the saddle
-   * matrix K + σ C + σ² M; the infinite eigenvalues of the constraints fall to zero there and are never seen. Small
-   * systems are solved with the dense matrix of the same operator.
+   * By shift-invert Arnoldi on the first-order form with one factorisation of the mixed matrix; the infinite
+   * eigenvalues of constraints fall to zero there. Small systems take the dense matrix of the same operator. The unit
+   * of time follows from the lowest frequency, the shift is 0.3 of it if none is given.
    *
-   * Of a complex pair only the one with positive imaginary part is returned; sorted by |λ|. Shapes have unit 2-norm.
+   * The error of a mode is first order in the residual of the mixed equations, |xᵀr| ≤ Σ|xᵢrᵢ|, by the left vector x̄ or
+   * x of motions without and with dissipation; no factor and no product BᵀCB enters it. What is zero to round-off, and
+   * far below all frequencies, is a free motion, given once each with λ = 0. Of a complex pair only the one with
+   * positive imaginary part is returned.
+   *
    * @throws SingularMatrix if the shift is an eigenvalue, NotConverged if the Arnoldi iteration does not find them.
    */
-  std::vector<Mode> find_modes(const SparseMatrix &M,
-                               const SparseMatrix &C,
-                               const SparseMatrix &K,
-                               unsigned int        n_kinematic,
-                               unsigned int        n_modes,
-                               double              shift);
+  Modes find_modes(const LinearMotion &motion, unsigned int n_modes, std::optional<double> shift);
 } // namespace samara
 
 #endif

@@ -1,7 +1,7 @@
 #ifndef samara_solvers_factorization_h
 #define samara_solvers_factorization_h
 
-#include <samara/model/matrix.h>
+#include <samara/solvers/linear.h>
 
 #include <complex>
 
@@ -31,7 +31,8 @@ namespace samara
   };
 
   template <typename Number>
-  std::unique_ptr<Factorization<Number>> klu_factorization(const Pattern &pattern);
+  std::unique_ptr<Factorization<Number>> klu_factorization(const Pattern &pattern,
+                                                           Ordering ordering = Ordering::symmetric);
   template <typename Number>
   std::unique_ptr<Factorization<Number>> umfpack_factorization(const Pattern &pattern);
   template <typename Number>

@@ -75,8 +75,19 @@ namespace samara
   void    use_library(Library library);
   Library library_in_use();
 
+  /**
+   * How KLU finds the order of elimination: by the graph of A + Aᵀ, for diagonals that can be pivots; by columns alone
+   * (COLAMD), for saddle matrices whose pivots stand anywhere. The other libraries see for themselves.
+   */
+  enum class Ordering
+  {
+    symmetric,
+    columns
+  };
+
   std::unique_ptr<LinearSolver>  make_solver(const std::shared_ptr<const Pattern> &pattern,
-                                             Library                               library = library_in_use());
+                                             Library                               library  = library_in_use(),
+                                             Ordering                              ordering = Ordering::symmetric);
   std::unique_ptr<ComplexSolver> make_complex_solver(const std::shared_ptr<const Pattern> &pattern,
                                                      Library                               library = library_in_use());
 } // namespace samara

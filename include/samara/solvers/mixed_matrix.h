@@ -1,0 +1,104 @@
+#ifndef samara_solvers_mixed_matrix_h
+#define samara_solvers_mixed_matrix_h
+
+#include <samara/model/strain_rows.h>
+#include <samara/solvers/linear.h>
+
+namespace samara
+{
+  /**
+   * Small motions about a state, with the stress resultants q = w σ of all points as unknowns of their own:
+   *
+   *     M ζ̈ + Γ ζ̇ + S ζ + Bᵀ q + Gᵀ μ = 0,    q = w (C B ζ + C_d (B ζ̇ + Ḃ ζ)),    G ζ = 0
+   *
+   * M, Γ and S have the pattern of the system, G and Gᵀ stand in S; the first n_kinematic unknowns are ζ, then follow
+   * the μ. S is the geometric stiffness, Γ what is gyroscopic: neither holds a material.
+   */
+  struct LinearMotion
+  {
+    SparseMatrix        M, gyroscopic, S;
+    StrainRows          strains;
+    SparseRows          B_dot; ///< Ḃ, where axes stand still and materials are viscous; otherwise empty
+    unsigned int        n_kinematic;
+    std::vector<double> units; ///< of ζ: the model's size for displacements [m], 1 for rotations
+  };
+
+
+
+  /**
+   * The matrix of such a motion at the shift σ [1/s], factorised:
+   *
+   *     [ S + σΓ + σ²M   Bᵀ   Gᵀ ] [ζ]   [f]
+   *     [ B              −F    0 ] [q] = [e]        F = (w (C + σ C_d))⁻¹
+   *     [ G               0    0 ] [μ]   [0]
+   *
+   * No product BᵀCB is formed: in it soft strains lose what stiff ones round, ε GA L²/EI n² of the lowest modes.
+   * Stresses without stiffness are left out. Each solution is refined once with the residual of these rows.
+   */
+  class MixedMatrix
+  {
+  public:
+    explicit MixedMatrix(const LinearMotion &motion);
+
+    /** @throws SingularMatrix whose unknown is one of ζ, μ, or -1 */
+    void factorize(double shift);
+
+    /** Unknowns ζ, μ, and then stresses in coordinates of the matrix. */
+    unsigned int
+    size() const
+    {
+      return n + rows.n_rows();
+    }
+
+    /** For a state (ζ, v): minus F w C_d B ζ is the right-hand side of the strains, behind the first n of @p b. */
+    void add_viscous_part(const double *zeta, double *b) const;
+
+    /** Add F q to the right-hand side of the strains: those that go with the stress resultants @p q. */
+    void add_strains_of(const double *q, double *b) const;
+
+    /** Replace the right-hand side by the solution; size() numbers. */
+    void solve(double *b) const;
+
+    /** A x, the left-hand side of the equations. */
+    void multiply(const double *x, double *y) const;
+
+    /** q of all strains, in the order of the rows of B, from a solution. */
+    void stresses(const double *solution, double *q) const;
+
+    double
+    shift() const
+    {
+      return sigma;
+    }
+
+    mutable unsigned int n_solutions = 0; ///< for reports
+
+  private:
+    /** Coordinates s of a point's stresses, q = T s, those without stiffness left out, and their flexibility. */
+    struct Point
+    {
+      unsigned int    first;      ///< among the stresses of the matrix
+      Eigen::MatrixXd T, FT;      ///< FT: F T⁺, strains from q
+      Eigen::MatrixXd F, viscous; ///< viscous: F T⁺ w C_d
+    };
+
+    const LinearMotion            &motion;
+    unsigned int                   n; ///< of ζ and μ
+    double                         sigma = 0;
+    std::vector<Point>             points;
+    SparseRows                     rows; ///< Tᵀ B
+    std::shared_ptr<const Pattern> pattern;
+    std::vector<double>            values, scale;
+    std::unique_ptr<LinearSolver>  solver;
+    mutable std::vector<double>    right_side, residual;
+
+    void  reduce_points();
+    Point reduced(const StrainRows::Point &p) const;
+    void  add_rows(const StrainRows::Point &p, const Point &reduced);
+    void  assemble();
+    void  equilibrate();
+    void  solve_scaled(double *b) const;
+  };
+} // namespace samara
+
+#endif

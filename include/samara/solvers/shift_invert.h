@@ -1,0 +1,87 @@
+#ifndef samara_solvers_shift_invert_h
+#define samara_solvers_shift_invert_h
+
+#include <samara/solvers/mixed_matrix.h>
+
+namespace samara
+{
+  /**
+   * (A − σB)⁻¹ B of the first-order form of a motion, with the states z = (ζ, v/ω₀), v = ζ̇, in the motion's units and
+   * ω₀ a frequency of it: with ν = 1/(λ − σ) the eigenvalues. One application solves
+   *
+   *     (S + σΓ + σ²M) ζ' + Bᵀq + Gᵀμ = −M v − (Γ + σM) ζ      v' = ζ + σ ζ'
+   *     B ζ' + F w C_d Ḃ ζ' − F q     = −F w C_d B ζ           G ζ' = 0
+   */
+  class ShiftInvert
+  {
+  public:
+    explicit ShiftInvert(const LinearMotion &motion);
+
+    /** @throws SingularMatrix */
+    void set(double shift, double time_unit);
+
+    double
+    shift() const
+    {
+      return matrix.shift();
+    }
+    unsigned int
+    size() const
+    {
+      return 2 * n;
+    }
+
+    void apply(const double *z, double *result) const;
+
+    /** ζ, μ and stresses of the mixed matrix after the last application. */
+    const std::vector<double> &
+    solution() const
+    {
+      return b;
+    }
+
+    /**
+     * The relative error of λ, and what the mode's motion does: estimate |δλ| [1/s], the scale φᴴMφ, the sum of |φ r|
+     * that stands for the error of λ² φᴴMφ, and of |q Bφ|.
+     */
+    struct Judgement
+    {
+      double error, mass, lost, work;
+    };
+    Judgement judge(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const;
+
+    /** Displacements and rotations from the first half of a state. */
+    Eigen::VectorXcd zeta(const Eigen::VectorXcd &z) const;
+
+  private:
+    /** The nonzero entries of a matrix, for products: mass and gyroscopic terms fill little of the system's pattern. */
+    struct Entries
+    {
+      std::vector<int>    rows, columns;
+      std::vector<double> values;
+
+      Entries(const SparseMatrix &A, unsigned int n);
+
+      template <typename Number>
+      void
+      add_product(const Number factor, const Number *x, Number *y) const
+      {
+        for (unsigned int k = 0; k < values.size(); ++k)
+          y[rows[k]] += factor * values[k] * x[columns[k]];
+      }
+    };
+
+    const LinearMotion         &motion;
+    const unsigned int          n;
+    double                      time_unit = 1; ///< ω₀ [1/s]
+    MixedMatrix                 matrix;
+    Entries                     M, gyroscopic;
+    mutable std::vector<double> b, zeta_now, v_now;
+
+    Eigen::VectorXcd right_side(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const;
+    std::complex<double>
+    slope(const std::complex<double> &lambda, const Eigen::VectorXcd &left, const Eigen::VectorXcd &zeta) const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,204 @@
+#include <samara/analysis/linearization.h>
+#include <samara/solvers/frequency_scale.h>
+#include <samara/solvers/newton.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace samara
+{
+  namespace
+  {
+    /** The constant rotation rate of each node's axes, blockdiag(Ω~, Ω~). */
+    Matrix6
+    turning(const State &state, const unsigned int node)
+    {
+      Matrix6 W               = Matrix6::Zero();
+      W.topLeftCorner<3, 3>() = W.bottomRightCorner<3, 3>() =
+        skew(Eigen::Map<const Vector6>(&state.y[6 * node]).tail<3>());
+      return W;
+    }
+
+
+
+    /** B += factor · A W, W block diagonal with one block for each node. */
+    void
+    add_times_turning(const System       &system,
+                      const State        &state,
+                      const double        factor,
+                      const SparseMatrix &A,
+                      SparseMatrix       &B)
+    {
+      const Pattern &pattern = *A.pattern;
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        {
+          const Matrix6 W     = factor * turning(state, node);
+          const int     first = system.layout.of_node(node);
+          // the six columns of a node have the same rows, as all couplings are by nodes
+          const int                               n = pattern.column_start[first + 1] - pattern.column_start[first];
+          const Eigen::Map<const Eigen::MatrixXd> a(&A.values[pattern.column_start[first]], n, 6);
+          Eigen::Map<Eigen::MatrixXd>             b(&B.values[pattern.column_start[first]], n, 6);
+          b += a * W;
+        }
+    }
+
+
+
+    /** −B W, row by row. */
+    SparseRows
+    minus_times_turning(const System &system, const State &state, const SparseRows &B)
+    {
+      const unsigned int n_nodal = system.layout.of_coordinate(0);
+      SparseRows         result;
+      for (unsigned int i = 0; i < B.n_rows(); ++i)
+        {
+          result.begin_row();
+          for (unsigned int k = B.start[i]; k < B.start[i + 1]; ++k)
+            if (B.columns[k] < n_nodal)
+              {
+                const unsigned int node = B.columns[k] / 6;
+                const Matrix6      W    = turning(state, node + 1);
+                for (unsigned int j = 0; j < 6; ++j)
+                  if (W(B.columns[k] % 6, j) != 0.)
+                    result.add_entry(6 * node + j, -B.values[k] * W(B.columns[k] % 6, j));
+              }
+        }
+      return result;
+    }
+
+
+
+    std::vector<double>
+    units_of(const System &system)
+    {
+      const double        length = model_length(system.model);
+      std::vector<double> units(system.layout.of_multiplier(0), 1.);
+      for (int i = 0; i < system.layout.of_coordinate(0); ++i)
+        units[i] = i % 6 < 3 ? length : 1.;
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        if (system.model.coordinate_units[i] == "m")
+          units[system.layout.of_coordinate(i)] = length;
+      return units;
+    }
+  } // namespace
+
+
+
+  Linearization::Linearization(const System &system, const State &state, const bool fixed_axes)
+    : LinearMotion{SparseMatrix(system.layout.pattern),
+                   SparseMatrix(system.layout.pattern),
+                   SparseMatrix(system.layout.pattern),
+                   system.strain_rows(state),
+                   {},
+                   static_cast<unsigned int>(system.layout.of_multiplier(0)),
+                   units_of(system)}
+  {
+    system.mass(M);
+    system.damping(state, gyroscopic, false);
+    system.tangent(state, S, false);
+    if (!fixed_axes)
+      return;
+    // ζ = Rᵀη with R turning at W: ζ̇ = η̇ − Wη, ζ̈ = η̈ − 2Wη̇ + W²η
+    SparseMatrix MW(system.layout.pattern);
+    add_times_turning(system, state, 1., M, MW);
+    add_times_turning(system, state, -1., gyroscopic, S);
+    add_times_turning(system, state, 1., MW, S);
+    gyroscopic.add(-2., MW);
+    if (strains.is_viscous())
+      B_dot = minus_times_turning(system, state, strains.B);
+  }
+
+
+
+  namespace
+  {
+    /** Stress resultants by the rows of B: w σ. */
+    std::vector<double>
+    resultants(const StrainRows &strains, const std::vector<double> &stress)
+    {
+      std::vector<double> q(strains.B.n_rows());
+      for (const auto &p : strains.points)
+        for (unsigned int i = 0; i < p.size; ++i)
+          q[p.first_row + i] = p.weight * stress[p.first_strain + i];
+      return q;
+    }
+
+
+
+    /**
+     * The share of @p change in the strain energy of @p q, as if strains were not coupled. Strains that are no more
+     * than round-off in the places of the nodes do not count.
+     */
+    double
+    share_of_energy(const LinearMotion &motion, const std::vector<double> &change, const std::vector<double> &q)
+    {
+      const SparseRows &B    = motion.strains.B;
+      double            part = 0, whole = 0;
+      for (const auto &p : motion.strains.points)
+        for (unsigned int i = 0; i < p.size; ++i)
+          {
+            const double       C   = p.weight * motion.strains.C(p)(i, i);
+            const unsigned int row = p.first_row + i;
+            if (!(C > 0))
+              continue;
+            double size = 0;
+            for (unsigned int k = B.start[row]; k < B.start[row + 1]; ++k)
+              size += std::abs(B.values[k]) * motion.units[B.columns[k]];
+            whole += q[row] * q[row] / C;
+            if (std::abs(change[row]) > 4 * std::numeric_limits<double>::epsilon() * size * C)
+              part += change[row] * change[row] / C;
+          }
+      return part > 0 ? part / whole : 0.;
+    }
+
+
+
+    /** Whether loads or inertia forces act: what is left of the residual without stresses and multipliers. */
+    bool
+    is_loaded(const System &system, State state)
+    {
+      std::vector<double> r;
+      std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+      system.residual(state, std::vector<double>(system.layout.n_strains, 0.), r);
+      return std::any_of(r.begin(), r.begin() + system.layout.of_multiplier(0), [](const double f) { return f != 0.; });
+    }
+  } // namespace
+
+
+
+  Imbalance
+  balance_stresses(const System &system, State &state)
+  {
+    State at = state;
+    at.held  = true;
+    std::vector<double> r, stress;
+    system.residual(at, at.stress, r);
+    system.stresses(at, stress);
+    r.resize(system.size());
+    if (stress == at.stress && std::all_of(r.begin(), r.end(), [](const double r_i) { return r_i == 0.; }))
+      return {};
+
+    const Linearization motion(system, at, false);
+    MixedMatrix         matrix(motion);
+    matrix.factorize(10 * frequency_scale(motion));
+    std::vector<double> x(matrix.size(), 0.), change(motion.strains.B.n_rows());
+    std::transform(r.begin(), r.end(), x.begin(), [](const double r_i) { return -r_i; });
+    for (unsigned int i = 0; i < stress.size(); ++i)
+      stress[i] = at.stress[i] - stress[i];
+    matrix.add_strains_of(resultants(motion.strains, stress).data(), x.data());
+    matrix.solve(x.data());
+    matrix.stresses(x.data(), change.data());
+
+    if (!is_loaded(system, at) && share_of_energy(motion, change, change) == 0.)
+      return {}; // round-off in the places of nodes
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      state.multipliers[i] += x[system.layout.of_multiplier(i)];
+    for (const auto &p : motion.strains.points)
+      for (unsigned int i = 0; i < p.size; ++i)
+        state.stress[p.first_strain + i] += change[p.first_row + i] / p.weight;
+
+    return {size_of_step(system, x, model_length(system.model)),
+            share_of_energy(motion, change, resultants(motion.strains, state.stress))};
+  }
+} // namespace samara

@@ -1,0 +1,105 @@
+#include <samara/analysis/mode_tracking.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace samara
+{
+  namespace
+  {
+    Eigen::VectorXcd
+    weighted(const SparseMatrix &M, const Eigen::VectorXcd &shape)
+    {
+      const unsigned int  n = shape.size();
+      std::vector<double> re(M.pattern->size(), 0.), im = re, Mre = re, Mim = re;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          re[i] = shape(i).real();
+          im[i] = shape(i).imag();
+        }
+      M.multiply(re.data(), Mre.data());
+      M.multiply(im.data(), Mim.data());
+      Eigen::VectorXcd result(n);
+      for (unsigned int i = 0; i < n; ++i)
+        result(i) = {Mre[i], Mim[i]};
+      return result;
+    }
+  } // namespace
+
+
+
+  /** In each group of equal frequencies, replace the shapes by the projections of those branches that lie in it most.
+   */
+  void
+  ModeTracking::turn_equal_modes(std::vector<Mode> &modes, const SparseMatrix &M) const
+  {
+    for (unsigned int first = 0, end = 1; first < modes.size(); first = end++)
+      {
+        while (end < modes.size() &&
+               std::abs(modes[end].lambda - modes[first].lambda) <= 1e-6 * std::abs(modes[first].lambda))
+          ++end;
+        const unsigned int k = end - first;
+        if (k < 2)
+          continue;
+        Eigen::MatrixXcd shapes(modes[first].shape.size(), k), M_shapes = shapes;
+        for (unsigned int i = 0; i < k; ++i)
+          {
+            shapes.col(i)   = modes[first + i].shape;
+            M_shapes.col(i) = weighted(M, modes[first + i].shape);
+          }
+        // coordinates in which the kinetic energy is the sum of squares
+        const Eigen::LLT<Eigen::MatrixXcd> gram(shapes.adjoint() * M_shapes);
+        if (gram.info() != Eigen::Success)
+          continue;
+        Eigen::MatrixXcd in_group(k, previous.size());
+        for (unsigned int j = 0; j < previous.size(); ++j)
+          {
+            const double norm = std::sqrt(std::abs(previous[j].shape.dot(weighted(M, previous[j].shape))));
+            in_group.col(j)   = gram.matrixL().solve(M_shapes.adjoint() * previous[j].shape) / std::max(norm, 1e-300);
+          }
+        // the largest projection first, then what is largest normal to it
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(in_group);
+        const Eigen::MatrixXcd turned = shapes * gram.matrixU().solve(Eigen::MatrixXcd(qr.householderQ()));
+        for (unsigned int i = 0; i < k; ++i)
+          modes[first + i].shape = turned.col(i).normalized();
+      }
+  }
+
+
+
+  std::vector<unsigned int>
+  ModeTracking::follow(std::vector<Mode> &modes, const SparseMatrix &M)
+  {
+    std::vector<unsigned int> branches(modes.size(), 0);
+    if (!previous.empty())
+      turn_equal_modes(modes, M);
+    std::vector<double> energies;
+    for (const auto &mode : previous)
+      energies.push_back(mode.shape.dot(weighted(M, mode.shape)).real());
+    std::vector<std::tuple<double, unsigned int, unsigned int>> pairs;
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      {
+        const Eigen::VectorXcd M_shape = weighted(M, modes[i].shape);
+        const double           norm    = modes[i].shape.dot(M_shape).real();
+        for (unsigned int j = 0; j < previous.size(); ++j)
+          pairs.emplace_back(std::norm(previous[j].shape.dot(M_shape)) / std::max(1e-300, norm * energies[j]), i, j);
+      }
+    std::sort(pairs.rbegin(), pairs.rend());
+    std::vector<bool> taken(previous.size(), false);
+    for (const auto &[mac, i, j] : pairs)
+      if (branches[i] == 0 && !taken[j] && mac > 0.3)
+        {
+          branches[i] = j + 1;
+          taken[j]    = true;
+          previous[j] = modes[i];
+        }
+    // shapes never seen before begin new branches
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      if (branches[i] == 0)
+        {
+          previous.push_back(modes[i]);
+          branches[i] = previous.size();
+        }
+    return branches;
+  }
+} // namespace samara

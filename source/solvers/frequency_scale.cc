@@ -1,0 +1,138 @@
+#include <samara/solvers/arnoldi.h>
+#include <samara/solvers/frequency_scale.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    /** Add the diagonal of BᵀCB with the stiffness of each point's softest strain, in the motion's units. */
+    void
+    add_soft_stiffness(const LinearMotion &motion, std::vector<double> &K)
+    {
+      const SparseRows &B = motion.strains.B;
+      for (const auto &p : motion.strains.points)
+        {
+          const auto          C       = motion.strains.C(p);
+          double              softest = 0;
+          std::vector<double> size_of_row(p.size, 0.);
+          for (unsigned int i = 0; i < p.size; ++i)
+            {
+              for (unsigned int k = B.start[p.first_row + i]; k < B.start[p.first_row + i + 1]; ++k)
+                size_of_row[i] += std::pow(B.values[k] * motion.units[B.columns[k]], 2);
+              const double stiffness = p.weight * std::abs(C(i, i)) * size_of_row[i];
+              if (stiffness > 0 && (softest == 0 || stiffness < softest))
+                softest = stiffness;
+            }
+          for (unsigned int i = 0; i < p.size; ++i)
+            if (C(i, i) != 0.)
+              for (unsigned int k = B.start[p.first_row + i]; k < B.start[p.first_row + i + 1]; ++k)
+                K[B.columns[k]] += softest / size_of_row[i] * std::pow(B.values[k] * motion.units[B.columns[k]], 2);
+        }
+    }
+
+    double
+    diagonal(const SparseMatrix &A, const unsigned int i)
+    {
+      const int k = A.pattern->position(i, i);
+      return k < 0 ? 0. : A.values[k];
+    }
+  } // namespace
+
+
+
+  double
+  frequency_scale(const LinearMotion &motion)
+  {
+    const unsigned int  n = motion.n_kinematic;
+    std::vector<double> K(n, 0.);
+    add_soft_stiffness(motion, K);
+    double elastic = 0, other = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double M = diagonal(motion.M, i) * std::pow(motion.units[i], 2);
+        if (!(M > 0))
+          continue;
+        const auto lower = [&](double &least, const double square) {
+          if (square > 0 && (least == 0 || square < least))
+            least = square;
+        };
+        lower(elastic, K[i] / M);
+        lower(other, std::abs(diagonal(motion.S, i)) * std::pow(motion.units[i], 2) / M);
+        for (int k = motion.gyroscopic.pattern->column_start[i]; k < motion.gyroscopic.pattern->column_start[i + 1];
+             ++k)
+          lower(other, std::pow(motion.gyroscopic.values[k] / diagonal(motion.M, i), 2));
+      }
+    const double nodes = std::max(1., n / 6.);
+    if (elastic > 0)
+      return std::sqrt(elastic) / (nodes * nodes);
+    return other > 1e-12 ? 0.3 * std::sqrt(other) : 1.; // below: round-off of what carries nothing
+  }
+
+
+
+  namespace
+  {
+    /** What rough eigenvalues about a shift σ show. */
+    struct Spectrum
+    {
+      double lowest     = 0;     ///< the smallest |λ| that is not zero, 0 if there is none
+      bool   is_blurred = false; ///< whether something is much nearer to zero than to σ, where it cannot be told apart
+    };
+
+    Spectrum
+    spectrum_near(const ShiftInvert &op)
+    {
+      Arnoldi arnoldi([&](const double *x, double *y) { op.apply(x, y); }, op.size(), 1);
+      arnoldi.expand(std::min(20u, op.size() - 1));
+      const double        sigma = std::abs(op.shift());
+      Spectrum            result;
+      std::vector<double> sizes;
+      for (unsigned int i = 0; i < arnoldi.size(); ++i)
+        {
+          const double nu = std::abs(arnoldi.values[i]), size = std::abs(op.shift() + 1. / arnoldi.values[i]),
+                       doubt = arnoldi.residuals[i] / (nu * nu);
+          if (size + doubt < 1e-6 * sigma || nu < 1e-6 * std::abs(arnoldi.values[0]))
+            continue; // a free motion; nothing that has mass
+          if (doubt < 0.1 * size)
+            sizes.push_back(size);
+          else if (size < 0.3 * sigma)
+            result.is_blurred = true;
+        }
+      std::sort(sizes.begin(), sizes.end());
+      // frequencies far below all others are near to a stability limit, or of pendulums: no measure of the model
+      unsigned int first = 0;
+      for (unsigned int i = 0; i + 1 < sizes.size() && i < sizes.size() / 2 && first == 0; ++i)
+        if (sizes[i + 1] > 30 * sizes[i])
+          first = i + 1;
+      if (!sizes.empty())
+        result.lowest = sizes[first];
+      return result;
+    }
+  } // namespace
+
+
+
+  double
+  set_by_lowest_frequency(const LinearMotion &motion, ShiftInvert &op, const std::optional<double> shift)
+  {
+    const double scale = frequency_scale(motion);
+    double       sigma = shift ? *shift : scale;
+    Spectrum     seen;
+    for (unsigned int round = 0; round < 12; ++round)
+      {
+        op.set(sigma, sigma != 0. ? std::abs(sigma) : scale);
+        seen                  = spectrum_near(op);
+        const bool is_far_off = seen.lowest > 0 ? sigma > seen.lowest || sigma < 0.03 * seen.lowest : seen.is_blurred;
+        if (shift || !is_far_off)
+          break;
+        sigma = seen.lowest > 0 ? 0.3 * seen.lowest : sigma / 30;
+      }
+    const double lowest = seen.lowest > 0 ? seen.lowest : std::max(std::abs(sigma), scale);
+    const double unit   = shift ? std::max(std::abs(*shift), lowest) : lowest;
+    op.set(sigma, unit);
+    return unit;
+  }
+} // namespace samara

@@ -1,0 +1,342 @@
+#include <samara/solvers/mixed_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    /** The next power of two: scaling by it rounds nothing. */
+    double
+    power_of_two(const double x)
+    {
+      return std::ldexp(1., std::ilogb(x));
+    }
+
+
+
+    /** Entries of a matrix in any order, several of one place to be added; then by columns. */
+    class Triplets
+    {
+    public:
+      void
+      add(const int row, const int column, const double value)
+      {
+        if (value != 0.)
+          entries.push_back({column, row, value});
+      }
+
+      std::shared_ptr<const Pattern>
+      compress(const int n, std::vector<double> &values)
+      {
+        sort_by(&Entry::row, n);
+        sort_by(&Entry::column, n);
+        auto pattern = std::make_shared<Pattern>();
+        pattern->column_start.assign(n + 1, 0);
+        values.clear();
+        const Entry *last = nullptr;
+        for (const Entry &e : entries)
+          {
+            if (last != nullptr && last->row == e.row && last->column == e.column)
+              values.back() += e.value;
+            else
+              {
+                pattern->rows.push_back(e.row);
+                values.push_back(e.value);
+                ++pattern->column_start[e.column + 1];
+              }
+            last = &e;
+          }
+        for (int j = 0; j < n; ++j)
+          pattern->column_start[j + 1] += pattern->column_start[j];
+        return pattern;
+      }
+
+    private:
+      struct Entry
+      {
+        int    column, row;
+        double value;
+      };
+      std::vector<Entry> entries, sorted;
+
+      /** In the order of one of their numbers below @p n, else in the order they had. */
+      void
+      sort_by(int Entry::*number, const int n)
+      {
+        std::vector<int> next(n + 1, 0);
+        for (const Entry &e : entries)
+          ++next[e.*number + 1];
+        for (int i = 0; i < n; ++i)
+          next[i + 1] += next[i];
+        sorted.resize(entries.size());
+        for (const Entry &e : entries)
+          sorted[next[e.*number]++] = e;
+        entries.swap(sorted);
+      }
+    };
+  } // namespace
+
+
+
+  MixedMatrix::MixedMatrix(const LinearMotion &motion)
+    : motion(motion)
+    , n(motion.M.pattern->size())
+  {}
+
+
+
+  void
+  MixedMatrix::factorize(const double shift)
+  {
+    sigma = shift;
+    reduce_points();
+    assemble();
+    equilibrate();
+    SparseMatrix A(pattern);
+    for (int j = 0; j < pattern->size(); ++j)
+      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
+        A.values[k] = values[k] * scale[j] * scale[pattern->rows[k]];
+    solver = make_solver(pattern, library_in_use(), Ordering::columns);
+    try
+      {
+        solver->factorize(A);
+      }
+    catch (const SingularMatrix &singular)
+      {
+        throw SingularMatrix(singular.unknown < static_cast<int>(n) ? singular.unknown : -1);
+      }
+  }
+
+
+
+  void
+  MixedMatrix::reduce_points()
+  {
+    points.clear();
+    rows = {};
+    for (const auto &p : motion.strains.points)
+      {
+        points.push_back(reduced(p));
+        add_rows(p, points.back());
+      }
+  }
+
+
+
+  namespace
+  {
+    /** Eigenvectors of a stiffness that is not zero, and its inverse in them. */
+    Eigen::MatrixXd
+    without_null_space(const Eigen::MatrixXd &C, Eigen::MatrixXd &inverse)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C);
+      const Eigen::VectorXd                                lambda = eigen.eigenvalues();
+      std::vector<int>                                     kept;
+      for (int i = 0; i < lambda.size(); ++i)
+        if (std::abs(lambda(i)) > 1e-12 * lambda.cwiseAbs().maxCoeff())
+          kept.push_back(i);
+      inverse = lambda(kept).cwiseInverse().asDiagonal();
+      return eigen.eigenvectors()(Eigen::all, kept);
+    }
+  } // namespace
+
+
+
+  MixedMatrix::Point
+  MixedMatrix::reduced(const StrainRows::Point &p) const
+  {
+    const Eigen::MatrixXd C_d = p.weight * motion.strains.C_d(p), C = p.weight * motion.strains.C(p) + sigma * C_d;
+    std::vector<int>      stiff;
+    for (unsigned int i = 0; i < p.size; ++i)
+      if (C(i, i) != 0.)
+        stiff.push_back(i);
+    // T = D, D² the diagonal of C: all that is left has the stiffness 1, but for couplings
+    const unsigned int m = stiff.size();
+    Eigen::VectorXd    d(m);
+    Eigen::MatrixXd    scaled(m, m);
+    for (unsigned int i = 0; i < m; ++i)
+      d(i) = power_of_two(std::sqrt(std::abs(C(stiff[i], stiff[i]))));
+    for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int j = 0; j < m; ++j)
+        scaled(i, j) = C(stiff[i], stiff[j]) / (d(i) * d(j));
+    Point result;
+    result.first                        = rows.n_rows();
+    Eigen::MatrixXd                   V = Eigen::MatrixXd::Identity(m, m);
+    const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled);
+    if (cholesky.info() == Eigen::Success && (cholesky.matrixLLT().diagonal().array() > 1e-6).all())
+      result.F = cholesky.solve(V);
+    else
+      V = without_null_space(scaled, result.F);
+    result.T               = Eigen::MatrixXd::Zero(p.size, V.cols());
+    Eigen::MatrixXd T_plus = Eigen::MatrixXd::Zero(V.cols(), p.size);
+    for (unsigned int i = 0; i < m; ++i)
+      {
+        result.T.row(stiff[i]) = d(i) * V.row(i);
+        T_plus.col(stiff[i])   = V.row(i).transpose() / d(i);
+      }
+    result.FT = result.F * T_plus;
+    if (!C_d.isZero(0.))
+      result.viscous = result.FT * C_d;
+    return result;
+  }
+
+
+
+  void
+  MixedMatrix::add_rows(const StrainRows::Point &p, const Point &reduced)
+  {
+    const SparseRows &B = motion.strains.B;
+    for (int r = 0; r < reduced.T.cols(); ++r)
+      {
+        rows.begin_row();
+        for (unsigned int i = 0; i < p.size; ++i)
+          if (reduced.T(i, r) != 0.)
+            for (unsigned int k = B.start[p.first_row + i]; k < B.start[p.first_row + i + 1]; ++k)
+              rows.add_entry(B.columns[k], reduced.T(i, r) * B.values[k]);
+      }
+  }
+
+
+
+  void
+  MixedMatrix::assemble()
+  {
+    Triplets       A;
+    const Pattern &p = *motion.M.pattern;
+    for (int j = 0; j < p.size(); ++j)
+      for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+        A.add(p.rows[k],
+              j,
+              motion.S.values[k] + sigma * motion.gyroscopic.values[k] + sigma * sigma * motion.M.values[k]);
+    for (unsigned int i = 0; i < rows.n_rows(); ++i)
+      for (unsigned int k = rows.start[i]; k < rows.start[i + 1]; ++k)
+        {
+          A.add(n + i, rows.columns[k], rows.values[k]);
+          A.add(rows.columns[k], n + i, rows.values[k]);
+        }
+    for (unsigned int g = 0; g < points.size(); ++g)
+      {
+        const Point &point = points[g];
+        for (int i = 0; i < point.F.rows(); ++i)
+          for (int j = 0; j < point.F.cols(); ++j)
+            A.add(n + point.first + i, n + point.first + j, -point.F(i, j));
+        if (motion.B_dot.n_rows() == 0)
+          continue;
+        for (int i = 0; i < point.viscous.rows(); ++i)
+          for (int j = 0; j < point.viscous.cols(); ++j)
+            {
+              const unsigned int row = motion.strains.points[g].first_row + j;
+              for (unsigned int k = motion.B_dot.start[row]; k < motion.B_dot.start[row + 1]; ++k)
+                A.add(n + point.first + i, motion.B_dot.columns[k], point.viscous(i, j) * motion.B_dot.values[k]);
+            }
+      }
+    pattern = A.compress(size(), values);
+  }
+
+
+
+  // Rows and columns alike, until the largest entry of each is about 1 (Ruiz 2001): pivots do not depend on units.
+  void
+  MixedMatrix::equilibrate()
+  {
+    scale.assign(size(), 1.);
+    std::vector<double> largest(size());
+    for (unsigned int round = 0; round < 6; ++round)
+      {
+        std::fill(largest.begin(), largest.end(), 0.);
+        for (int j = 0; j < pattern->size(); ++j)
+          for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
+            {
+              const int    i = pattern->rows[k];
+              const double a = std::abs(values[k]) * scale[i] * scale[j];
+              largest[i]     = std::max(largest[i], a);
+              largest[j]     = std::max(largest[j], a);
+            }
+        for (unsigned int i = 0; i < size(); ++i)
+          if (largest[i] > 0.)
+            scale[i] /= power_of_two(std::sqrt(largest[i]));
+      }
+  }
+
+
+
+  void
+  MixedMatrix::add_viscous_part(const double *zeta, double *b) const
+  {
+    for (unsigned int g = 0; g < points.size(); ++g)
+      for (int j = 0; j < points[g].viscous.cols(); ++j)
+        {
+          const double e = motion.strains.B.row_times(motion.strains.points[g].first_row + j, zeta);
+          for (int i = 0; i < points[g].viscous.rows(); ++i)
+            b[n + points[g].first + i] -= points[g].viscous(i, j) * e;
+        }
+  }
+
+
+
+  void
+  MixedMatrix::add_strains_of(const double *q, double *b) const
+  {
+    for (unsigned int g = 0; g < points.size(); ++g)
+      {
+        const Point &p = points[g];
+        Eigen::Map<Eigen::VectorXd>(b + n + p.first, p.FT.rows()) +=
+          p.FT * Eigen::Map<const Eigen::VectorXd>(q + motion.strains.points[g].first_row, p.FT.cols());
+      }
+  }
+
+
+
+  void
+  MixedMatrix::multiply(const double *x, double *y) const
+  {
+    std::fill(y, y + size(), 0.);
+    for (int j = 0; j < pattern->size(); ++j)
+      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
+        y[pattern->rows[k]] += values[k] * x[j];
+  }
+
+
+
+  void
+  MixedMatrix::solve_scaled(double *b) const
+  {
+    ++n_solutions;
+    for (unsigned int i = 0; i < size(); ++i)
+      b[i] *= scale[i];
+    solver->solve(b);
+    for (unsigned int i = 0; i < size(); ++i)
+      b[i] *= scale[i];
+  }
+
+
+
+  void
+  MixedMatrix::solve(double *b) const
+  {
+    right_side.assign(b, b + size());
+    solve_scaled(b);
+    residual.resize(size());
+    multiply(b, residual.data());
+    for (unsigned int i = 0; i < size(); ++i)
+      residual[i] = right_side[i] - residual[i];
+    solve_scaled(residual.data());
+    for (unsigned int i = 0; i < size(); ++i)
+      b[i] += residual[i];
+  }
+
+
+
+  void
+  MixedMatrix::stresses(const double *solution, double *q) const
+  {
+    for (unsigned int g = 0; g < points.size(); ++g)
+      {
+        const Point &p = points[g];
+        Eigen::Map<Eigen::VectorXd>(q + motion.strains.points[g].first_row, p.T.rows()) =
+          p.T * Eigen::Map<const Eigen::VectorXd>(solution + n + p.first, p.T.cols());
+      }
+  }
+} // namespace samara
