@@ -359,7 +359,7 @@ end
 
   /** A rotor on the ground with a body that wobbles, for modes. */
   const std::string rotor = R"(
-set Analyses = modal
+set Analyses = static, modal
 subsection Bodies
   subsection disk
     set Type     = rigid body

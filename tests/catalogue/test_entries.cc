@@ -349,7 +349,7 @@ TEST_F(Catalogued, Bodies)
   check("beam",
         models::beam(models::rectangle),
         "Bodies/beam",
-        {{"Shape", "arc", {"Bodies/beam/Points = 0, 0, 0; 0.4, 0.1, 0.2; 1, 0, 0.2"}},
+        {{"Shape", "arc", {"Bodies/beam/Points = 0, 0, 0; 0.4, 0.1, 0.2; 1, 0, 0.2", "Bodies/beam/Elements = 4"}},
          {"Points", "0, 0, 0; 1, 0, 0.3"},
          {"Expressions", "s, 0, 0.3*s", {"Bodies/beam/Shape = expressions", "Bodies/beam/Expressions = s, 0, 0.2*s"}},
          {"Axis 2", "0, 1, 1"},
