@@ -165,8 +165,9 @@ def budget(model, run, world, tolerance=1e-9):
             yield f"{name} falls, by {-np.diff(table[name]).min() / scale:.1e} of the largest energy"
 
 
-def kinetic(model, run, world, tolerance=1e-2):
-    """Of models of rigid bodies: ½ m v² + ½ ω·J ω from velocities, against the table."""
+def kinetic(model, run, world):
+    """Of models of rigid bodies: ½ m v² + ½ ω·J ω from velocities, against the table. Those of the integrator and those that are
+    written differ by the order h^s: this finds gross errors only."""
     if "dynamic" not in run.tables or not all(isinstance(body, RigidBody) for body in model.bodies):
         return
     table, energy = run.tables["dynamic"], run.tables["dynamic_energy"]
@@ -180,7 +181,7 @@ def kinetic(model, run, world, tolerance=1e-2):
             total[k] += world.units[1] * 0.5 * (body.mass * centre @ centre + w[k] @ J @ w[k])
     scale, _ = energies(model, run, world)
     error = abs(total - energy["kinetic"]).max() / scale
-    if error > tolerance:
+    if error > (0.2 if model.stages == 1 else 1e-2):
         yield f"the kinetic energy of the table is not that of the velocities, {error:.1e} of the largest"
 
 

@@ -2,7 +2,6 @@
 the run says so, and its line goes."""
 
 KNOWN = {
-    "mutant 10": "a model without bodies is refused without a line",
-    "extreme distance / Length = 1e12": "a constraint that is violated at the start is refused without a line",
-    "extreme universal / rotation 2 / Prescribed = 1/t": "a drive that is infinite at the start is refused without a line",
+    "units 9010 time=1e-06": "statics watch for limits of stability by a determinant that round-off reaches in these units",
+    "turned 9006": "the energy account is judged below round-off when the Newton tolerance is 1e-13",
 }

@@ -60,7 +60,7 @@ def compare_tables(model, name, first, second, world, tolerance):
         yield f"{name}.csv: {first.numbers.shape} rows and columns become {second.numbers.shape}"
         return
     a, b = as_described(model, first, World()), as_described(model, second, world)
-    size, speed = model.size(), max([1e-3] + [abs(v).max() for key, v in a.items() if key.endswith(" velocity") or key.endswith(".velocity")])
+    size, speed = model.size(), max([1e-3] + [abs(v).max(initial=0) for key, v in a.items() if key.endswith("velocity")])
     for key in a:
         scale = speed if key.endswith("velocity") else max(1.0, size)
         error = abs(b[key] - a[key]).max(initial=0) / scale
