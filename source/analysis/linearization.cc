@@ -126,29 +126,47 @@ namespace samara
 
 
 
+    /** Σ |B_ik| in the motion's units: the size of a strain when nodes move by the model's size. */
+    double
+    size_of_row(const LinearMotion &motion, const unsigned int row)
+    {
+      const SparseRows &B    = motion.strains.B;
+      double            size = 0;
+      for (unsigned int k = B.start[row]; k < B.start[row + 1]; ++k)
+        size += std::abs(B.values[k]) * motion.units[B.columns[k]];
+      return size;
+    }
+
+
+
     /**
-     * The share of @p change in the strain energy of @p q, as if strains were not coupled. Strains that are no more
-     * than round-off in the places of the nodes do not count.
+     * The share of @p change in the strain energy of @p q, as if strains were not coupled. What is no more than 1e-8 of
+     * the softest stiffness of its point does not count: as geometric stiffness it changes no mode, and may be
+     * round-off.
      */
     double
     share_of_energy(const LinearMotion &motion, const std::vector<double> &change, const std::vector<double> &q)
     {
-      const SparseRows &B    = motion.strains.B;
-      double            part = 0, whole = 0;
+      const double epsilon = std::numeric_limits<double>::epsilon();
+      double       part = 0, whole = 0;
       for (const auto &p : motion.strains.points)
-        for (unsigned int i = 0; i < p.size; ++i)
-          {
-            const double       C   = p.weight * motion.strains.C(p)(i, i);
-            const unsigned int row = p.first_row + i;
-            if (!(C > 0))
-              continue;
-            double size = 0;
-            for (unsigned int k = B.start[row]; k < B.start[row + 1]; ++k)
-              size += std::abs(B.values[k]) * motion.units[B.columns[k]];
-            whole += q[row] * q[row] / C;
-            if (std::abs(change[row]) > 4 * std::numeric_limits<double>::epsilon() * size * C)
-              part += change[row] * change[row] / C;
-          }
+        {
+          const auto C       = motion.strains.C(p);
+          double     softest = std::numeric_limits<double>::infinity();
+          for (unsigned int i = 0; i < p.size; ++i)
+            if (C(i, i) > 0)
+              softest = std::min(softest, p.weight * C(i, i) * std::pow(size_of_row(motion, p.first_row + i), 2));
+          for (unsigned int i = 0; i < p.size; ++i)
+            if (C(i, i) > 0)
+              {
+                const unsigned int row = p.first_row + i;
+                const double       k = p.weight * C(i, i), size = size_of_row(motion, row),
+                             least = std::max(1e-8 * softest / size, 4 * epsilon * size * k);
+                whole += q[row] * q[row] / k;
+                if (std::abs(change[row]) > least)
+                  part += change[row] * change[row] / k;
+              }
+        }
       return part > 0 ? part / whole : 0.;
     }
 

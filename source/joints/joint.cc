@@ -387,11 +387,13 @@ namespace samara
   void
   Joint::strain_rows(const Point<double> &point, StrainRows &strain_rows) const
   {
-    const auto add = [&](const unsigned int i, const unsigned int motion, const double k, const double c, const double factor) {
-      strain_rows.add_point(first_strain + i, 1., Eigen::Matrix<double, 1, 1>(k), Eigen::Matrix<double, 1, 1>(c));
-      strain_rows.begin_row();
-      strain_rows.add_entry(block.row(12 + motion), factor);
-    };
+    using One = Eigen::Matrix<double, 1, 1>;
+    const auto add =
+      [&](const unsigned int i, const unsigned int motion, const double k, const double c, const double on) {
+        strain_rows.add_point(first_strain + i, 1., One(k), One(c));
+        strain_rows.begin_row();
+        strain_rows.add_entry(block.row(12 + motion), on);
+      };
     for (unsigned int i = 0; i < used.size(); ++i)
       add(i, i, used[i]->spring, used[i]->damper, 1.);
     for (unsigned int i = 0; i < stops.size(); ++i)

@@ -283,8 +283,14 @@ namespace samara
     if (!shift)
       look_again_at_low_modes(motion, op, frequency, modes);
     modes.is_all = modes.found.size() < n_modes;
-    if (modes.found.size() > n_modes)
-      modes.found.resize(n_modes);
+    if (modes.found.size() <= n_modes)
+      return modes;
+    if (shift)
+      std::stable_sort(modes.found.begin(), modes.found.end(), [&](const Mode &a, const Mode &b) {
+        return std::abs(a.lambda - *shift) < std::abs(b.lambda - *shift);
+      });
+    modes.found.resize(n_modes);
+    sort(modes.found);
     return modes;
   }
 } // namespace samara

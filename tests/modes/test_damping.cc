@@ -119,6 +119,20 @@ TEST(Damping, Overcritical)
 
 
 
+// The mode nearest to the shift, not the slowest one.
+TEST(Damping, NearestToTheShift)
+{
+  for (const auto &[shift, expected] : {std::pair<std::string, double>{"-7", -6.25}, {"-3.5", -4.}})
+    {
+      Scene scene(flywheel,
+                  {"Joints/bearing/rotation/Damper = 20.5", "Modal/Modes = 1", "Modal/Shift = " + shift});
+      ASSERT_EQ(scene.modes().size(), 1u);
+      EXPECT_NEAR(scene.modes()[0].lambda.real(), expected, 1e-9);
+    }
+}
+
+
+
 // Material damping does not slow a rigid rotation: the hinged blade flaps undamped, at the frequency it has without it.
 TEST(Damping, NotOfRigidMotion)
 {
