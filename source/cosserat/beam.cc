@@ -29,7 +29,7 @@ namespace samara
       "Elements",
       elements_wish,
       "Number of elements along the beam, which end at corners, frames and, if there are enough of them, where section "
-      "or twist have kinks; or <automatic, 1e-4>: elements and their degrees so that the strains of the equilibrium, or "
+      "or twist have kinks (not given: as many as that takes, at least 4); or <automatic, 1e-4>: elements and their degrees so that the strains of the equilibrium, or "
       "of the modes without loads, have this relative error in the energy norm, as estimated.");
     prm.add("Degree",
             degree,
@@ -251,11 +251,13 @@ namespace samara
       model->complaints.add(parameters.where("Elements"),
                             "beam <" + name + "> needs " + std::to_string(needed) +
                               " elements at least: they end at its corners and at its <Frames>");
-    // at kinks too if there are enough of them; an automatic mesh begins with degree 2
+    // at kinks too if there are enough of them, or nobody says how many; an automatic mesh begins with degree 2
     auto all = breaks;
     all.insert(all.end(), kinks.begin(), kinks.end());
-    all             = sorted(all, curve->length());
-    const auto ends = element_ends(elements_wish.error > 0 || elements_wish.number + 1 >= all.size() ? all : breaks);
+    all = sorted(all, curve->length());
+    const bool at_kinks =
+      elements_wish.error > 0 || !parameters.is_set("Elements") || elements_wish.number + 1 >= all.size();
+    const auto ends = element_ends(at_kinks ? all : breaks);
     for (unsigned int i = 0; i + 1 < ends.size(); ++i)
       cells.push_back({ends[i], ends[i + 1], elements_wish.error > 0 ? 2 : degree});
   }
