@@ -92,6 +92,7 @@ namespace samara
             {"strain energy at start", &first_strain},
             {"largest energy", &report.largest_energy},
             {"largest balance", &report.largest_balance},
+            {"largest gap", &report.largest_gap},
             {"largest miss", &report.largest_miss},
             {"worst time", &report.worst_time},
             {"largest turn", &report.turn},

@@ -109,7 +109,8 @@ end
     return text.find(piece) != std::string::npos;
   }
 
-  const std::string slot = "set Type = slotted pin\n set Body A = a.ear\n set Body B = b.ear\n set Axis = 1, 2, 3\n";
+  const std::string slot = "set Type = slotted pin\n set Body A = a.ear\n set Body B = b.ear\n set Axis = 1, 2, 3\n"
+                           " set Gap = allowed\n";
   const std::string line = "set Type = strut\n set Point A = a.ear\n set Point B = b.ear\n set EA = 7\n";
 } // namespace
 

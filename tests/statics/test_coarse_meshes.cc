@@ -73,7 +73,7 @@ TEST(CoarseMeshes, BySectionsThatTurnInBetween)
     " subsection guide\n set Type = planar\n set Body A = ground\n set Body B = block.centre\n set Axis = 0, 1, 0\n"
     " subsection rotation\n set Prescribed = 0\n end\n end\nend\n"
     "subsection Loads\n subsection p\n set Type = point load\n set At = rod.end\n set Force = 0, 0, P\n end\nend\n";
-  for (const double force : {0.1, 8.})
+  for (const double force : {0.1, 2.})
     {
       std::string text = model;
       text.replace(text.find(", P"), 3, ", " + std::to_string(force));

@@ -50,7 +50,8 @@ namespace samara
 
       /** @name The energy account, relative to the largest energy that moved (DynamicAnalysis::judge()) @{ */
       double      largest_balance = 0; ///< of the energy that does not close
-      double      largest_miss    = 0; ///< of a single step, which is this one:
+      double      largest_gap     = 0; ///< the same [J]
+      double      largest_miss    = 0; ///< of a single step [J], which is this one:
       double      worst_time      = 0; ///< [s]
       std::string worst_place;         ///< where Newton's method left most work in it
       bool        does_close = true;   ///< within what the Newton tolerance explains
