@@ -38,7 +38,8 @@ TEST(Solvability, LongStepsTakeTheExactMatrix)
 
 
 
-// The stiff stop. A step of the family keeps the energy through contact; dissipation takes a tenth; generalised α more.
+// The stiff stop. A step of the family keeps the energy through contact, and dissipation takes a tenth. Generalised α takes
+// more with ρ∞ = 0, and with ρ∞ = 0.5 it makes energy: its contact force has no exact work.
 TEST(StopImpact, Energy)
 {
   const auto lost =
@@ -58,7 +59,7 @@ TEST(StopImpact, Energy)
   const double decaying = lost(family(2, 0)), alpha = lost(rival("generalised alpha", 0.5)),
                most = lost(rival("generalised alpha", 0));
   EXPECT_GT(decaying, 0.02);
-  EXPECT_GT(alpha, decaying);
+  EXPECT_LT(alpha, -5e-3);
   EXPECT_GT(most, decaying);
 }
 

@@ -342,15 +342,15 @@ namespace
 
 
 
-// Halved until there is a solution, and back to the step that is wanted when that is possible again.
+// Halved until there is a solution, and back to the step that is wanted when that is possible again. (With one stage these
+// steps have a solution.)
 TEST(Stepper, HalvesAndRecovers)
 {
-  for (const unsigned int s : {1, 2})
-    for (const double rho : {1., 0.5, 0.})
-      {
-        SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
-        expect_recovery(Tableau(s, rho));
-      }
+  for (const double rho : {1., 0.5, 0.})
+    {
+      SCOPED_TRACE("rho = " + std::to_string(rho));
+      expect_recovery(Tableau(2, rho));
+    }
 }
 
 
