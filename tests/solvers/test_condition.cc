@@ -85,7 +85,7 @@ TEST(Condition, ScalingOfConstraintsWouldBringNothing)
         {
           const auto   values = stage.values(h);
           const double scaled = condition_with_scaled_constraints(stage, values);
-          if (scaled < 1e-13)
+          if (scaled < 1e-12)
             continue; // both are round-off
           EXPECT_GT(condition(stage.pattern, values), 0.2 * scaled) << model << ", h = " << h;
         }
