@@ -42,6 +42,24 @@ namespace samara
 
 
 
+    /** An orthonormal basis of the momenta of these motions. */
+    Eigen::MatrixXd
+    momenta_of(const LinearMotion &motion, const ShiftInvert &op, const Eigen::MatrixXd &Z)
+    {
+      Eigen::MatrixXd P(Z.rows(), Z.cols());
+      for (int j = 0; j < Z.cols(); ++j)
+        {
+          const Eigen::VectorXd v =
+            Z.col(j).cwiseProduct(Eigen::Map<const Eigen::VectorXd>(motion.units.data(), Z.rows()));
+          op.momenta(v.data(), P.col(j).data());
+        }
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(P);
+      qr.setThreshold(1e-12);
+      return Eigen::MatrixXd(qr.householderQ()).leftCols(qr.rank());
+    }
+
+
+
     /**
      * All modes by the columns of the operator in a basis of the admissible motions. Without it the infinite
      * eigenvalues of the constraints, which are threefold defective, would come out as large finite ones.
@@ -52,22 +70,27 @@ namespace samara
       const unsigned int    n = motion.n_kinematic;
       const Eigen::MatrixXd Z = admissible(motion);
       const unsigned int    m = Z.cols();
-      Eigen::MatrixXd       A(2 * m, 2 * m);
-      Eigen::VectorXd       z(2 * n), image(2 * n);
-      for (unsigned int j = 0; j < 2 * m; ++j)
-        {
-          z.setZero();
-          z.segment(j < m ? 0 : n, n) = Z.col(j % m);
-          op.apply(z.data(), image.data());
-          A.col(j) << Z.transpose() * image.head(n), Z.transpose() * image.tail(n);
-        }
       if (m == 0)
         return {};
+      const Eigen::MatrixXd P    = momenta_of(motion, op, Z);
+      const unsigned int    size = m + P.cols();
+      Eigen::MatrixXd       A(size, size);
+      Eigen::VectorXd       z(2 * n), image(2 * n);
+      for (unsigned int j = 0; j < size; ++j)
+        {
+          z.setZero();
+          if (j < m)
+            z.head(n) = Z.col(j);
+          else
+            z.tail(n) = P.col(j - m);
+          op.apply(z.data(), image.data());
+          A.col(j) << Z.transpose() * image.head(n), P.transpose() * image.tail(n);
+        }
       const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
       // what has no mass is twice defective at zero: its eigenvalues are there to the root of round-off
       const double           zero = 1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff();
       std::vector<EigenPair> pairs;
-      for (unsigned int i = 0; i < 2 * m; ++i)
+      for (unsigned int i = 0; i < size; ++i)
         if (std::abs(eigen.eigenvalues()(i)) > zero)
           pairs.push_back({op.shift() + 1. / eigen.eigenvalues()(i),
                            op.zeta(Z.cast<Complex>() * eigen.eigenvectors().col(i).head(m))});
@@ -76,69 +99,98 @@ namespace samara
 
 
 
-    /** The least number from @p wanted on of the largest values with which no complex pair is parted. */
-    unsigned int
-    closed(const std::vector<Complex> &values, const unsigned int wanted)
+    /** Leading eigenvalues of a basis. */
+    struct Leading
     {
-      int balance = 0;
-      for (unsigned int k = 0; k < values.size(); ++k)
+      std::vector<unsigned int> converged; ///< their residuals are near round-off; a complex pair is never parted
+      unsigned int n_converging = 0, n_stray = 0; ///< others before the last of them: residuals below and above 1e-4
+    };
+
+    /** The first @p wanted that have converged, or all that are not far below the largest one. */
+    Leading
+    leading(const Arnoldi &arnoldi, const unsigned int wanted, const double smallest)
+    {
+      Leading result;
+      int     balance = 0;
+      for (unsigned int i = 0; i < arnoldi.size() && (result.converged.size() < wanted || balance != 0); ++i)
         {
-          if (k >= wanted && balance == 0)
-            return k;
-          if (values[k].imag() != 0.)
-            balance += values[k].imag() > 0 ? 1 : -1;
+          const Complex nu = arnoldi.values[i];
+          if (std::abs(nu) < smallest * std::abs(arnoldi.values[0]))
+            break;
+          if (arnoldi.residuals[i] < 1e-11 * std::abs(nu) + 1e-14 * std::abs(arnoldi.values[0]))
+            {
+              result.converged.push_back(i);
+              balance += nu.imag() > 0 ? 1 : (nu.imag() < 0 ? -1 : 0);
+            }
+          else
+            ++(arnoldi.residuals[i] < 1e-4 * std::abs(nu) ? result.n_converging : result.n_stray);
         }
-      return values.size();
-    }
-
-
-
-    /** Whether the residuals of the first @p k eigenvalues are near round-off. */
-    bool
-    have_converged(const Arnoldi &arnoldi, const unsigned int k)
-    {
-      for (unsigned int i = 0; i < k; ++i)
-        if (!(arnoldi.residuals[i] < 1e-11 * std::abs(arnoldi.values[i]) + 1e-14 * std::abs(arnoldi.values[0])))
-          return false;
-      return true;
+      return result;
     }
 
 
 
     std::vector<EigenPair>
-    pairs_of(const ShiftInvert &op, const Arnoldi &arnoldi, const unsigned int k)
+    pairs_of(const ShiftInvert &op, const Arnoldi &arnoldi, const std::vector<unsigned int> &which)
     {
       std::vector<EigenPair> pairs;
-      for (unsigned int i = 0; i < k; ++i)
+      for (const unsigned int i : which)
         pairs.push_back({op.shift() + 1. / arnoldi.values[i], op.zeta(arnoldi.vector(i))});
       return pairs;
     }
 
 
 
+    /**
+     * The eigenvalues that a basis of at most @p largest_basis vectors finds; nothing if they do not converge. What
+     * infinite eigenvalues leave in round-off has a few Ritz values, anywhere, that never converge: they may stand
+     * aside when all else stays as it is from one round to the next.
+     */
     std::vector<EigenPair>
-    krylov_pairs(const ShiftInvert &op, const unsigned int wanted, const unsigned int largest_basis)
+    krylov_pairs(const ShiftInvert &op,
+                 const unsigned int wanted,
+                 const unsigned int largest_basis,
+                 const unsigned int block)
     {
-      Arnoldi      arnoldi([&](const double *x, double *y) { op.apply(x, y); }, op.size(), 2);
-      double       smallest_before = 0;
-      unsigned int k               = 0;
+      Arnoldi arnoldi([&](const double *x, double *y) { op.apply(x, y); }, op.size(), block);
+      double  smallest_before = 0, smallest_checked = 0;
       for (unsigned int m = 2 * wanted + 16; m <= largest_basis; m += wanted / 2 + 12)
         {
           arnoldi.expand(m);
-          k = closed(arnoldi.values, wanted);
-          if (!have_converged(arnoldi, k))
+          const Leading found = leading(arnoldi, wanted, 0.);
+          if (found.converged.size() < wanted || found.n_converging > 0 || found.n_stray > 4)
             continue;
-          const double smallest = std::abs(arnoldi.values[k - 1]);
-          if (arnoldi.largest_missed(12) <= smallest || std::abs(smallest - smallest_before) < 1e-6 * smallest)
-            return pairs_of(op, arnoldi, k);
-          smallest_before = smallest;
+          const auto   equal    = [](const double a, const double b) { return std::abs(a - b) < 1e-6 * a; };
+          const double smallest = std::abs(arnoldi.values[found.converged.back()]);
+          const bool   is_still = equal(smallest, smallest_before);
+          smallest_before       = smallest;
+          if (found.n_stray > 0 && !is_still)
+            continue;
+          if (equal(smallest, smallest_checked) || arnoldi.largest_missed(12) <= smallest)
+            return pairs_of(op, arnoldi, found.converged);
+          smallest_checked = smallest;
           arnoldi.widen();
         }
-      // what is far below the largest one may be infinite eigenvalues, seen through round-off, that converge to nothing
-      while (k > 0 && std::abs(arnoldi.values[k - 1]) < 1e-6 * std::abs(arnoldi.values[0]))
-        --k;
-      if (k > 0 && k < wanted && have_converged(arnoldi, k))
-        return pairs_of(op, arnoldi, k);
+      // where few unknowns have mass the rest may be infinite eigenvalues, far below the largest one
+      const Leading found = leading(arnoldi, wanted, 1e-6);
+      if (found.n_converging == 0 && found.n_stray == 0)
+        return pairs_of(op, arnoldi, found.converged);
+      return {};
+    }
+
+
+
+    /** Equal parts, such as blades, have each eigenvalue many times: what narrow blocks do not find wider ones do. */
+    std::vector<EigenPair>
+    krylov_pairs(const ShiftInvert &op, const unsigned int wanted)
+    {
+      for (const unsigned int block : {2, 4, 6, 12})
+        {
+          const unsigned int most  = std::min(op.size() - 4 * block, (block == 12 ? 8 : 4) * wanted + 100);
+          const auto         pairs = krylov_pairs(op, wanted, most, block);
+          if (!pairs.empty())
+            return pairs;
+        }
       throw NotConverged(
         "the Arnoldi iteration did not find all modes; ask for fewer or more, or move the <Shift> nearer "
         "to them");
@@ -226,8 +278,7 @@ namespace samara
       const unsigned int n = motion.n_kinematic, wanted = std::min(2 * n_modes, most_eigenvalues(motion));
       // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
       const bool is_small = n <= std::max(2 * wanted, 60u);
-      const auto pairs =
-        is_small ? dense_pairs(motion, op) : krylov_pairs(op, wanted, std::min(2 * n - 20, 8 * wanted + 100));
+      const auto pairs    = is_small ? dense_pairs(motion, op) : krylov_pairs(op, wanted);
       return select(pairs, motion, op, frequency);
     }
 

@@ -25,9 +25,13 @@ namespace samara
     , matrix(motion)
     , M(motion.M, n)
     , gyroscopic(motion.gyroscopic, n)
+    , mass(n, 0.)
     , zeta_now(n)
-    , v_now(n)
-  {}
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      if (const int k = motion.M.pattern->position(i, i); k >= 0)
+        mass[i] = motion.M.values[k];
+  }
 
 
 
@@ -46,22 +50,33 @@ namespace samara
   ShiftInvert::apply(const double *z, double *result) const
   {
     const double sigma = shift();
+    std::fill(b.begin(), b.end(), 0.);
     for (unsigned int i = 0; i < n; ++i)
       {
         zeta_now[i] = motion.units[i] * z[i];
-        v_now[i]    = time_unit * motion.units[i] * z[n + i];
+        b[i]        = -mass[i] * time_unit * motion.units[i] * z[n + i];
       }
-    std::fill(b.begin(), b.end(), 0.);
-    M.add_product(-1., v_now.data(), b.data());
     M.add_product(-sigma, zeta_now.data(), b.data());
     gyroscopic.add_product(-1., zeta_now.data(), b.data());
     matrix.add_viscous_part(zeta_now.data(), b.data());
     matrix.solve(b.data());
     for (unsigned int i = 0; i < n; ++i)
       {
-        result[i]     = b[i] / motion.units[i];
-        result[n + i] = (zeta_now[i] + sigma * b[i]) / (time_unit * motion.units[i]);
+        result[i] = b[i] / motion.units[i];
+        zeta_now[i] += sigma * b[i]; // v'
       }
+    momenta(zeta_now.data(), result + n);
+  }
+
+
+
+  void
+  ShiftInvert::momenta(const double *v, double *p) const
+  {
+    std::fill(p, p + n, 0.);
+    M.add_product(1., v, p);
+    for (unsigned int i = 0; i < n; ++i)
+      p[i] = mass[i] > 0 ? p[i] / (mass[i] * time_unit * motion.units[i]) : 0.;
   }
 
 

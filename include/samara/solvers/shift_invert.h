@@ -6,11 +6,14 @@
 namespace samara
 {
   /**
-   * (A − σB)⁻¹ B of the first-order form of a motion, with the states z = (ζ, v/ω₀), v = ζ̇, in the motion's units and
-   * ω₀ a frequency of it: with ν = 1/(λ − σ) the eigenvalues. One application solves
+   * (A − σB)⁻¹ B of the first-order form of a motion, with the states z = (ζ, p), p = M v divided by the diagonal of M
+   * and a frequency ω₀ of the motion, v = ζ̇, in the motion's units; ν = 1/(λ − σ) are the eigenvalues. One application
+   * solves
    *
    *     (S + σΓ + σ²M) ζ' + Bᵀq + Gᵀμ = −M v − (Γ + σM) ζ      v' = ζ + σ ζ'
    *     B ζ' + F w C_d Ḃ ζ' − F q     = −F w C_d B ζ           G ζ' = 0
+   *
+   * Velocities count by their momenta only: what has no mass would be a nilpotent part as large as the largest ν.
    */
   class ShiftInvert
   {
@@ -33,12 +36,8 @@ namespace samara
 
     void apply(const double *z, double *result) const;
 
-    /** ζ, μ and stresses of the mixed matrix after the last application. */
-    const std::vector<double> &
-    solution() const
-    {
-      return b;
-    }
+    /** The second half of a state from velocities [m/s, rad/s]. */
+    void momenta(const double *v, double *p) const;
 
     /**
      * The relative error of λ, and what the mode's motion does: estimate |δλ| [1/s], the scale φᴴMφ, the sum of |φ r|
@@ -76,7 +75,8 @@ namespace samara
     double                      time_unit = 1; ///< ω₀ [1/s]
     MixedMatrix                 matrix;
     Entries                     M, gyroscopic;
-    mutable std::vector<double> b, zeta_now, v_now;
+    std::vector<double>         mass; ///< the diagonal of M
+    mutable std::vector<double> b, zeta_now;
 
     Eigen::VectorXcd right_side(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const;
     std::complex<double>
