@@ -21,12 +21,35 @@ namespace samara
           motion.spin += spin;
         }
     }
-  } // namespace
 
 
 
-  namespace
-  {
+    /**
+     * Set components that are round-off, inertial ones, to zero: a motion that is plane stays plane then. Plane motions
+     * of flexible parts may be unstable, and round-off is enough to leave them.
+     */
+    void
+    remove_round_off(State &state)
+    {
+      constexpr double round_off        = 1e-13;
+      double           fastest_velocity = 0, fastest_spin = 0;
+      for (const auto &m : state.motion)
+        {
+          fastest_velocity = std::max(fastest_velocity, m.velocity.norm());
+          fastest_spin     = std::max(fastest_spin, m.spin.norm());
+        }
+      for (auto &m : state.motion)
+        for (unsigned int i = 0; i < 3; ++i)
+          {
+            if (std::abs(m.velocity(i)) < round_off * fastest_velocity)
+              m.velocity(i) = 0;
+            if (std::abs(m.spin(i)) < round_off * fastest_spin)
+              m.spin(i) = 0;
+          }
+    }
+
+
+
     void
     add_motion_of_joints(const System &system, State &state, const std::vector<double> &y)
     {
@@ -63,6 +86,7 @@ namespace samara
       {
         const JointMotion motion(system, state, speeds);
         add_motion_of_joints(system, state, motion.velocities);
+        remove_round_off(state);
         result = motion.findings;
       }
     system.update_twists(state);
