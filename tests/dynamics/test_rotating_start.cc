@@ -5,6 +5,7 @@
 
 #include "../modes/rotors.h"
 #include "../scene.h"
+#include "motion.h"
 #include <gtest/gtest.h>
 
 using namespace samara;
