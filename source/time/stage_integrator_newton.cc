@@ -71,6 +71,8 @@ namespace samara
   void
   StageIntegrator::factorize(const double h)
   {
+    // where a matrix is singular there are no factors, whatever the next step is
+    factored_step = 0;
     system.damping(frozen, C);
     system.tangent(frozen, K);
     Point<double> point = frozen.point();
