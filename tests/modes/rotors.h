@@ -51,16 +51,11 @@ subsection Sections
     set I3 = 1e-3
   end
   subsection soft
-    set Type = engineering constants
-    set EA = 1e7
-    set GA2 = 3e6
-    set GA3 = 2e6
+    set Copy of = stiff
     set GJ = 350
     set EI2 = 250
     set EI3 = 2500
     set Mass = 1.9
-    set I2 = 1e-4
-    set I3 = 1e-3
   end
 end
 subsection Bodies
