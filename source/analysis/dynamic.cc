@@ -1,6 +1,7 @@
 #include <samara/analysis/dynamic_parts.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/text.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
 #include <samara/time/rivals.h>
@@ -8,123 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <filesystem>
 
 namespace samara
 {
-  namespace
-  {
-    constexpr double most_steps = 1e10; ///< of a run: nobody waits for more
-  }
-
-
-
-  void
-  DynamicAnalysis::add_parameters(Parameters &prm)
-  {
-    using namespace dealii::Patterns;
-    prm.add("Start time", start_time, "Time at the start [s].");
-    prm.add("End time", end_time, "Time at the end [s].");
-    prm.add("Step", step, "Time step; of adaptive steps the first one [s].", Double(0));
-    prm.add(
-      "Step control",
-      control,
-      "fixed, or adaptive: steps are as long as the tolerance allows, judged by the energy that the scheme dissipates. "
-      "Either way steps end at corners of loads, and are halved where no solution is found.",
-      Selection("fixed|adaptive"));
-    prm.add("Tolerance",
-            tolerance,
-            "Of adaptive steps: relative error of an oscillation over one period; of BDF: relative tolerance [1].",
-            Double(0, 1));
-    prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
-    prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
-    prm.add(
-      "Integrator",
-      integrator,
-      "family: the energy preserving and decaying schemes of this program; or one of the others, for comparison and "
-      "with fixed steps: generalised alpha on the nodal frames, the trapezoidal rule, the energy decaying scheme in "
-      "inertial velocities, or backward differentiation formulas of variable order and inner step (SUNDIALS).",
-      Selection("family|generalised alpha|trapezoidal|energy decaying|BDF index 2|BDF index 1"));
-    prm.add(
-      "Stages",
-      n_stages,
-      "Stages of the integrator, 1 to 3: order 2 s for spectral radius 1, otherwise 2 s - 1. One stage: the midpoint rule.",
-      Integer(1, 3));
-    prm.add("Spectral radius",
-            spectral_radius,
-            "At infinite frequency: 1 preserves energy, less damps what the step cannot resolve; 0 most [1].",
-            Double(0, 1));
-    prm.add(
-      "Newton tolerance",
-      newton_tolerance,
-      "Newton's method stops when velocities change by less, relative to the largest, and the energy statement is "
-      "satisfied to this part of the energy [1].",
-      Double(0));
-    prm.add(
-      "Energy balance",
-      energy_balance,
-      "What to do when the energy account misses more than the Newton tolerance explains: refuse the results, which "
-      "are written, with exit code 3; or warn.",
-      Selection("refuse|warn"));
-    prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
-    prm.add(
-      "Inconsistent velocities",
-      inconsistent,
-      "Velocities at the start that the constraints do not allow: project them on those that are allowed, nearest in "
-      "kinetic energy, and say so; or refuse them.",
-      Selection("project|refuse"));
-    prm.add("Output every", output_every, "Steps from one row of the histories to the next.", Integer(1));
-    prm.add("Pictures", n_pictures, "Number of pictures of the moving model, at equal times.", Integer(0));
-    prm.add(
-      "Second estimate",
-      second_estimate,
-      "Repeat each step by two half ones and write how far they are apart: an independent estimate of the error, at "
-      "three times the cost.");
-    prm.add("Checkpoint interval",
-            seconds_between_checkpoints,
-            "Seconds of computing between two checkpoints for --restart [s].",
-            Double(0));
-  }
-
-
-
-  void
-  DynamicAnalysis::check(const std::vector<double> &rotor_speeds, Complaints &complaints) const
-  {
-    const auto complain = [&](const std::string &entry, const std::string &text) {
-      complaints.add(parameters.where(entry), text);
-    };
-    if (!(end_time > start_time))
-      complain("End time", "the <End time> must be later than the <Start time>");
-    if (!(step > 0))
-      complain("Step", "the <Step> must be positive");
-    else if ((end_time - start_time) / step > most_steps)
-      complain("Step",
-               "with this <Step> there are " + short_text((end_time - start_time) / step) + " steps to the <End time>");
-    if (!(newton_tolerance > 0))
-      complain("Newton tolerance", "the <Newton tolerance> must be positive");
-    if (!rotor_speeds.empty())
-      complaints.add(parameters.where(),
-                     "a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
-    if (control != "adaptive")
-      return;
-    if (integrator != "family")
-      complain("Integrator",
-               "<Step control = adaptive> judges steps by the energy that the integrator family dissipates; take fixed "
-               "steps with the integrator <" +
-                 integrator + ">");
-    if (!(tolerance > 0 && tolerance < 1))
-      complain("Tolerance", "the <Tolerance> of adaptive steps lies between 0 and 1");
-    if (!(smallest_step > 0))
-      complain("Smallest step", "the <Smallest step> of adaptive steps must be positive");
-    else if (largest_step > 0 && smallest_step > largest_step)
-      complain("Smallest step", "the <Smallest step> must not be larger than the <Largest step>");
-  }
-
-
-
   namespace
   {
     double
@@ -144,14 +33,6 @@ namespace samara
       for (unsigned int i = 6; i < state.y.size(); i += 6)
         square = std::max(square, Eigen::Map<const Vector3>(&state.y[i + 3]).squaredNorm());
       return std::sqrt(square);
-    }
-
-    std::string
-    format(const char *const pattern, const double number)
-    {
-      char text[64];
-      std::snprintf(text, sizeof text, pattern, number);
-      return text;
     }
   } // namespace
 
@@ -242,7 +123,7 @@ namespace samara
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       if (const double gap = std::abs(r[system.layout.of_multiplier(i)]); gap > 1e-6 * std::max(1., length))
         throw InputError(
-          system.layout.multiplier_names[i] + ": the constraint is violated by " + format("%.3g", gap) +
+          system.layout.multiplier_names[i] + ": the constraint is violated by " + number_to_text("%.3g", gap) +
           " at the start; let a static analysis find a position that obeys it: <Analyses = static, dynamic>");
     Projection  projection(system);
     const State given  = state;
@@ -266,7 +147,7 @@ namespace samara
             worst = i;
         const std::string text =
           "the velocities at the start do not obey the constraints: those that do are different by " +
-          format("%.3g", 100 * change) + " % of the largest, most at " + system.layout.name_of(worst - 6);
+          number_to_text("%.3g", 100 * change) + " % of the largest, most at " + system.layout.name_of(worst - 6);
         if (inconsistent == "refuse")
           throw InputError(text);
         context.log.warning("", text + "; they are used");
@@ -436,13 +317,13 @@ namespace samara
     };
     const auto show = [&]() {
       const double seconds = seconds_since(clock_start), done = state.time - begin;
-      context.log.progress("t " + format("%.6g", state.time) + " s of " + format("%g", end_time) + ", step " +
-                           format("%.3g", is_adaptive ? machinery.stepper->next_step : step) + " s, " +
-                           format("%.1f", double(report.n_iterations) / std::max(1u, report.n_steps)) +
+      context.log.progress("t " + number_to_text("%.6g", state.time) + " s of " + number_to_text("%g", end_time) +
+                           ", step " + number_to_text("%.3g", is_adaptive ? machinery.stepper->next_step : step) +
+                           " s, " + number_to_text("%.1f", double(report.n_iterations) / std::max(1u, report.n_steps)) +
                            " iterations a step, energy " +
-                           format("%.6g", budget.kinetic + budget.strain + budget.potential) + " J, " +
-                           format("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
-                           format("%.0f", done > 0 ? seconds / done * (end_time - state.time) : 0.) + " s");
+                           number_to_text("%.6g", budget.kinetic + budget.strain + budget.potential) + " J, " +
+                           number_to_text("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
+                           number_to_text("%.0f", done > 0 ? seconds / done * (end_time - state.time) : 0.) + " s");
     };
     const auto save = [&]() {
       output.flush();
@@ -479,7 +360,7 @@ namespace samara
             if (interrupt.was_interrupted())
               {
                 close();
-                throw Interrupted("interrupted at t = " + format("%.6g", state.time) +
+                throw Interrupted("interrupted at t = " + number_to_text("%.6g", state.time) +
                                   " s; everything up to there is written, and samara --restart goes on");
               }
             // fixed steps keep to their grid, whatever happens in between
@@ -571,15 +452,15 @@ namespace samara
   {
     const double steps = std::max(1u, report.n_steps);
     std::string  text  = "dynamic: " + std::to_string(report.n_steps) + " steps, " +
-                       format("%.2f", report.n_iterations / steps) + " Newton iterations and " +
-                       format("%.2f", report.n_factorizations / steps) + " factorizations a step";
+                       number_to_text("%.2f", report.n_iterations / steps) + " Newton iterations and " +
+                       number_to_text("%.2f", report.n_factorizations / steps) + " factorizations a step";
     if (report.n_rejected + report.n_failed > 0)
       text += ", " + std::to_string(report.n_rejected) + " rejected, " + std::to_string(report.n_failed) +
               " without solution";
     if (report.n_touches > 0)
       text += ", " + std::to_string(report.n_touches) + " times a stop was touched or left";
-    text += "; " + format("%.3g", report.seconds) + " s, " + format("%.3g", report.processor_seconds) +
-            " s of the processor; the energy budget closes to " + format("%.1e", report.largest_balance) +
+    text += "; " + number_to_text("%.3g", report.seconds) + " s, " + number_to_text("%.3g", report.processor_seconds) +
+            " s of the processor; the energy budget closes to " + number_to_text("%.1e", report.largest_balance) +
             (report.largest_energy > energy_floor ? " of the largest energy" : ": nothing moves") +
             resolution(integrator);
     context.log.line(text);
@@ -593,7 +474,7 @@ namespace samara
     if (report.largest_gap_left_out > 1e-8 * model_length(context.system.model))
       context.log.warning("dynamic",
                           "constraints that are redundant but for rounded places or axes are violated by up to " +
-                            format("%.1e", report.largest_gap_left_out) + " m, most: " + report.worst_left_out);
+                            number_to_text("%.1e", report.largest_gap_left_out) + " m, most: " + report.worst_left_out);
   }
 
 

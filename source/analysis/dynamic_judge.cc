@@ -2,11 +2,11 @@
 
 #include <samara/analysis/dynamic.h>
 #include <samara/base/errors.h>
+#include <samara/base/text.h>
 #include <samara/solvers/newton.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace samara
 {
@@ -14,14 +14,6 @@ namespace samara
   {
     /** Of a step, and of all of a run, as multiples of the Newton tolerance: its estimate is good to such a factor. */
     constexpr double allowed_multiple = 10, most_allowed = 1e-3, round_off = 1e-12;
-
-    std::string
-    format(const char *const pattern, const double number)
-    {
-      char text[64];
-      std::snprintf(text, sizeof text, pattern, number);
-      return text;
-    }
   } // namespace
 
 
@@ -74,15 +66,15 @@ namespace samara
     if (integrator.family() == nullptr || !(report.largest_energy > energy_floor))
       return "";
     const DissipationRelation relation(*integrator.family());
-    const double              Y = relation.inverse(report.indicator / report.largest_energy);
-    std::string               text =
-      "\n  a step turns a body by up to " + format("%.2g", report.turn) + " rad and the motion's oscillation by ";
+    const double              Y    = relation.inverse(report.indicator / report.largest_energy);
+    std::string               text = "\n  a step turns a body by up to " + number_to_text("%.2g", report.turn) +
+                       " rad and the motion's oscillation by ";
     // beyond half a turn the energy of what oscillates says no more how fast it does
-    text += Y < M_PI * M_PI ? "about " + format("%.2g", std::sqrt(Y)) + " rad, with an error of about " +
-                                format("%.1e", Y > 0 ? relation.period_error(Y) : 0.) + " in a period" :
+    text += Y < M_PI * M_PI ? "about " + number_to_text("%.2g", std::sqrt(Y)) + " rad, with an error of about " +
+                                number_to_text("%.1e", Y > 0 ? relation.period_error(Y) : 0.) + " in a period" :
                               "more than half a turn: it is not resolved";
     if (report.work_defect > 0)
-      text += "; work defect of the stops up to " + format("%.1e", report.work_defect / report.largest_energy) +
+      text += "; work defect of the stops up to " + number_to_text("%.1e", report.work_defect / report.largest_energy) +
               " of the largest energy a step";
     return text;
   }
@@ -95,11 +87,11 @@ namespace samara
     if (report.does_close)
       return;
     const std::string text =
-      "dynamic analysis: the energy account does not close, " + format("%.2g", report.largest_balance) +
-      " of the largest energy is missing, more than a Newton tolerance of " + format("%g", newton_tolerance) +
-      " explains; most in the step from t = " + format("%.6g", report.worst_time) + " s on, " +
-      format("%.2g", report.largest_miss / report.largest_energy) + ", where Newton's method left most work at " +
-      report.worst_place;
+      "dynamic analysis: the energy account does not close, " + number_to_text("%.2g", report.largest_balance) +
+      " of the largest energy is missing, more than a Newton tolerance of " + number_to_text("%g", newton_tolerance) +
+      " explains; most in the step from t = " + number_to_text("%.6g", report.worst_time) + " s on, " +
+      number_to_text("%.2g", report.largest_miss / report.largest_energy) +
+      ", where Newton's method left most work at " + report.worst_place;
     if (energy_balance == "warn")
       return context.log.warning("", text);
     throw NotConverged(text +

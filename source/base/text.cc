@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <numeric>
@@ -84,6 +85,16 @@ namespace samara
   {
     const std::filesystem::path file(where.substr(0, where.rfind(':')));
     return (file.parent_path() / name).lexically_normal().string();
+  }
+
+
+
+  std::string
+  number_to_text(const char *const pattern, const double number)
+  {
+    char text[64];
+    std::snprintf(text, sizeof text, pattern, number);
+    return text;
   }
 
 

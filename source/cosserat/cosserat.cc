@@ -49,11 +49,8 @@ namespace samara
         points.push_back(point);
       }
 
-    Vec6<double> tied[most_tied];
-    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
-      tied[k] = kernel::strain(kernel::interpolate(nodes.data(), t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
     std::vector<double> e(n * t.n_points);
-    to_points(elements.size() - 1, tied, e.data());
+    element_strains(elements.size() - 1, nodes.data(), e.data()); // references are zero so far
     for (unsigned int g = 0; g < t.n_points; ++g)
       points[elements.back().first_point + g].reference = Eigen::Map<VectorN>(&e[n * g]);
   }
@@ -162,10 +159,19 @@ namespace samara
   void
   Cosserat<dim>::element_strains(const unsigned int element, const double *q, double *e) const
   {
-    const ElementTable<dim>   &t = *elements[element].table;
     kernel::NodeValues<double> nodes[most_nodes];
-    Vec6<double>               tied[most_tied];
     gather(element, q, nodes);
+    element_strains(element, nodes, e);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::element_strains(const unsigned int element, const kernel::NodeValues<double> *nodes, double *e) const
+  {
+    const ElementTable<dim> &t = *elements[element].table;
+    Vec6<double>             tied[most_tied];
     for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       tied[k] = kernel::strain(kernel::interpolate(nodes, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
     to_points(element, tied, e);

@@ -11,39 +11,35 @@ namespace samara
   FreeMotion::add_parameters(Parameters &prm)
   {
     using dealii::Patterns::Double;
-    if (is_angle())
+    const bool        turns = is_angle();
+    const std::string what  = turns       ? "Angle" :
+                              is_length() ? "Length" :
+                                            "Displacement",
+                      unit = turns ? "[rad]" : "[m]", stiffness = turns ? "[N*m/rad]" : "[N/m]",
+                      damping = turns ? "[N*m*s/rad]" : "[N*s/m]",
+                      none    = " a stop is touched; not given: there is none " + unit + ".";
+    prm.add("Spring", spring, "Stiffness " + stiffness + ".", Double(0));
+    prm.add("Rest",
+            rest,
+            is_length() ? "Length without force; not given: that in the reference configuration [m]." :
+                          what + " at which the spring is free of " + (turns ? "moment " : "force ") + unit + ".");
+    prm.add("Damper", damper, "Viscous damping " + damping + ".", Double(0));
+    prm.add("Lower stop", lower_stop, what + " below which" + none);
+    prm.add("Upper stop", upper_stop, what + " above which" + none);
+    prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops " + stiffness + ".", Double(0));
+    prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched " + damping + ".", Double(0));
+    if (turns)
       {
-        prm.add("Spring", spring, "Stiffness [N*m/rad].", Double(0));
-        prm.add("Rest", rest, "Angle at which the spring is free of moment [rad].");
-        prm.add("Damper", damper, "Viscous damping [N*m*s/rad].", Double(0));
-        prm.add("Lower stop", lower_stop, "Angle below which a stop is touched; not given: there is none [rad].");
-        prm.add("Upper stop", upper_stop, "Angle above which a stop is touched; not given: there is none [rad].");
-        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N*m/rad].", Double(0));
-        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*m*s/rad].", Double(0));
         prm.add("Moment", force, "Moment on body B, its reaction on body A; a function of time t [N*m].");
         prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; a function of time t [rad].");
       }
     else if (is_length())
       {
-        prm.add("Spring", spring, "Stiffness [N/m].", Double(0));
-        prm.add("Rest", rest, "Length without force; not given: that in the reference configuration [m].");
-        prm.add("Damper", damper, "Viscous damping [N*s/m].", Double(0));
-        prm.add("Lower stop", lower_stop, "Length below which a stop is touched; not given: there is none [m].");
-        prm.add("Upper stop", upper_stop, "Length above which a stop is touched; not given: there is none [m].");
-        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N/m].", Double(0));
-        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*s/m].", Double(0));
         prm.add("Force", force, "Force that pushes the two points apart; a function of time t [N].");
         prm.add("Prescribed", prescribed, "Prescribed length; a function of time t [m].");
       }
     else
       {
-        prm.add("Spring", spring, "Stiffness [N/m].", Double(0));
-        prm.add("Rest", rest, "Displacement at which the spring is free of force [m].");
-        prm.add("Damper", damper, "Viscous damping [N*s/m].", Double(0));
-        prm.add("Lower stop", lower_stop, "Displacement below which a stop is touched; not given: there is none [m].");
-        prm.add("Upper stop", upper_stop, "Displacement above which a stop is touched; not given: there is none [m].");
-        prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops [N/m].", Double(0));
-        prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched [N*s/m].", Double(0));
         prm.add("Force", force, "Force on body B, its reaction on body A; a function of time t [N].");
         prm.add("Prescribed", prescribed, "Prescribed displacement of B seen from A; a function of time t [m].");
       }
@@ -119,19 +115,6 @@ namespace samara
 
   namespace
   {
-    /** Of the box around all nodes there are [m]. */
-    double
-    diagonal_of(const Model &model)
-    {
-      Vector3 low = model.nodes[0].x, high = low;
-      for (const auto &node : model.nodes)
-        {
-          low  = low.cwiseMin(node.x);
-          high = high.cwiseMax(node.x);
-        }
-      return (high - low).norm();
-    }
-
     /** "<rod.end> at (1, 0, 0)" */
     std::string
     place_to_text(const std::string &point, const std::string &at, const Vector3 &x)
@@ -163,7 +146,7 @@ namespace samara
       return;
     const Vector3 a = model.position(ends[0]), b = model.position(ends[1]);
     const double  distance = (b - a).norm();
-    if (distance <= 1e-12 * b.norm() || distance <= rounding * diagonal_of(model))
+    if (distance <= 1e-12 * b.norm() || distance <= rounding * box_diagonal(model))
       return;
     std::ostringstream how_far;
     how_far << distance << " m apart: ";

@@ -233,4 +233,18 @@ namespace samara
     find<Contribution>(name, "body or joint"); // complains if there is none
     throw std::invalid_argument("<" + name + "> has no <" + rest + ">" + did_you_mean(rest, known));
   }
+
+
+
+  double
+  box_diagonal(const Model &model)
+  {
+    Vector3 low = model.nodes[0].x, high = low;
+    for (const auto &node : model.nodes)
+      {
+        low  = low.cwiseMin(node.x);
+        high = high.cwiseMax(node.x);
+      }
+    return (high - low).norm();
+  }
 } // namespace samara

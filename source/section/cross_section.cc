@@ -209,7 +209,6 @@ namespace samara
     // no rigid motion is left, and statics alone gives the reactions
     std::vector<dealii::Point<2>> places(dofs.n_dofs());
     dealii::DoFTools::map_dofs_to_support_points(mesh.mapping, dofs, places);
-    std::vector<unsigned char>               component(dofs.n_dofs());
     std::array<std::vector<unsigned int>, 3> of_component;
     const auto                               masks = dealii::DoFTools::locally_owned_dofs_per_component(dofs);
     for (unsigned int d = 0; d < 3; ++d)

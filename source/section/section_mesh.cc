@@ -107,7 +107,7 @@ namespace samara
         }
       return support;
     });
-    check(patches);
+    check();
   }
 
 
@@ -144,7 +144,7 @@ namespace samara
 
 
   void
-  SectionMesh::check(const std::vector<SectionPatch> &) const
+  SectionMesh::check() const
   {
     // Jacobians at the points of integration, and one piece
     const dealii::FE_Q<2>     fe(degree);

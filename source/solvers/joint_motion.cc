@@ -117,6 +117,22 @@ namespace samara
 
 
 
+  double
+  JointMotion::renew_weights(std::vector<double> &weight, const double smallest) const
+  {
+    const std::vector<double> old    = weight;
+    double                    change = 0;
+    weight                           = weights();
+    for (unsigned int r = 0; r < weight.size(); ++r)
+      {
+        weight[r] = std::max(smallest, weight[r]);
+        change    = std::max(change, std::abs(weight[r] - old[r]));
+      }
+    return change;
+  }
+
+
+
   void
   JointMotion::find_strain()
   {
@@ -328,16 +344,8 @@ namespace samara
         levels.add(Eigen::Map<Eigen::VectorXd>(weight.data(), weight.size()).asDiagonal() * W);
         findings.n_at_rest = levels.open().cols();
         levels.add(carriers);
-        velocities                    = pieces.velocities(levels.solution());
-        const std::vector<double> old = weight;
-        weight                        = weights();
-        double change                 = 0;
-        for (unsigned int r = 0; r < weight.size(); ++r)
-          {
-            weight[r] = std::max(1e-6, weight[r]);
-            change    = std::max(change, std::abs(weight[r] - old[r]));
-          }
-        if (change < 1e-6)
+        velocities = pieces.velocities(levels.solution());
+        if (renew_weights(weight, 1e-6) < 1e-6)
           break;
       }
     find_strain();

@@ -43,15 +43,7 @@ namespace samara
     for (unsigned int round = 0; round < 5; ++round)
       {
         solve_by_weights(weight);
-        const std::vector<double> old = weight;
-        weight                        = weights();
-        double change                 = 0;
-        for (unsigned int r = 0; r < weight.size(); ++r)
-          {
-            weight[r] = std::max(smallest_weight, weight[r]);
-            change    = std::max(change, std::abs(weight[r] - old[r]));
-          }
-        if (change < 1e-3)
+        if (renew_weights(weight, smallest_weight) < 1e-3)
           break;
       }
     find_strain();

@@ -1,5 +1,7 @@
 #include <samara/solvers/mixed_matrix.h>
 
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +18,7 @@ namespace samara
 
 
 
-    /** Entries of a matrix in any order, several of one place to be added; then by columns. */
+    /** Entries of a matrix in any order; those of one place are added. */
     class Triplets
     {
     public:
@@ -24,57 +26,24 @@ namespace samara
       add(const int row, const int column, const double value)
       {
         if (value != 0.)
-          entries.push_back({column, row, value});
+          entries.emplace_back(row, column, value);
       }
 
-      std::shared_ptr<const Pattern>
-      compress(const int n, std::vector<double> &values)
+      std::unique_ptr<SparseMatrix>
+      compress(const int n) const
       {
-        sort_by(&Entry::row, n);
-        sort_by(&Entry::column, n);
+        Eigen::SparseMatrix<double> sum(n, n);
+        sum.setFromTriplets(entries.begin(), entries.end());
         auto pattern = std::make_shared<Pattern>();
-        pattern->column_start.assign(n + 1, 0);
-        values.clear();
-        const Entry *last = nullptr;
-        for (const Entry &e : entries)
-          {
-            if (last != nullptr && last->row == e.row && last->column == e.column)
-              values.back() += e.value;
-            else
-              {
-                pattern->rows.push_back(e.row);
-                values.push_back(e.value);
-                ++pattern->column_start[e.column + 1];
-              }
-            last = &e;
-          }
-        for (int j = 0; j < n; ++j)
-          pattern->column_start[j + 1] += pattern->column_start[j];
-        return pattern;
+        pattern->column_start.assign(sum.outerIndexPtr(), sum.outerIndexPtr() + n + 1);
+        pattern->rows.assign(sum.innerIndexPtr(), sum.innerIndexPtr() + sum.nonZeros());
+        auto result = std::make_unique<SparseMatrix>(pattern);
+        std::copy_n(sum.valuePtr(), sum.nonZeros(), result->values.begin());
+        return result;
       }
 
     private:
-      struct Entry
-      {
-        int    column, row;
-        double value;
-      };
-      std::vector<Entry> entries, sorted;
-
-      /** In the order of one of their numbers below @p n, else in the order they had. */
-      void
-      sort_by(int Entry::*number, const int n)
-      {
-        std::vector<int> next(n + 1, 0);
-        for (const Entry &e : entries)
-          ++next[e.*number + 1];
-        for (int i = 0; i < n; ++i)
-          next[i + 1] += next[i];
-        sorted.resize(entries.size());
-        for (const Entry &e : entries)
-          sorted[next[e.*number]++] = e;
-        entries.swap(sorted);
-      }
+      std::vector<Eigen::Triplet<double>> entries;
     };
   } // namespace
 
@@ -94,14 +63,15 @@ namespace samara
     reduce_points();
     assemble();
     equilibrate();
-    SparseMatrix A(pattern);
-    for (int j = 0; j < pattern->size(); ++j)
-      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
-        A.values[k] = values[k] * scale[j] * scale[pattern->rows[k]];
-    solver = make_solver(pattern, library_in_use(), Ordering::columns);
+    const Pattern &pattern = *A->pattern;
+    SparseMatrix   scaled(A->pattern);
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        scaled.values[k] = A->values[k] * scale[j] * scale[pattern.rows[k]];
+    solver = make_solver(A->pattern, library_in_use(), Ordering::columns);
     try
       {
-        solver->factorize(A);
+        solver->factorize(scaled);
       }
     catch (const SingularMatrix &singular)
       {
@@ -203,25 +173,25 @@ namespace samara
   void
   MixedMatrix::assemble()
   {
-    Triplets       A;
+    Triplets       sum;
     const Pattern &p = *motion.M.pattern;
     for (int j = 0; j < p.size(); ++j)
       for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
-        A.add(p.rows[k],
-              j,
-              motion.S.values[k] + sigma * motion.gyroscopic.values[k] + sigma * sigma * motion.M.values[k]);
+        sum.add(p.rows[k],
+                j,
+                motion.S.values[k] + sigma * motion.gyroscopic.values[k] + sigma * sigma * motion.M.values[k]);
     for (unsigned int i = 0; i < rows.n_rows(); ++i)
       for (unsigned int k = rows.start[i]; k < rows.start[i + 1]; ++k)
         {
-          A.add(n + i, rows.columns[k], rows.values[k]);
-          A.add(rows.columns[k], n + i, rows.values[k]);
+          sum.add(n + i, rows.columns[k], rows.values[k]);
+          sum.add(rows.columns[k], n + i, rows.values[k]);
         }
     for (unsigned int g = 0; g < points.size(); ++g)
       {
         const Point &point = points[g];
         for (int i = 0; i < point.F.rows(); ++i)
           for (int j = 0; j < point.F.cols(); ++j)
-            A.add(n + point.first + i, n + point.first + j, -point.F(i, j));
+            sum.add(n + point.first + i, n + point.first + j, -point.F(i, j));
         if (motion.B_dot.n_rows() == 0)
           continue;
         for (int i = 0; i < point.viscous.rows(); ++i)
@@ -229,10 +199,10 @@ namespace samara
             {
               const unsigned int row = motion.strains.points[g].first_row + j;
               for (unsigned int k = motion.B_dot.start[row]; k < motion.B_dot.start[row + 1]; ++k)
-                A.add(n + point.first + i, motion.B_dot.columns[k], point.viscous(i, j) * motion.B_dot.values[k]);
+                sum.add(n + point.first + i, motion.B_dot.columns[k], point.viscous(i, j) * motion.B_dot.values[k]);
             }
       }
-    pattern = A.compress(size(), values);
+    A = sum.compress(size());
   }
 
 
@@ -241,16 +211,17 @@ namespace samara
   void
   MixedMatrix::equilibrate()
   {
+    const Pattern &pattern = *A->pattern;
     scale.assign(size(), 1.);
     std::vector<double> largest(size());
     for (unsigned int round = 0; round < 6; ++round)
       {
         std::fill(largest.begin(), largest.end(), 0.);
-        for (int j = 0; j < pattern->size(); ++j)
-          for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
+        for (int j = 0; j < pattern.size(); ++j)
+          for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
             {
-              const int    i = pattern->rows[k];
-              const double a = std::abs(values[k]) * scale[i] * scale[j];
+              const int    i = pattern.rows[k];
+              const double a = std::abs(A->values[k]) * scale[i] * scale[j];
               largest[i]     = std::max(largest[i], a);
               largest[j]     = std::max(largest[j], a);
             }
@@ -292,10 +263,7 @@ namespace samara
   void
   MixedMatrix::multiply(const double *x, double *y) const
   {
-    std::fill(y, y + size(), 0.);
-    for (int j = 0; j < pattern->size(); ++j)
-      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
-        y[pattern->rows[k]] += values[k] * x[j];
+    A->multiply(x, y);
   }
 
 

@@ -9,13 +9,8 @@ namespace samara
   double
   model_length(const Model &model)
   {
-    Vector3 low = model.nodes[0].x, high = low;
-    for (const auto &node : model.nodes)
-      {
-        low  = low.cwiseMin(node.x);
-        high = high.cwiseMax(node.x);
-      }
-    return (high - low).norm() > 0 ? (high - low).norm() : 1.;
+    const double diagonal = box_diagonal(model);
+    return diagonal > 0 ? diagonal : 1.;
   }
 
 

@@ -26,26 +26,6 @@ namespace samara
 
     /** Up to this many rows dense elimination takes less than a second. */
     constexpr int few_rows = 300;
-
-    /** Entries of a saddle-point matrix with a diagonal first block, among those of @p all. */
-    std::pair<std::shared_ptr<const Pattern>, std::vector<int>>
-    entries_of_saddle(const Pattern &all, const int n)
-    {
-      auto             pattern = std::make_shared<Pattern>();
-      std::vector<int> kept;
-      pattern->column_start.push_back(0);
-      for (int j = 0; j < all.size(); ++j)
-        {
-          for (int k = all.column_start[j]; k < all.column_start[j + 1]; ++k)
-            if (all.rows[k] == j || (all.rows[k] < n) != (j < n))
-              {
-                pattern->rows.push_back(all.rows[k]);
-                kept.push_back(k);
-              }
-          pattern->column_start.push_back(pattern->rows.size());
-        }
-      return {pattern, kept};
-    }
   } // namespace
 
 
@@ -60,8 +40,11 @@ namespace samara
     , scale(m, 0.)
     , is_absent(m, false)
   {
-    std::tie(pattern, kept) = entries_of_saddle(*K.pattern, n);
-    saddle                  = std::make_unique<SparseMatrix>(pattern);
+    // a saddle-point matrix with a diagonal first block
+    PartOfPattern part(*K.pattern, [this](const int i, const int j) { return i == j || (i < n) != (j < n); });
+    pattern = part.pattern;
+    kept    = std::move(part.kept);
+    saddle  = std::make_unique<SparseMatrix>(pattern);
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       std::fill_n(unit.begin() + system.layout.of_node(node) + 3, 3, length);
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
@@ -447,124 +430,5 @@ namespace samara
           worst = i;
         }
     return gap;
-  }
-
-
-
-  std::string
-  RedundantRows::contradiction(const State &state, const unsigned int i)
-  {
-    const Eigen::MatrixXd X = combinations(state);
-    const int             j = std::find(state.left_out.begin(), state.left_out.end(), i) - state.left_out.begin();
-    return "these constraints contradict each other: " + names(X, j) +
-           ".\n  Not all of them can hold. Give a joint of the loop more freedom, or look at what is prescribed";
-  }
-
-
-
-  std::vector<int>
-  RedundantRows::contradictions(const State &state)
-  {
-    const Eigen::MatrixXd X         = combinations(state);
-    const auto            values_at = [&](const double time) {
-      State at = state;
-      at.time  = time;
-      std::vector<double> r(n + m + 6, 0.);
-      for (const auto *c : system.layout.constraining)
-        c->constraints(at.point(), r.data());
-      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data() + n, m));
-    };
-    // as long as prescribed motions are small, X is that of the start
-    const Eigen::VectorXd start  = values_at(state.time);
-    Eigen::VectorXd       change = start;
-    double                dt     = 1;
-    do
-      {
-        change = values_at(state.time + dt) - start;
-        dt /= 10;
-      }
-    while (change.cwiseAbs().maxCoeff() > 1e-2 && dt > 1e-12);
-    std::vector<int> result;
-    for (int j = 0; j < X.cols(); ++j)
-      {
-        // entries that are round-off are none
-        const double terms = change.cwiseProduct(X.col(j)).cwiseAbs().sum(),
-                     noise = 1e-6 * X.col(j).lpNorm<Eigen::Infinity>() * change.lpNorm<Eigen::Infinity>();
-        if (terms > noise && std::abs(change.dot(X.col(j))) > 0.1 * terms)
-          result.push_back(j);
-      }
-    return result;
-  }
-
-
-
-  namespace
-  {
-    /** "joint foot, displacement 3": "joint foot" and "displacement 3"; a joint's own name may begin with that word. */
-    std::pair<std::string, std::string>
-    owner_and_row(const std::string &name)
-    {
-      const auto        comma = name.rfind(", ");
-      const std::string owner = name.substr(0, comma), twice = "joint joint";
-      const bool        is_two = owner.compare(0, twice.size(), twice) == 0;
-      return {is_two ? owner.substr(6) : owner, comma == std::string::npos ? "" : name.substr(comma + 2)};
-    }
-  } // namespace
-
-
-
-  std::string
-  RedundantRows::names(const Eigen::MatrixXd &X, const int j) const
-  {
-    const double                                     largest = X.col(j).cwiseAbs().maxCoeff();
-    std::vector<std::pair<std::string, std::string>> parts;
-    for (int i = 0; i < m; ++i)
-      if (std::abs(X(i, j)) > 1e-6 * largest)
-        {
-          const auto [owner, row] = owner_and_row(system.layout.multiplier_names[i]);
-          if (parts.empty() || parts.back().first != owner)
-            parts.emplace_back(owner, row);
-          else
-            parts.back().second += ", " + row;
-        }
-    std::string text;
-    for (const auto &[owner, row] : parts)
-      text += (text.empty() ? "" : "; ") + owner + (row.empty() ? "" : " (" + row + ")");
-    return text;
-  }
-
-
-
-  std::vector<RedundantRows::Loop>
-  RedundantRows::loops(const Eigen::MatrixXd &X) const
-  {
-    std::vector<Loop> result;
-    for (int j = 0; j < X.cols(); ++j)
-      {
-        Loop         loop{{}, 1};
-        const double largest = X.col(j).cwiseAbs().maxCoeff();
-        for (int i = 0; i < m; ++i)
-          if (std::abs(X(i, j)) > 1e-6 * largest)
-            if (const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
-                loop.joints.empty() || loop.joints.back() != owner)
-              loop.joints.push_back(owner);
-        // joined with those before that share a joint
-        for (auto other = result.begin(); other != result.end();)
-          if (std::any_of(other->joints.begin(), other->joints.end(), [&](const std::string &name) {
-                return std::find(loop.joints.begin(), loop.joints.end(), name) != loop.joints.end();
-              }))
-            {
-              for (const auto &name : loop.joints)
-                if (std::find(other->joints.begin(), other->joints.end(), name) == other->joints.end())
-                  other->joints.push_back(name);
-              loop.joints = other->joints;
-              loop.n_redundant += other->n_redundant;
-              other = result.erase(other);
-            }
-          else
-            ++other;
-        result.push_back(loop);
-      }
-    return result;
   }
 } // namespace samara

@@ -1,11 +1,11 @@
 // How the rates of a motion that is not steady change while a drive turns once.
 
+#include <samara/base/text.h>
 #include <samara/solvers/joint_motion.h>
 #include <samara/solvers/newton.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace samara
 {
@@ -33,14 +33,6 @@ namespace samara
       for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
         state.coordinates[i] += t * y[system.layout.of_coordinate(i)];
       return state;
-    }
-
-    std::string
-    short_number(const double number)
-    {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.4g", number);
-      return text;
     }
   } // namespace
 
@@ -91,7 +83,7 @@ namespace samara
     if (motion.is_steady())
       return "";
     if (!motion.strained.empty())
-      return "<" + motion.strained + "> is strained as parts turn, by " + short_number(motion.strain) +
+      return "<" + motion.strained + "> is strained as parts turn, by " + number_to_text("%.4g", motion.strain) +
              " of what disorder would: bearings are out of line, or what turns is bent";
     std::vector<RateRange> ranges;
     try
@@ -113,7 +105,7 @@ namespace samara
     for (unsigned int i = 0; i < std::min<std::size_t>(3, ranges.size()); ++i)
       if (ranges[i].highest - ranges[i].lowest > 1e-5 * speed * model_length(system.model))
         text += (text.empty() ? "in one turn " : ", ") + ("<" + ranges[i].name + ">") + " goes from " +
-                short_number(ranges[i].lowest) + " to " + short_number(ranges[i].highest);
+                number_to_text("%.4g", ranges[i].lowest) + " to " + number_to_text("%.4g", ranges[i].highest);
     if (!text.empty())
       return text + " (rad/s or m/s)";
     text = "rates are constant, but parts turn about axes that move:";

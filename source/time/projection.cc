@@ -5,49 +5,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace samara
 {
-  namespace
-  {
-    /** Of @p all, the entries a saddle-point matrix has: 6×6 masses of nodes, coordinates, and constraints. */
-    std::pair<std::shared_ptr<const Pattern>, std::vector<int>>
-    entries_of_saddle(const Pattern &all, const Layout &layout)
-    {
-      const int        n_twists = layout.of_coordinate(0), n_kinematic = layout.of_multiplier(0);
-      auto             pattern = std::make_shared<Pattern>();
-      std::vector<int> kept;
-      pattern->column_start.push_back(0);
-      for (int j = 0; j < all.size(); ++j)
-        {
-          for (int k = all.column_start[j]; k < all.column_start[j + 1]; ++k)
-            {
-              const int  i       = all.rows[k];
-              const bool is_mass = i < n_twists && j < n_twists ? i / 6 == j / 6 : i == j;
-              if (is_mass || i >= n_kinematic || j >= n_kinematic)
-                {
-                  pattern->rows.push_back(i);
-                  kept.push_back(k);
-                }
-            }
-          pattern->column_start.push_back(pattern->rows.size());
-        }
-      return {pattern, kept};
-    }
-  } // namespace
-
-
-
   Projection::Projection(const System &system)
     : system(system)
     , K(system.layout.pattern)
     , M(system.layout.pattern)
   {
     system.mass(M);
-    std::tie(pattern, kept) = entries_of_saddle(*system.layout.pattern, system.layout);
-    saddle                  = std::make_unique<SparseMatrix>(pattern);
-    solver                  = make_solver(pattern);
+    // 6×6 masses of nodes, those of coordinates, and constraints
+    const int     n_twists = system.layout.of_coordinate(0), n_kinematic = system.layout.of_multiplier(0);
+    PartOfPattern part(*system.layout.pattern, [=](const int i, const int j) {
+      const bool is_mass = i < n_twists && j < n_twists ? i / 6 == j / 6 : i == j;
+      return is_mass || i >= n_kinematic || j >= n_kinematic;
+    });
+    pattern = part.pattern;
+    kept    = std::move(part.kept);
+    saddle  = std::make_unique<SparseMatrix>(pattern);
+    solver  = make_solver(pattern);
   }
 
 

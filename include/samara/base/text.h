@@ -40,6 +40,9 @@ namespace samara
   /** Whether did_you_mean() still looks for names: of ten thousand mistakes only the first hundreds need advice. */
   bool may_suggest();
 
+  /** A number as printf() writes it with this @p pattern, "%.3g". */
+  std::string number_to_text(const char *pattern, double number);
+
   /** The shortest text that reads as exactly this number. */
   std::string number_to_text(double number);
 

@@ -89,6 +89,8 @@ namespace samara
 
     /** Strains of one element at its integration points, 6 dim each, those of its first point first. */
     void element_strains(unsigned int element, const double *q, double *e) const;
+    /** The same from its nodes. */
+    void element_strains(unsigned int element, const kernel::NodeValues<double> *nodes, double *e) const;
 
     /** No element has more nodes. */
     static constexpr unsigned int most_nodes = dim == 1 ? 7 : 49;

@@ -30,6 +30,34 @@ namespace samara
 
 
 
+  /** Some entries of a pattern, as a pattern of their own, and where each of them is among all. */
+  struct PartOfPattern
+  {
+    std::shared_ptr<const Pattern> pattern;
+    std::vector<int>               kept;
+
+    /** Those with @p keep(row, column). */
+    template <typename Keep>
+    PartOfPattern(const Pattern &all, const Keep &keep)
+    {
+      auto part = std::make_shared<Pattern>();
+      part->column_start.push_back(0);
+      for (int j = 0; j < all.size(); ++j)
+        {
+          for (int k = all.column_start[j]; k < all.column_start[j + 1]; ++k)
+            if (keep(all.rows[k], j))
+              {
+                part->rows.push_back(all.rows[k]);
+                kept.push_back(k);
+              }
+          part->column_start.push_back(part->rows.size());
+        }
+      pattern = part;
+    }
+  };
+
+
+
   /** Values on a shared pattern; one more value behind the last takes what belongs to fixed nodes. */
   struct SparseMatrix
   {

@@ -169,6 +169,11 @@ namespace samara
           others.push_back(c.get());
     refuse(name, noun, others);
   }
+
+
+
+  /** Diagonal of the box around the reference positions of all nodes there are [m]. */
+  double box_diagonal(const Model &model);
 } // namespace samara
 
 #endif

@@ -76,7 +76,7 @@ namespace samara
     std::vector<Cell> cells;
 
     dealii::Point<2> parameters_at(const Cell &cell, const dealii::Point<2> &unit) const;
-    void             check(const std::vector<SectionPatch> &patches) const;
+    void             check() const;
   };
 } // namespace samara
 

@@ -56,6 +56,8 @@ namespace samara
     /** How fast the line of each rate moves, over the speed: its weight. */
     std::vector<double> weights() const;
     double              line_moves(const RelativeRate &rate) const;
+    /** Find them anew, none below @p smallest; returns the largest change. */
+    double renew_weights(std::vector<double> &weight, double smallest) const;
 
     void find_strain();
     void find_moving();

@@ -82,15 +82,15 @@ namespace samara
       Eigen::MatrixXd F, viscous; ///< viscous: F T⁺ w C_d
     };
 
-    const LinearMotion            &motion;
-    unsigned int                   n; ///< of ζ and μ
-    double                         sigma = 0;
-    std::vector<Point>             points;
-    SparseRows                     rows; ///< Tᵀ B
-    std::shared_ptr<const Pattern> pattern;
-    std::vector<double>            values, scale;
-    std::unique_ptr<LinearSolver>  solver;
-    mutable std::vector<double>    right_side, residual;
+    const LinearMotion           &motion;
+    unsigned int                  n; ///< of ζ and μ
+    double                        sigma = 0;
+    std::vector<Point>            points;
+    SparseRows                    rows; ///< Tᵀ B
+    std::unique_ptr<SparseMatrix> A;    ///< as assembled
+    std::vector<double>           scale;
+    std::unique_ptr<LinearSolver> solver;
+    mutable std::vector<double>   right_side, residual;
 
     void  reduce_points();
     Point reduced(const StrainRows::Point &p) const;

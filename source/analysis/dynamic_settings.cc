@@ -1,0 +1,115 @@
+// The entries of a dynamic analysis, and which of them do not fit each other.
+
+#include <samara/analysis/dynamic.h>
+
+namespace samara
+{
+  namespace
+  {
+    constexpr double most_steps = 1e10; ///< of a run: nobody waits for more
+  }
+
+
+
+  void
+  DynamicAnalysis::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Start time", start_time, "Time at the start [s].");
+    prm.add("End time", end_time, "Time at the end [s].");
+    prm.add("Step", step, "Time step; of adaptive steps the first one [s].", Double(0));
+    prm.add(
+      "Step control",
+      control,
+      "fixed, or adaptive: steps are as long as the tolerance allows, judged by the energy that the scheme dissipates. "
+      "Either way steps end at corners of loads, and are halved where no solution is found.",
+      Selection("fixed|adaptive"));
+    prm.add("Tolerance",
+            tolerance,
+            "Of adaptive steps: relative error of an oscillation over one period; of BDF: relative tolerance [1].",
+            Double(0, 1));
+    prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
+    prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
+    prm.add(
+      "Integrator",
+      integrator,
+      "family: the energy preserving and decaying schemes of this program; or one of the others, for comparison and "
+      "with fixed steps: generalised alpha on the nodal frames, the trapezoidal rule, the energy decaying scheme in "
+      "inertial velocities, or backward differentiation formulas of variable order and inner step (SUNDIALS).",
+      Selection("family|generalised alpha|trapezoidal|energy decaying|BDF index 2|BDF index 1"));
+    prm.add(
+      "Stages",
+      n_stages,
+      "Stages of the integrator, 1 to 3: order 2 s for spectral radius 1, otherwise 2 s - 1. One stage: the midpoint rule.",
+      Integer(1, 3));
+    prm.add("Spectral radius",
+            spectral_radius,
+            "At infinite frequency: 1 preserves energy, less damps what the step cannot resolve; 0 most [1].",
+            Double(0, 1));
+    prm.add(
+      "Newton tolerance",
+      newton_tolerance,
+      "Newton's method stops when velocities change by less, relative to the largest, and the energy statement is "
+      "satisfied to this part of the energy [1].",
+      Double(0));
+    prm.add(
+      "Energy balance",
+      energy_balance,
+      "What to do when the energy account misses more than the Newton tolerance explains: refuse the results, which "
+      "are written, with exit code 3; or warn.",
+      Selection("refuse|warn"));
+    prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
+    prm.add(
+      "Inconsistent velocities",
+      inconsistent,
+      "Velocities at the start that the constraints do not allow: project them on those that are allowed, nearest in "
+      "kinetic energy, and say so; or refuse them.",
+      Selection("project|refuse"));
+    prm.add("Output every", output_every, "Steps from one row of the histories to the next.", Integer(1));
+    prm.add("Pictures", n_pictures, "Number of pictures of the moving model, at equal times.", Integer(0));
+    prm.add(
+      "Second estimate",
+      second_estimate,
+      "Repeat each step by two half ones and write how far they are apart: an independent estimate of the error, at "
+      "three times the cost.");
+    prm.add("Checkpoint interval",
+            seconds_between_checkpoints,
+            "Seconds of computing between two checkpoints for --restart [s].",
+            Double(0));
+  }
+
+
+
+  void
+  DynamicAnalysis::check(const std::vector<double> &rotor_speeds, Complaints &complaints) const
+  {
+    const auto complain = [&](const std::string &entry, const std::string &text) {
+      complaints.add(parameters.where(entry), text);
+    };
+    if (!(end_time > start_time))
+      complain("End time", "the <End time> must be later than the <Start time>");
+    if (!(step > 0))
+      complain("Step", "the <Step> must be positive");
+    else if ((end_time - start_time) / step > most_steps)
+      complain("Step",
+               "with this <Step> there are " + short_text((end_time - start_time) / step) + " steps to the <End time>");
+    if (!(newton_tolerance > 0))
+      complain("Newton tolerance", "the <Newton tolerance> must be positive");
+    if (!rotor_speeds.empty())
+      complaints.add(parameters.where(),
+                     "a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
+    if (control != "adaptive")
+      return;
+    if (integrator != "family")
+      complain("Integrator",
+               "<Step control = adaptive> judges steps by the energy that the integrator family dissipates; take fixed "
+               "steps with the integrator <" +
+                 integrator + ">");
+    if (!(tolerance > 0 && tolerance < 1))
+      complain("Tolerance", "the <Tolerance> of adaptive steps lies between 0 and 1");
+    if (!(smallest_step > 0))
+      complain("Smallest step", "the <Smallest step> of adaptive steps must be positive");
+    else if (largest_step > 0 && smallest_step > largest_step)
+      complain("Smallest step", "the <Smallest step> must not be larger than the <Largest step>");
+  }
+} // namespace samara

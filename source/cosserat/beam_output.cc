@@ -1,0 +1,139 @@
+// What is known along a beam: probes and drawing.
+
+#include <samara/base/text.h>
+#include <samara/cosserat/beam.h>
+#include <samara/model/frame_probe.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  Beam::Local
+  Beam::local(const State &state, const double s, const bool with_strains) const
+  {
+    // the first cell that ends there or later
+    const auto         ends_before = [&](const Cell &cell, const double at) { return cell.end < at; };
+    const unsigned int i =
+      std::lower_bound(cells.begin(), cells.end() - 1, s - 1e-9 * curve->length(), ends_before) - cells.begin();
+    const dealii::Point<1> xi((s - cells[i].start) / (cells[i].end - cells[i].start));
+
+    const ElementTable<1>     &t = *elements[i].table;
+    kernel::NodeValues<double> nodes[most_nodes];
+    gather(i, state.q.data(), nodes);
+    // one for each degree, made when first used
+    static thread_local std::map<unsigned int, dealii::FE_Q<1>> elements_of_degree;
+    const dealii::FE_Q<1> &fe = elements_of_degree.try_emplace(t.degree, t.degree).first->second;
+    Local                  result;
+    Sample                &sample = result.sample;
+    sample.D.setZero();
+    for (unsigned int a = 0; a < t.n_nodes; ++a)
+      {
+        const double  N = fe.shape_value(a, xi);
+        const Vector6 y = elements[i].frames[a].twist(state.y.data());
+        sample.x += N * nodes[a].x;
+        sample.D += N * nodes[a].D;
+        sample.velocity += N * nodes[a].D * y.head<3>();
+        result.spin += N * nodes[a].D * y.tail<3>();
+        result.acceleration += N * frame_acceleration(elements[i].frames[a], state);
+      }
+    for (unsigned int k = 0; k < 4; ++k)
+      sample.D = renormalised(sample.D);
+    result.D_reference  = triad_at(s, 0.5 * (cells[i].start + cells[i].end));
+    sample.displacement = sample.x - curve->position(s);
+
+    result.strain.setZero();
+    result.stress.setZero();
+    if (is_rigid || !with_strains)
+      return result;
+    // strains and section forces: the polynomial through the Gauss points
+    const unsigned int n_points = t.n_points;
+    double             e[6 * most_nodes];
+    element_strains(i, state.q.data(), e);
+    for (unsigned int g = 0; g < n_points; ++g)
+      {
+        double L = 1;
+        for (unsigned int k = 0; k < n_points; ++k)
+          if (k != g)
+            L *= (xi[0] - t.points[k][0]) / (t.points[g][0] - t.points[k][0]);
+        result.strain += L * Eigen::Map<const Vector6>(e + 6 * g);
+        result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + 6 * (elements[i].first_point + g)]);
+      }
+    sample.force     = sample.D * result.stress.head<3>();
+    sample.moment    = sample.D * result.stress.tail<3>();
+    sample.strain    = result.strain.head<3>();
+    sample.curvature = result.strain.tail<3>();
+    return result;
+  }
+
+
+
+  std::optional<Probe>
+  Beam::probe(const std::string &path) const
+  {
+    const auto dot      = std::min(path.size(), path.rfind('.'));
+    const auto s        = abscissa_of(trim(path.substr(0, dot)));
+    const auto quantity = dot < path.size() ? trim(path.substr(dot + 1)) : "";
+    if (!s)
+      return {};
+    const double abscissa = *s;
+
+    static const std::array<std::pair<std::string, std::string>, 4> of_section = {
+      {{"force", "N"}, {"moment", "N m"}, {"strain", "1"}, {"curvature", "1/m"}}};
+    for (unsigned int k = 0; k < 4; ++k)
+      for (unsigned int i = 0; i < 3; ++i)
+        if (quantity == of_section[k].first + " " + std::to_string(i + 1))
+          return Probe{path, of_section[k].second, [=](const State &state) {
+                         const Local l = local(state, abscissa);
+                         return (k < 2 ? l.stress : l.strain)(3 * (k % 2) + i);
+                       }};
+
+    return frame_probe(quantity, [=](const State &state) -> FrameMotion {
+      const Local l = local(state, abscissa, false);
+      return {l.sample.x,
+              l.sample.x - l.sample.displacement,
+              l.sample.D,
+              l.D_reference,
+              l.sample.velocity,
+              l.spin,
+              l.acceleration.head<3>(),
+              l.acceleration.tail<3>()};
+    });
+  }
+
+
+
+  std::vector<std::string>
+  Beam::probe_names() const
+  {
+    auto quantities = frame_quantities();
+    for (const std::string q : {"force", "moment", "strain", "curvature"})
+      for (const char i : {'1', '2', '3'})
+        quantities.push_back(q + " " + i);
+    std::vector<std::string> names;
+    for (const auto &point : points())
+      for (const auto &q : quantities)
+        names.push_back(point + "." + q);
+    return names;
+  }
+
+
+
+  void
+  Beam::draw(const State &state, Drawing &drawing) const
+  {
+    std::vector<Sample>                       axis;
+    std::vector<std::vector<Eigen::Vector2d>> outlines;
+    for (const auto &cell : cells)
+      for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= 2 * cell.degree; ++k)
+        {
+          const double s = cell.start + (cell.end - cell.start) * k / (2 * cell.degree);
+          axis.push_back(local(state, s).sample);
+          outlines.push_back(section->at(s / curve->length()).outline);
+        }
+    drawing.begin_object(name);
+    drawing.tube(axis, outlines);
+  }
+} // namespace samara
