@@ -185,6 +185,57 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** One step of the mixed Newton iteration from a state, and what it changes. */
+    struct MixedStep
+    {
+      const Linearization motion;
+      std::vector<double> x, change; ///< unknowns; stress resultants by the rows of B
+
+      /** @param r the residual; @param lacking stresses beyond those of the strains, one a strain */
+      MixedStep(const System &system, const State &at, const std::vector<double> &r, const std::vector<double> &lacking)
+        : motion(system, at, false)
+        , change(motion.strains.B.n_rows())
+      {
+        MixedMatrix matrix(motion);
+        matrix.factorize(10 * frequency_scale(motion));
+        x.assign(matrix.size(), 0.);
+        std::transform(r.begin(), r.begin() + system.size(), x.begin(), [](const double r_i) { return -r_i; });
+        matrix.add_strains_of(resultants(motion.strains, lacking).data(), x.data());
+        matrix.solve(x.data());
+        matrix.stresses(x.data(), change.data());
+      }
+    };
+
+
+
+    /** The contribution whose stresses change most, by their energy. */
+    std::string
+    most_changed(const System &system, const MixedStep &step)
+    {
+      std::string name;
+      double      most = 0;
+      for (const auto &p : step.motion.strains.points)
+        {
+          const auto C      = step.motion.strains.C(p);
+          double     energy = 0;
+          for (unsigned int i = 0; i < p.size; ++i)
+            if (C(i, i) > 0)
+              energy += step.change[p.first_row + i] * step.change[p.first_row + i] / (p.weight * C(i, i));
+          if (energy <= most)
+            continue;
+          most = energy;
+          for (const auto &c : system.model.contributions)
+            if (p.first_strain >= c->first_strain && p.first_strain < c->first_strain + c->n_strains())
+              name = c->name;
+        }
+      return name;
+    }
+  } // namespace
+
+
+
   Imbalance
   balance_stresses(const System &system, State &state)
   {
@@ -196,27 +247,38 @@ namespace samara
     r.resize(system.size());
     if (stress == at.stress && std::all_of(r.begin(), r.end(), [](const double r_i) { return r_i == 0.; }))
       return {};
-
-    const Linearization motion(system, at, false);
-    MixedMatrix         matrix(motion);
-    matrix.factorize(10 * frequency_scale(motion));
-    std::vector<double> x(matrix.size(), 0.), change(motion.strains.B.n_rows());
-    std::transform(r.begin(), r.end(), x.begin(), [](const double r_i) { return -r_i; });
     for (unsigned int i = 0; i < stress.size(); ++i)
       stress[i] = at.stress[i] - stress[i];
-    matrix.add_strains_of(resultants(motion.strains, stress).data(), x.data());
-    matrix.solve(x.data());
-    matrix.stresses(x.data(), change.data());
 
-    if (!is_loaded(system, at) && share_of_energy(motion, change, change) == 0.)
+    const MixedStep step(system, at, r, stress);
+    const auto     &motion = step.motion;
+    if (!is_loaded(system, at) && share_of_energy(motion, step.change, step.change) == 0.)
       return {}; // round-off in the places of nodes
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-      state.multipliers[i] += x[system.layout.of_multiplier(i)];
+      state.multipliers[i] += step.x[system.layout.of_multiplier(i)];
     for (const auto &p : motion.strains.points)
       for (unsigned int i = 0; i < p.size; ++i)
-        state.stress[p.first_strain + i] += change[p.first_row + i] / p.weight;
+        state.stress[p.first_strain + i] += step.change[p.first_row + i] / p.weight;
 
-    return {size_of_step(system, x, model_length(system.model)),
-            share_of_energy(motion, change, resultants(motion.strains, state.stress))};
+    return {size_of_step(system, step.x, model_length(system.model)),
+            share_of_energy(motion, step.change, resultants(motion.strains, state.stress)),
+            most_changed(system, step)};
+  }
+
+
+
+  Imbalance
+  imbalance_at_any_reactions(const System &system, const State &state)
+  {
+    // the moments of drives that are free to move belong to the state
+    State at = state;
+    at.held  = true;
+    std::vector<double> r;
+    system.residual(at, at.stress, r);
+    std::fill(r.begin() + system.layout.of_multiplier(0), r.end(), 0.);
+    const MixedStep step(system, state, r, std::vector<double>(system.layout.n_strains, 0.));
+    return {size_of_step(system, step.x, model_length(system.model)),
+            share_of_energy(step.motion, step.change, resultants(step.motion.strains, state.stress)),
+            most_changed(system, step)};
   }
 } // namespace samara

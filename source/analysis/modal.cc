@@ -1,5 +1,6 @@
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
+#include <samara/analysis/steady_loads.h>
 #include <samara/base/errors.h>
 #include <samara/output/pictures.h>
 #include <samara/solvers/newton.h>
@@ -33,8 +34,8 @@ namespace samara
     prm.add(
       "Unsteady motion",
       unsteady,
-      "Where parts that turn against each other do not turn steadily, as a universal joint on a bend: refuse, or allow, "
-      "and find the modes of the moment, if it is known that little changes.",
+      "Where parts do not turn steadily, as a universal joint on a bend, or where loads change as they turn, as a weight "
+      "across a shaft: refuse, or allow, and find the modes of the moment, if it is known that little changes.",
       Selection("refuse|allow"));
     prm.add("Animations", n_animations, "Number of modes for which a moving picture is written.", Integer(0));
   }
@@ -51,10 +52,12 @@ namespace samara
         system.stresses(context.state, context.state.stress);
       }
     require_finite_state(system, context.state);
-    check_motion(context);
-    State state = context.state;
+    const bool is_steady = check_motion(context);
+    State      state = context.state;
     check_equilibrium(system, state);
     state.held = hold;
+    if (is_steady)
+      check_loads(context, state);
     if (!state.left_out.empty())
       RedundantRows(system).choose(state);
 
@@ -79,15 +82,34 @@ namespace samara
 
 
 
-  void
+  bool
   ModalAnalysis::check_motion(const Context &context) const
   {
     State              turning = context.state;
     const SteadyMotion motion  = set_steady_motion(context.system, turning, context.speeds);
     if (motion.is_steady())
-      return;
+      return true;
     const std::string why =
       "parts do not turn steadily: " + why_not_steady(context.system, turning, context.speeds, motion);
+    refuse_unsteady(context, why);
+    return false;
+  }
+
+
+
+  void
+  ModalAnalysis::check_loads(const Context &context, const State &state) const
+  {
+    const ChangingLoads loads = changing_loads(context.system, state);
+    if (loads.change_modes())
+      refuse_unsteady(context, loads.text());
+  }
+
+
+
+  void
+  ModalAnalysis::refuse_unsteady(const Context &context, const std::string &why) const
+  {
     if (unsteady == "refuse")
       throw InputError(
         (parameters.where().empty() ? "" : parameters.where() + ": ") + "modal analysis: " + why +

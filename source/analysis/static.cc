@@ -1,4 +1,5 @@
 #include <samara/analysis/static.h>
+#include <samara/analysis/steady_loads.h>
 #include <samara/solvers/anderson.h>
 #include <samara/solvers/steady_motion.h>
 
@@ -221,6 +222,8 @@ namespace samara
                           "parts do not turn steadily: " +
                             why_not_steady(context.system, turning, context.speeds, motion) +
                             "; this is the equilibrium of one moment, as if speeds stayed what they are");
+    else
+      tell_loads(context);
     if (!motion.shared.empty())
       {
         std::string names;
@@ -231,6 +234,20 @@ namespace samara
     if (motion.n_at_rest > 0)
       context.log.line("  static: " + std::to_string(motion.n_at_rest) +
                        " rigid motions that nothing relates to a drive or the ground; they are taken to be at rest");
+  }
+
+
+
+  void
+  StaticAnalysis::tell_loads(const Context &context)
+  {
+    State state                = context.state;
+    state.held                 = false; // a drive whose moment changes does not turn steadily
+    const ChangingLoads loads = changing_loads(context.system, state);
+    if (loads.are_steady())
+      return;
+    has_told_motion = true;
+    context.log.warning("static", loads.text() + "; this is the equilibrium of one azimuth, as if it stayed");
   }
 
 

@@ -11,30 +11,48 @@ namespace samara
 {
   namespace
   {
+    /** Let a node go on with this twist, constant in its own axes, for the time @p t: the screw motion exp of the twist. */
+    void
+    move_node(State &state, const unsigned int node, const Vector6 &twist, const double t)
+    {
+      const Vector3       r     = t * twist.tail<3>();
+      const double        angle = r.norm();
+      const Matrix3       s     = skew(r);
+      Eigen::Map<Vector3> x(&state.q[12 * node]);
+      Eigen::Map<Matrix3> D(&state.q[12 * node + 3]);
+      const double        a = angle > 1e-4 ? (1 - std::cos(angle)) / (angle * angle) : 0.5,
+                   b        = angle > 1e-4 ? (angle - std::sin(angle)) / std::pow(angle, 3) : 1. / 6;
+      x += D * (Matrix3::Identity() + a * s + b * s * s) * (t * twist.head<3>());
+      D = (D * rotation_of_vector(r)).eval();
+    }
+
+
+
     /** Let all nodes and coordinates go on with these velocities, constant in the nodes' axes, for the time @p t. */
     State
     moved(const System &system, const State &from, const std::vector<double> &y, const double t)
     {
       State state = from;
       for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-        {
-          const Eigen::Map<const Vector6> twist(&y[system.layout.of_node(node)]);
-          const Vector3                   r     = t * twist.tail<3>();
-          const double                    angle = r.norm();
-          const Matrix3                   s     = skew(r);
-          Eigen::Map<Vector3>             x(&state.q[12 * node]);
-          Eigen::Map<Matrix3>             D(&state.q[12 * node + 3]);
-          // the screw motion exp of the twist
-          const double a = angle > 1e-4 ? (1 - std::cos(angle)) / (angle * angle) : 0.5,
-                       b = angle > 1e-4 ? (angle - std::sin(angle)) / std::pow(angle, 3) : 1. / 6;
-          x += D * (Matrix3::Identity() + a * s + b * s * s) * (t * twist.head<3>());
-          D = (D * rotation_of_vector(r)).eval();
-        }
+        move_node(state, node, Eigen::Map<const Vector6>(&y[system.layout.of_node(node)]), t);
       for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
         state.coordinates[i] += t * y[system.layout.of_coordinate(i)];
       return state;
     }
   } // namespace
+
+
+
+  State
+  moved_on(const System &system, const State &from, const double t)
+  {
+    State state = from;
+    for (unsigned int node = 0; node < system.layout.n_nodes; ++node)
+      move_node(state, node, Eigen::Map<const Vector6>(&from.y[6 * node]), t);
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      state.coordinates[i] += t * from.rates[i];
+    return state;
+  }
 
 
 

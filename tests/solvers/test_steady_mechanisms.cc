@@ -134,6 +134,34 @@ TEST(SteadyMechanisms, TeeteringAndGimballedRotors)
 
 
 
+// A free wheel is a hinge: held while the engine drives, free while the rotor overruns it, each with its own drive. A rotor
+// that is slower than the engine that drives it contradicts the held one.
+TEST(SteadyMechanisms, FreeWheel)
+{
+  const auto model = [](const bool drives, const double rotor) {
+    Mechanism m = Mechanism().body("engine", {0, 0, 0}).body("hub", {0, 0, 1}).body("blade", {.2, 0, 1});
+    m.revolute("engine", "ground", "engine", {0, 0, 0}).drive("engine", 1);
+    m.joint("wheel",
+            "revolute",
+            "engine",
+            "hub",
+            Mechanism::place({0, 0, .5}) + (drives ? Mechanism::hold("rotation") : std::string()));
+    m.joint("bearing", "cylindrical", "ground", "hub", Mechanism::place({0, 0, 1}));
+    m.revolute("flap", "hub", "blade", {.2, 0, 1}, {0, 1, 0});
+    return rotor == 0 ? m : m.drive("bearing", rotor);
+  };
+  const Moving driving(model(true, 0)), overrunning(model(false, 2));
+  expect_spin(driving, "blade", {0, 0, 1}, 1e-9);
+  EXPECT_NEAR(driving.rates.at("wheel.rotation"), 0, 1e-9);
+  expect_spin(overrunning, "blade", {0, 0, 2}, 1e-9);
+  EXPECT_NEAR(overrunning.rates.at("wheel.rotation"), 1, 1e-9);
+  EXPECT_TRUE(driving.motion.findings.is_steady());
+  EXPECT_TRUE(overrunning.motion.findings.is_steady());
+  EXPECT_THROW(Moving(model(true, .5)), InputError);
+}
+
+
+
 TEST(SteadyMechanisms, SwashPlates)
 {
   SwashPlate with_scissors, free_cyclic, without, long_links, rods;

@@ -4,6 +4,8 @@
 #include <samara/model/system.h>
 #include <samara/solvers/mixed_matrix.h>
 
+#include <string>
+
 namespace samara
 {
   /**
@@ -21,8 +23,9 @@ namespace samara
   /** How far a state is from the equilibrium of its loads and inertia forces, by one step of the mixed Newton iteration. */
   struct Imbalance
   {
-    double step   = 0; ///< displacement relative to the size of the model, or rotation
-    double stress = 0; ///< share of the strain energy that the state's stress lacks [1]
+    double      step   = 0; ///< displacement relative to the size of the model, or rotation
+    double      stress = 0; ///< share of the strain energy that the state's stress lacks [1]
+    std::string worst;      ///< what lacks most of it, if anything does
 
     /** Whether the state would move away, or modes about it would miss stresses. Reactions are found on the way. */
     bool
@@ -37,6 +40,13 @@ namespace samara
    * strains have errors of ε times the stiffness, which is no less than what bends a slender beam.
    */
   Imbalance balance_stresses(const System &system, State &state);
+
+  /**
+   * The same for a state with stresses that other multipliers may balance: how far it is from an equilibrium, whatever
+   * its multipliers. Places are taken as they are, though they may disobey constraints. Drives keep their moments if the
+   * state is not held.
+   */
+  Imbalance imbalance_at_any_reactions(const System &system, const State &state);
 } // namespace samara
 
 #endif

@@ -36,10 +36,13 @@ namespace samara
     std::vector<unsigned int> branches;
     std::unique_ptr<Table>    fan;
 
-    /** Complain if the state is none of a steady motion: what would be frozen then? */
-    void check_motion(const Context &context) const;
+    /** Complain if the state is none of a steady motion: what would be frozen then? Returns whether it is one. */
+    bool check_motion(const Context &context) const;
     /** Balance the stresses of @p state; throws NotConverged if it is no equilibrium. */
     void check_equilibrium(const System &system, State &state) const;
+    /** Nor if loads change as it turns. */
+    void check_loads(const Context &context, const State &state) const;
+    void refuse_unsteady(const Context &context, const std::string &why) const;
     void check_mass(const Linearization &linearization) const;
     void find(const Context &context, const Linearization &linearization);
     void check_errors(const Context &context) const;

@@ -38,6 +38,12 @@ namespace samara
    */
   SteadyMotion set_steady_motion(const System &system, State &state, const std::vector<double> &speeds);
 
+  /**
+   * Where a steady motion has taken @p from after the time @p t [s]: each node, and the ground, goes on with its twist of
+   * State::y, constant in its own axes, and joint coordinates with their rates. Stresses and multipliers stay.
+   */
+  State moved_on(const System &system, const State &from, double t);
+
   /** The lowest and the highest rate of a relative motion [rad/s or m/s] in a while. */
   struct RateRange
   {
