@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -97,6 +98,30 @@ namespace samara
                 sections.erase(std::remove_if(sections.begin(), sections.end(), section_is_unknown), sections.end());
               }
     }
+
+
+
+    /** Only an angle that is an unknown counts its turns. */
+    void
+    use_probed_angles(Model &model, const std::vector<std::string> &probes)
+    {
+      std::multimap<std::string, std::string> paths;
+      for (const auto &probe : probes)
+        if (const auto dot = probe.find('.'); dot != std::string::npos)
+          paths.emplace(trim(probe.substr(0, dot)), trim(probe.substr(dot + 1)));
+      for (unsigned int i = 0; i < model.contributions.size() && !paths.empty(); ++i)
+        {
+          Contribution &c            = *model.contributions[i];
+          const auto [first, beyond] = paths.equal_range(c.name);
+          if (first == beyond || c.is_faulty)
+            continue;
+          for (const auto &motion : c.rotation_names())
+            if (std::any_of(first, beyond, [&](const auto &path) {
+                  return path.second == motion || path.second == motion + " rate";
+                }))
+              c.use_coordinate(model, motion);
+        }
+    }
   } // namespace
 
 
@@ -158,6 +183,7 @@ namespace samara
     read_objects(catalogue, outline, quantities, complaints);
     read_analyses(catalogue, outline, quantities, complaints);
     initialize_objects();
+    use_probed_angles(model, probes);
     outlines.clear();
     const auto turns = [](const auto &c) { return c->kind == "steady rotation"; };
     if (!rotor_speeds.empty() && model.unmade.empty() &&

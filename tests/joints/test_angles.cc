@@ -325,3 +325,20 @@ TEST(Angles, TurnsAreCountedInMotion)
       EXPECT_LT(error, 0.1) << s << " stages";
     }
 }
+
+
+
+// Nothing but a probe uses the angle of a wheel that spins freely: it counts turns all the same, and has a rate.
+TEST(Angles, ProbedAnglesCountTurns)
+{
+  Scene scene("set Analyses = dynamic\nsubsection Bodies\n subsection b\n set Type = rigid body\n set Mass = 1\n"
+              " set Inertia = 0.3, 0.3, 0.3\n set Angular velocity = 0, 0, 20\n end\nend\nsubsection Joints\n" +
+              joint("h", "revolute", "ground", "b", {0, 0, 0}) +
+              " end\nend\nsubsection Dynamic\n set End time = 1\n set Step = 0.05\n set Spectral radius = 1\nend\n"
+              "subsection Output\n set Probes = h.rotation, h.rotation rate\nend\n");
+  auto &dynamics = scene.analysis<DynamicAnalysis>();
+  dynamics.start(scene.context);
+  dynamics.run(scene.context);
+  EXPECT_NEAR(scene.value("h.rotation"), 20 * 180 / M_PI, 0.2);
+  EXPECT_NEAR(scene.value("h.rotation rate"), 20., 1e-9);
+}
