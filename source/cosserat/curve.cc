@@ -141,22 +141,25 @@ namespace samara
 
     /**
      * A curve by expressions, sampled finely once: arc length by Gauss quadrature between samples, triads carried along
-     * by double reflection (Wang, Jüttler, Zheng, Liu 2008), which is of fourth order in the distance of samples.
+     * by double reflection (Wang, Jüttler, Zheng, Liu 2008), which is of fourth order in the distance of samples. At
+     * corners, where the tangent jumps, there are samples, too.
      */
     class ExpressionCurve : public Curve
     {
     public:
       ExpressionCurve(const std::array<Expression, 3> &expressions, const Vector3 &near_axis_2)
         : expressions(expressions)
-        , arc_length(n_samples + 1, 0.)
-        , triads(n_samples + 1)
       {
-        triads[0] = first_triad(derivative(0.), near_axis_2);
-        for (unsigned int i = 0; i < n_samples; ++i)
+        find_samples();
+        const unsigned int n = samples.size() - 1;
+        arc_length.assign(n + 1, 0.);
+        triads.push_back(first_triad(tangent(0., 0), near_axis_2));
+        for (unsigned int i = 0; i < n; ++i)
           {
-            const double a = double(i) / n_samples, b = double(i + 1) / n_samples;
-            arc_length[i + 1] = arc_length[i] + distance(a, b);
-            triads[i + 1]     = reflected(triads[i], a, b);
+            arc_length[i + 1] = arc_length[i] + distance(samples[i], samples[i + 1]);
+            triads.push_back(reflected(i, samples[i + 1]));
+            if (is_corner(i + 1))
+              triads.back() = carried(triads.back(), tangent(samples[i + 1], i + 1));
           }
         if (!(arc_length.back() > 0))
           throw std::invalid_argument("the expressions do not describe a curve: its length is not positive");
@@ -171,22 +174,77 @@ namespace samara
       Vector3
       position(const double s) const override
       {
-        return at(parameter(s));
+        return at(parameter(s, interval_of(s)));
       }
 
       Matrix3
-      triad(const double s, const double) const override
+      triad(const double s, const double inside) const override
       {
-        const double       u = parameter(s);
-        const unsigned int i = std::min(n_samples, static_cast<unsigned int>(u * n_samples));
-        return reflected(triads[i], double(i) / n_samples, u);
+        const unsigned int i = interval_of(s + 1e-9 * (inside - s));
+        return reflected(i, parameter(s, i));
+      }
+
+      std::vector<double>
+      corners() const override
+      {
+        std::vector<double> result;
+        for (unsigned int i = 1; i + 1 < samples.size(); ++i)
+          if (is_corner(i))
+            result.push_back(arc_length[i]);
+        return result;
       }
 
     private:
-      static constexpr unsigned int n_samples = 1000;
-      std::array<Expression, 3>     expressions;
-      std::vector<double>           arc_length;
-      std::vector<Matrix3>          triads;
+      std::array<Expression, 3> expressions;
+      std::vector<double>       samples, corner_parameters, arc_length;
+      std::vector<Matrix3>      triads; // of samples; at corners of the side beyond
+
+      void
+      find_samples()
+      {
+        constexpr unsigned int n = 1000;
+        for (unsigned int i = 0; i <= n; ++i)
+          samples.push_back(double(i) / n);
+        const auto next = [&](const double from) {
+          return std::min({expressions[0].next_corner(from, 1.),
+                           expressions[1].next_corner(from, 1.),
+                           expressions[2].next_corner(from, 1.)});
+        };
+        for (double u = next(0.); u < 1.; u = next(u))
+          {
+            const double  beside = 1e-9;
+            const Vector3 before = derivative(u - beside), after = derivative(u + beside);
+            if ((before.normalized() - after.normalized()).norm() > 1e-6)
+              corner_parameters.push_back(u);
+            if (corner_parameters.size() > n)
+              throw std::invalid_argument("the curve has more than 1000 corners");
+          }
+        samples.insert(samples.end(), corner_parameters.begin(), corner_parameters.end());
+        std::sort(samples.begin(), samples.end());
+        // of two samples that are nearly one, the corner stays
+        const auto is_double = [&](const unsigned int i) {
+          const auto near = [&](const unsigned int j) { return is_corner(j) && std::abs(samples[j] - samples[i]) < 1e-9; };
+          return (i > 0 && near(i - 1)) || (!is_corner(i) && i + 1 < samples.size() && near(i + 1));
+        };
+        std::vector<double> kept;
+        for (unsigned int i = 0; i < samples.size(); ++i)
+          if (!is_double(i))
+            kept.push_back(samples[i]);
+        samples = kept;
+      }
+
+      bool
+      is_corner(const unsigned int i) const
+      {
+        return std::binary_search(corner_parameters.begin(), corner_parameters.end(), samples[i]);
+      }
+
+      /** The interval between samples in which an arc length lies. */
+      unsigned int
+      interval_of(const double s) const
+      {
+        return std::upper_bound(arc_length.begin() + 1, arc_length.end() - 1, s) - arc_length.begin() - 1;
+      }
 
       Vector3
       at(const double u) const
@@ -198,6 +256,15 @@ namespace samara
       derivative(const double u) const
       {
         return {expressions[0].derivative(u), expressions[1].derivative(u), expressions[2].derivative(u)};
+      }
+
+      /** The direction at @p u seen from within the interval @p i. */
+      Vector3
+      tangent(const double u, const unsigned int i) const
+      {
+        const bool begins = i < samples.size() && is_corner(i) && u - samples[i] < 1e-9,
+                   ends   = i + 1 < samples.size() && is_corner(i + 1) && samples[i + 1] - u < 1e-9;
+        return derivative(begins ? samples[i] + 1e-9 : ends ? samples[i + 1] - 1e-9 : u);
       }
 
       /** Arc length between two parameters, by the four-point Gauss rule. */
@@ -212,22 +279,23 @@ namespace samara
         return 0.5 * (b - a) * sum;
       }
 
+      /** Of the arc length @p s in the interval @p i. */
       double
-      parameter(const double s) const
+      parameter(const double s, const unsigned int i) const
       {
-        const auto         next = std::upper_bound(arc_length.begin() + 1, arc_length.end() - 1, s);
-        const unsigned int i    = next - arc_length.begin() - 1;
-        const double       a    = double(i) / n_samples;
-        double             u    = a + (s - arc_length[i]) / (arc_length[i + 1] - arc_length[i]) / n_samples;
+        const double a = samples[i], b = samples[i + 1];
+        double       u = a + (s - arc_length[i]) / (arc_length[i + 1] - arc_length[i]) * (b - a);
         for (unsigned int iteration = 0; iteration < 3; ++iteration)
-          u -= (arc_length[i] + distance(a, u) - s) / derivative(u).norm();
-        return std::min(1., std::max(0., u));
+          u -= (arc_length[i] + distance(a, u) - s) / tangent(u, i).norm();
+        return std::min(is_corner(i + 1) ? b : 1., std::max(is_corner(i) ? a : 0., u));
       }
 
+      /** The triad at the parameter @p u, which lies in the interval @p i. */
       Matrix3
-      reflected(const Matrix3 &D, const double a, const double b) const
+      reflected(const unsigned int i, const double u) const
       {
-        const Vector3 chord = at(b) - at(a), t = derivative(b).normalized();
+        const Matrix3 &D     = triads[i];
+        const Vector3  chord = at(u) - at(samples[i]), t = tangent(u, i).normalized();
         if (chord.norm() < 1e-14)
           return carried(D, t);
         const auto    mirror = [](const Vector3 &v, const Vector3 &n) { return Vector3(v - 2 * n.dot(v) / n.dot(n) * n); };
