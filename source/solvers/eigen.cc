@@ -5,6 +5,7 @@
 #include <samara/solvers/shift_invert.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace samara
@@ -236,6 +237,18 @@ namespace samara
 
 
 
+    double
+    distance_to_nearest(const EigenPair &pair, const std::vector<EigenPair> &pairs)
+    {
+      double distance = std::numeric_limits<double>::infinity();
+      for (const auto &other : pairs)
+        if (&other != &pair)
+          distance = std::min(distance, std::abs(other.lambda - pair.lambda));
+      return distance;
+    }
+
+
+
     /** What of the eigenvalues are modes: one of each pair, nothing that moves no mass, free motions once. */
     Modes
     select(const std::vector<EigenPair> &pairs,
@@ -249,7 +262,7 @@ namespace samara
         {
           if (pair.lambda.imag() < 0)
             continue; // its conjugate stands for both
-          const auto   judgement = op.judge(pair.lambda, pair.zeta);
+          const auto   judgement = op.judge(pair.lambda, pair.zeta, distance_to_nearest(pair, pairs));
           const double size      = std::abs(pair.lambda);
           if (size < 3e-8 * frequency ||
               (size < 1e-5 * frequency && size * size * judgement.mass <= 100 * judgement.lost))

@@ -248,6 +248,30 @@ namespace samara
 
 
   void
+  MixedMatrix::for_entries(const std::function<void(int, int, double)> &f) const
+  {
+    const Pattern &pattern = *A->pattern;
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        f(pattern.rows[k], j, A->values[k]);
+  }
+
+
+
+  void
+  MixedMatrix::for_viscous_entries(const std::function<void(int, int, double)> &f) const
+  {
+    const SparseRows &B = motion.strains.B;
+    for (unsigned int g = 0; g < points.size(); ++g)
+      for (int j = 0; j < points[g].viscous.cols(); ++j)
+        for (int i = 0; i < points[g].viscous.rows(); ++i)
+          for (unsigned int row = motion.strains.points[g].first_row + j, k = B.start[row]; k < B.start[row + 1]; ++k)
+            f(n + points[g].first + i, B.columns[k], points[g].viscous(i, j) * B.values[k]);
+  }
+
+
+
+  void
   MixedMatrix::add_strains_of(const double *q, double *b) const
   {
     for (unsigned int g = 0; g < points.size(); ++g)

@@ -1,4 +1,8 @@
+#include <samara/base/interrupt.h>
 #include <samara/solvers/shift_invert.h>
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +23,27 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** The largest |a_ij − sign a_ji| of the first @p n rows, over the largest |a_ij| */
+    double
+    asymmetry(const SparseMatrix &A, const double sign, const unsigned int n)
+    {
+      double largest = 0, difference = 0;
+      for (unsigned int j = 0; j < n; ++j)
+        for (int k = A.pattern->column_start[j]; k < A.pattern->column_start[j + 1]; ++k)
+          if (const int i = A.pattern->rows[k]; A.values[k] != 0. && i < static_cast<int>(n))
+            {
+              const int other = A.pattern->position(j, i);
+              largest         = std::max(largest, std::abs(A.values[k]));
+              difference = std::max(difference, std::abs(A.values[k] - sign * (other < 0 ? 0. : A.values[other])));
+            }
+      return largest > 0 ? difference / largest : 0.;
+    }
+  } // namespace
+
+
+
   ShiftInvert::ShiftInvert(const LinearMotion &motion)
     : motion(motion)
     , n(motion.n_kinematic)
@@ -31,6 +56,9 @@ namespace samara
     for (unsigned int i = 0; i < n; ++i)
       if (const int k = motion.M.pattern->position(i, i); k >= 0)
         mass[i] = motion.M.values[k];
+    const bool S_is = asymmetry(motion.S, 1., n) < 1e-9;
+    is_symmetric    = S_is && asymmetry(motion.gyroscopic, 1., n) < 1e-9 && motion.B_dot.n_rows() == 0;
+    is_conservative = S_is && asymmetry(motion.gyroscopic, -1., n) < 1e-9 && !motion.strains.is_viscous();
   }
 
 
@@ -49,6 +77,7 @@ namespace samara
   void
   ShiftInvert::apply(const double *z, double *result) const
   {
+    throw_if_interrupted();
     const double sigma = shift();
     std::fill(b.begin(), b.end(), 0.);
     for (unsigned int i = 0; i < n; ++i)
@@ -123,34 +152,57 @@ namespace samara
 
 
 
-  /** What multiplies δλ in the equations, seen by a left vector: yᵀ(2λM + Γ)ζ + (B y)ᵀ w C_d B ζ. */
+  /** What multiplies δλ in the equations, seen by a left vector of (ζ, μ, q): yᵀ(2λM + Γ)ζ + y_qᵀ F w C_d B ζ. */
   std::complex<double>
   ShiftInvert::slope(const std::complex<double> &lambda,
                      const Eigen::VectorXcd     &left,
                      const Eigen::VectorXcd     &zeta) const
   {
-    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(n);
-    M.add_product(2. * lambda, zeta.data(), f.data());
-    gyroscopic.add_product(std::complex<double>(1.), zeta.data(), f.data());
-    std::complex<double> sum = (left.transpose() * f)(0);
-    if (motion.strains.is_viscous())
-      for (const auto &p : motion.strains.points)
-        {
-          Eigen::VectorXcd e(p.size), e_left(p.size);
-          for (unsigned int i = 0; i < p.size; ++i)
-            {
-              e(i)      = motion.strains.B.row_times(p.first_row + i, zeta.data());
-              e_left(i) = motion.strains.B.row_times(p.first_row + i, left.data());
-            }
-          sum += p.weight * (e_left.transpose() * (motion.strains.C_d(p) * e))(0);
-        }
-    return sum;
+    return -(left.transpose() * right_side(2. * lambda - shift(), zeta))(0);
+  }
+
+
+
+  Eigen::VectorXcd
+  ShiftInvert::left_vector(const std::complex<double> &lambda, const Eigen::VectorXcd &x, const double gap) const
+  {
+    using Complex                  = std::complex<double>;
+    const auto             slope_of = [&](const Eigen::VectorXcd &y) { return std::abs(slope(lambda, y, x.head(n))); };
+    const Eigen::VectorXcd conjugate = x.conjugate();
+    const Eigen::VectorXcd near      = slope_of(conjugate) >= slope_of(x) ? conjugate : x;
+    if (is_symmetric || (is_conservative && std::abs(lambda.real()) < 1e-8 * std::abs(lambda)))
+      return near;
+
+    // the equations at λ
+    std::vector<Eigen::Triplet<Complex>> entries;
+    const auto                           add = [&](const Complex &factor) {
+      return [&entries, factor](const int i, const int j, const double a) { entries.emplace_back(i, j, factor * a); };
+    };
+    const Complex distance = lambda - shift();
+    matrix.for_entries(add(1.));
+    matrix.for_viscous_entries(add(distance));
+    M.for_all(add(distance * (lambda + shift())));
+    gyroscopic.for_all(add(distance));
+    Eigen::SparseMatrix<Complex> T(matrix.size(), matrix.size());
+    T.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SparseMatrix<Complex> T_transposed = T.transpose();
+
+    // by how much λ would have to differ for it to be one
+    const double departure = x.cwiseAbs().dot(Eigen::VectorXcd(T_transposed * near).cwiseAbs()) / slope_of(near);
+    if (departure < std::max(0.3 * gap, 1e-8 * std::abs(lambda)))
+      return near;
+    Eigen::SparseLU<Eigen::SparseMatrix<Complex>, Eigen::COLAMDOrdering<int>> solver;
+    solver.compute(T_transposed);
+    Eigen::VectorXcd y = near;
+    for (unsigned int iteration = 0; iteration < 2 && solver.info() == Eigen::Success; ++iteration)
+      y = Eigen::VectorXcd(solver.solve(y)).normalized();
+    return solver.info() == Eigen::Success && y.allFinite() ? y : near;
   }
 
 
 
   ShiftInvert::Judgement
-  ShiftInvert::judge(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const
+  ShiftInvert::judge(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta, const double gap) const
   {
     // one more application gives the stresses and multipliers that belong to the mode
     const Eigen::VectorXcd f = right_side(lambda, zeta) * (lambda - shift());
@@ -177,8 +229,8 @@ namespace samara
     Eigen::VectorXcd Mz = Eigen::VectorXcd::Zero(n);
     M.add_product(std::complex<double>(1.), zeta.data(), Mz.data());
     result.mass = std::abs(zeta.dot(Mz));
-    result.error =
-      result.lost / std::max(std::abs(slope(lambda, zeta.conjugate(), zeta)), std::abs(slope(lambda, zeta, zeta)));
+    const Eigen::VectorXcd left = left_vector(lambda, x, gap);
+    result.error                = left.cwiseAbs().dot(r.cwiseAbs()) / std::abs(slope(lambda, left, zeta));
     return result;
   }
 } // namespace samara

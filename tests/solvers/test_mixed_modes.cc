@@ -153,3 +153,47 @@ TEST(Arnoldi, EqualEigenvalues)
       EXPECT_EQ(found, copies);
     }
 }
+
+
+
+// Two oscillators with the stiffness [k₁ c; −c k₂] flutter where c = (k₂ − k₁)/2. Near there λ changes by far more than
+// its equations do, and neither the shape nor its conjugate is the left vector. The mode of equations that differ a
+// little is judged by these: the error said is that of its λ.
+TEST(MixedModes, ErrorsNearFlutter)
+{
+  const unsigned int n      = 4;
+  const auto         motion = [=](const double c, const double k_1) {
+    auto pattern = std::make_shared<Pattern>();
+    pattern->column_start.push_back(0);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          pattern->rows.push_back(i);
+        pattern->column_start.push_back(n * (j + 1));
+      }
+    SparseMatrix M(pattern), Gamma(pattern), S(pattern);
+    const double k[n] = {k_1, 9, 100, 121};
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        M.values[pattern->position(i, i)] = 1;
+        S.values[pattern->position(i, i)] = k[i];
+      }
+    S.values[pattern->position(0, 1)] = c;
+    S.values[pattern->position(1, 0)] = -c;
+    return LinearMotion{M, Gamma, S, StrainRows(n), {}, n, std::vector<double>(n, 1.)};
+  };
+  for (const double distance : {1., 1e-2, 1e-4, 1e-6})
+    {
+      const double       c = 2.5 * (1 - distance), change = 1e-10;
+      const LinearMotion exact = motion(c, 4.), wrong = motion(c, 4 + change);
+      const auto         mode = find_modes(wrong, 2, {}).found.at(0);
+      // λ² = −13/2 ± √((5/2)² − c²), and its derivative by k₁
+      const double root = std::sqrt(6.25 - c * c), lower = std::sqrt(6.5 - root), gap = std::sqrt(6.5 + root) - lower,
+                   error = change / (2 * lower) * (0.5 + 1.25 / root);
+      ShiftInvert  op(exact);
+      op.set(1., 2.);
+      const double estimate = op.judge(mode.lambda, mode.shape, gap).error;
+      EXPECT_GT(estimate, 0.5 * error) << distance;
+      EXPECT_LT(estimate, 20 * error) << distance;
+    }
+}

@@ -4,6 +4,8 @@
 #include <samara/model/strain_rows.h>
 #include <samara/solvers/linear.h>
 
+#include <functional>
+
 namespace samara
 {
   /**
@@ -55,6 +57,10 @@ namespace samara
 
     /** Add F q to the right-hand side of the strains: those that go with the stress resultants @p q. */
     void add_strains_of(const double *q, double *b) const;
+
+    /** Give f every entry (row, column, value) of the matrix, and of F w C_d B, what add_viscous_part() subtracts. */
+    void for_entries(const std::function<void(int, int, double)> &f) const;
+    void for_viscous_entries(const std::function<void(int, int, double)> &f) const;
 
     /** Replace the right-hand side by the solution; size() numbers. */
     void solve(double *b) const;

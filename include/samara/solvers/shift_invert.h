@@ -3,6 +3,9 @@
 
 #include <samara/solvers/mixed_matrix.h>
 
+#include <complex>
+#include <limits>
+
 namespace samara
 {
   /**
@@ -47,7 +50,10 @@ namespace samara
     {
       double error, mass, lost, work;
     };
-    Judgement judge(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const;
+    /** @param gap the distance to the nearest other eigenvalue: near others the left vector must be known well */
+    Judgement judge(const std::complex<double> &lambda,
+                    const Eigen::VectorXcd     &zeta,
+                    double                      gap = std::numeric_limits<double>::infinity()) const;
 
     /** Displacements and rotations from the first half of a state. */
     Eigen::VectorXcd zeta(const Eigen::VectorXcd &z) const;
@@ -68,6 +74,14 @@ namespace samara
         for (unsigned int k = 0; k < values.size(); ++k)
           y[rows[k]] += factor * values[k] * x[columns[k]];
       }
+
+      template <typename Function>
+      void
+      for_all(const Function &f) const
+      {
+        for (unsigned int k = 0; k < values.size(); ++k)
+          f(rows[k], columns[k], values[k]);
+      }
     };
 
     const LinearMotion         &motion;
@@ -76,11 +90,17 @@ namespace samara
     MixedMatrix                 matrix;
     Entries                     M, gyroscopic;
     std::vector<double>         mass; ///< the diagonal of M
+    bool                        is_symmetric;    ///< M, Γ, S: x is a left vector of each mode
+    bool                        is_conservative; ///< Γ antisymmetric, M, S symmetric: x̄ is one where λ is imaginary
     mutable std::vector<double> b, zeta_now;
 
     Eigen::VectorXcd right_side(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const;
     std::complex<double>
     slope(const std::complex<double> &lambda, const Eigen::VectorXcd &left, const Eigen::VectorXcd &zeta) const;
+
+    /** Of (ζ, μ, q): x̄ or x, whichever is nearer to a left vector, or a left vector if neither is near enough. */
+    Eigen::VectorXcd
+    left_vector(const std::complex<double> &lambda, const Eigen::VectorXcd &x, double gap) const;
   };
 } // namespace samara
 
