@@ -186,6 +186,7 @@ namespace samara
                     Complaints       &all_complaints,
                     const bool        is_copy)
   {
+    entries.shrink_to_fit(); // none is added any more, and there are as many tables as objects
     set_place(section.where);
     Complaints of_original;
     for (const auto &given : section.entries)

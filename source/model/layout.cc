@@ -87,37 +87,44 @@ namespace samara
   void
   Layout::make_pattern()
   {
-    const int                     n = n_unknowns();
-    std::vector<std::vector<int>> columns(n);
-    const auto                    couple_all = [&](const std::vector<int> &rows) {
-      for (const int j : rows)
-        if (j < n)
-          for (const int i : rows)
-            if (i < n)
-              columns[j].push_back(i);
-    };
-    for (unsigned int node = 1; node < n_nodes; ++node)
-      {
-        std::vector<int> rows(6);
-        for (unsigned int k = 0; k < 6; ++k)
-          rows[k] = of_node(node) + k;
-        couple_all(rows);
-      }
-    for (int i = of_coordinate(0); i < n; ++i)
-      columns[i].push_back(i);
+    // the six unknowns of a node are coupled alike: one group; all others are one each
+    const int                     n = n_unknowns(), n_twists = of_coordinate(0), n_groups = n_twists / 6 + n - n_twists;
+    std::vector<std::vector<int>> coupled(n_groups);
+    for (int group = 0; group < n_groups; ++group)
+      coupled[group].push_back(group);
+    std::vector<int> groups;
     for (const auto &c : couplings)
-      couple_all(c.block->rows);
+      {
+        groups.clear();
+        for (const int row : c.block->rows)
+          if (row < n && (row >= n_twists || row % 6 == 0))
+            groups.push_back(row < n_twists ? row / 6 : n_twists / 6 + row - n_twists);
+        for (const int group : groups)
+          coupled[group].insert(coupled[group].end(), groups.begin(), groups.end());
+      }
+    const auto  size_of   = [=](const int group) { return group < n_twists / 6 ? 6 : 1; };
+    std::size_t n_entries = 0;
+    for (int group = 0; group < n_groups; ++group)
+      {
+        auto &others = coupled[group];
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        for (const int other : others)
+          n_entries += size_of(group) * size_of(other);
+      }
 
     auto result = std::make_shared<Pattern>();
+    result->rows.reserve(n_entries);
+    result->column_start.reserve(n + 1);
     result->column_start.push_back(0);
-    for (auto &rows : columns)
-      {
-        std::sort(rows.begin(), rows.end());
-        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-        result->rows.insert(result->rows.end(), rows.begin(), rows.end());
-        result->column_start.push_back(result->rows.size());
-        std::vector<int>().swap(rows);
-      }
+    for (int group = 0; group < n_groups; ++group)
+      for (int column = 0; column < size_of(group); ++column)
+        {
+          for (const int other : coupled[group])
+            for (int k = 0; k < size_of(other); ++k)
+              result->rows.push_back(other < n_twists / 6 ? 6 * other + k : n_twists + other - n_twists / 6);
+          result->column_start.push_back(result->rows.size());
+        }
     pattern = result;
   }
 

@@ -38,10 +38,13 @@ namespace samara
 
   ModelCheck check_model(const System &system);
 
+  /** "a, b, c and 5 more": six names at most. */
+  std::string join_some(const std::vector<std::string> &names);
+
   /** Redundant rows in the reference configuration and a little further on, see RedundantRows. */
   void find_redundant(const System &system, ModelCheck &check);
 
-  /** Motions without strain that no constraint prevents, by inverse iteration on the saddle matrix. */
+  /** Motions without strain that no constraint prevents, by inverse iteration on the saddle matrix of rigid pieces. */
   void find_free_motions(const System &system, ModelCheck &check);
 } // namespace samara
 

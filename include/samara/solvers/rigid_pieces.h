@@ -57,6 +57,13 @@ namespace samara
       return 6 * (static_cast<int>(piece[node]) - 1);
     }
 
+    /** The twist of a node, in its own axes, from the unknowns of its piece. */
+    const Matrix6 &
+    twist_of_node(const unsigned int node) const
+    {
+      return twist[node];
+    }
+
     /** Velocities of all unknowns of the system (twists, rates) from those of the pieces. */
     std::vector<double> velocities(const Eigen::VectorXd &x) const;
 

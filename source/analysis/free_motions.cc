@@ -1,0 +1,388 @@
+// Motions without strain that no constraint prevents. What can only be strained or move as one rigid body (beams) has
+// six unknowns, however fine its mesh.
+
+#include <samara/analysis/check.h>
+#include <samara/solvers/linear.h>
+#include <samara/solvers/newton.h>
+#include <samara/solvers/rigid_pieces.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace samara
+{
+  namespace
+  {
+    /** Of the stiffness, it is added to the diagonal: only then the matrix of a free model has an inverse. */
+    constexpr double shift = 1e-9;
+
+    /** Of constraints, relative to D: in a loop of beams, rigid as they are here, some say the same as others. */
+    constexpr double softness = 1e-6;
+
+    /** More free motions are not counted: the search works with as many full vectors of @p n numbers. */
+    int
+    most_free_motions(const int n)
+    {
+      return n > 20000 ? 8 : 32;
+    }
+
+    /** Joints' motions are told by name in models of up to so many joints. */
+    constexpr unsigned int few_joints = 1000;
+
+
+
+    /**
+     * The tangent K of the reference configuration, free of loads and of stress, in the unknowns of rigid pieces: of
+     * beams only what moves them as a whole. Behind the n unknowns of the pieces stand the m multipliers.
+     */
+    class PieceMatrix
+    {
+    public:
+      explicit PieceMatrix(const System &system);
+
+      int n, m;
+
+      const SparseMatrix &
+      matrix() const
+      {
+        return *reduced;
+      }
+
+      /** ½ Σ eᵀ C e of the strain rates of the motion @p x of the pieces. */
+      double strain_energy(const Eigen::VectorXd &x) const;
+
+      /** Velocities of all unknowns of the system. */
+      Eigen::VectorXd
+      velocities(const Eigen::VectorXd &x) const
+      {
+        const auto y = pieces.velocities(x);
+        return Eigen::Map<const Eigen::VectorXd>(y.data(), system.layout.of_multiplier(0));
+      }
+
+    private:
+      const System                     &system;
+      State                             state;
+      RigidPieces                       pieces;
+      std::vector<const Contribution *> straining; // all but the beams
+      std::unique_ptr<SparseMatrix>     reduced;
+
+      using Triplets = std::vector<Eigen::Triplet<double>>;
+
+      void add_row_of_transfer(int j, Triplets &entries) const;
+      void reduce(const SparseMatrix &K);
+      void set(const Eigen::SparseMatrix<double> &A);
+    };
+
+
+
+    PieceMatrix::PieceMatrix(const System &system)
+      : m(system.layout.n_multipliers)
+      , system(system)
+      , state(system.reference())
+      , pieces(system, model_length(system.model))
+    {
+      n            = pieces.n_unknowns();
+      state.held   = false;
+      state.factor = 0;
+      pieces.renew(state);
+      for (const auto &c : system.model.contributions)
+        {
+          // beams have no strain where their nodes move as one rigid body, and some wherever they do not
+          const auto *const motions = dynamic_cast<const RelativeMotions *>(c.get());
+          if (motions == nullptr || motions->rigid_nodes().empty())
+            straining.push_back(c.get());
+        }
+      SparseMatrix K(system.layout.pattern);
+      for (const auto *c : straining)
+        c->tangent(state.point(), K);
+      reduce(K);
+    }
+
+
+
+    double
+    PieceMatrix::strain_energy(const Eigen::VectorXd &x) const
+    {
+      const std::vector<double> velocity = pieces.velocities(x);
+      std::vector<double>       y(6 * system.layout.n_nodes, 0.), rates(system.layout.n_strains);
+      std::copy_n(velocity.begin(), y.size() - 6, y.begin() + 6);
+      Point<double> point = state.point();
+      point.y             = y.data();
+      point.rates         = velocity.data() + system.layout.of_coordinate(0);
+      double energy       = 0;
+      for (const auto *c : straining)
+        {
+          c->strain_rates(point, rates.data() + c->first_strain);
+          energy += c->strain_energy(rates.data() + c->first_strain);
+        }
+      return energy;
+    }
+
+
+
+    /** Row @p j of T, the velocities of the system from those of the pieces. */
+    void
+    PieceMatrix::add_row_of_transfer(const int j, Triplets &entries) const
+    {
+      const int n_twists = system.layout.of_coordinate(0), n_kinematic = system.layout.of_multiplier(0);
+      if (j >= n_kinematic)
+        entries.emplace_back(j, n + j - n_kinematic, 1.);
+      else if (j >= n_twists)
+        entries.emplace_back(j, pieces.column_of_coordinate(j - n_twists), pieces.coordinate_unit(j - n_twists));
+      else if (const int column = pieces.column_of_node(1 + j / 6); column >= 0)
+        for (int l = 0; l < 6; ++l)
+          if (const double t = pieces.twist_of_node(1 + j / 6)(j % 6, l); t != 0)
+            entries.emplace_back(j, column + l, t);
+    }
+
+
+
+    /** Tᵀ K T; of T only the rows that K has entries in. */
+    void
+    PieceMatrix::reduce(const SparseMatrix &K)
+    {
+      const Pattern              &pattern = *K.pattern;
+      const int                   size    = system.size();
+      Eigen::SparseMatrix<double> of_used(size, size), T(size, n + m);
+      Triplets                    entries;
+      for (int j = 0; j < size; ++j)
+        {
+          of_used.startVec(j);
+          bool is_used = false;
+          for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+            if (K.values[k] != 0)
+              {
+                of_used.insertBack(pattern.rows[k], j) = K.values[k];
+                is_used                                = true;
+              }
+          if (is_used)
+            add_row_of_transfer(j, entries);
+        }
+      of_used.finalize();
+      T.setFromTriplets(entries.begin(), entries.end());
+      const Eigen::SparseMatrix<double> KT = of_used * T;
+      set(T.transpose() * KT);
+    }
+
+
+
+    /** With the whole diagonal, and the pattern made symmetric. */
+    void
+    PieceMatrix::set(const Eigen::SparseMatrix<double> &A)
+    {
+      Eigen::SparseMatrix<double> I(A.rows(), A.cols());
+      I.setIdentity();
+      const Eigen::SparseMatrix<double> At = A.transpose(), all = A + 0. * At + 0. * I;
+      auto                              pattern = std::make_shared<Pattern>();
+      pattern->column_start.assign(all.outerIndexPtr(), all.outerIndexPtr() + all.outerSize() + 1);
+      pattern->rows.assign(all.innerIndexPtr(), all.innerIndexPtr() + all.nonZeros());
+      reduced = std::make_unique<SparseMatrix>(pattern);
+      std::copy_n(all.valuePtr(), all.nonZeros(), reduced->values.begin());
+    }
+
+
+
+    /** Names of the joints' motions, "flap 1 rotation", that change when the model moves by the small @p z. */
+    std::vector<std::string>
+    moving_joints(const System &system, const Eigen::VectorXd &z)
+    {
+      if (system.layout.constraining.size() > few_joints)
+        return {};
+      const State         start = system.reference();
+      State               moved = start;
+      std::vector<double> step(system.size(), 0.);
+      std::copy(z.data(), z.data() + z.size(), step.begin());
+      system.update(moved, step);
+      std::vector<std::string> names;
+      double                   largest = 0;
+      std::vector<double>      changes;
+      for (const auto *c : system.layout.constraining)
+        for (const auto &name : c->probe_names())
+          if (const auto probe = c->probe(name); probe && (probe->unit == "deg" || probe->unit == "m"))
+            {
+              names.push_back(c->name + " " + probe->name);
+              changes.push_back(std::abs(probe->value(moved) - probe->value(start)) *
+                                (probe->unit == "deg" ? M_PI / 180 : 1.));
+              largest = std::max(largest, changes.back());
+            }
+      std::vector<std::string> moving;
+      for (unsigned int i = 0; i < names.size(); ++i)
+        if (changes[i] > 1e-3 * std::max(largest, 1e-3 * z.lpNorm<Eigen::Infinity>()))
+          moving.push_back(names[i]);
+      return moving;
+    }
+
+
+
+    /** What moves: up to four bodies, and joints if there are any that do. */
+    std::string
+    description(const System &system, const Eigen::VectorXd &z)
+    {
+      std::map<std::string, double> share;
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        share[system.model.nodes[node].name] += z.segment<6>(system.layout.of_node(node)).squaredNorm();
+      std::vector<std::pair<double, std::string>> sorted;
+      for (const auto &[name, s] : share)
+        sorted.emplace_back(s, name);
+      std::sort(sorted.rbegin(), sorted.rend());
+      std::string text;
+      for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
+        if (sorted[k].first > 1e-6 * sorted[0].first)
+          text += (text.empty() ? "" : ", ") + sorted[k].second;
+      const auto joints = moving_joints(system, 1e-3 * z / z.lpNorm<Eigen::Infinity>());
+      return text + (joints.empty() ? "" : " at " + join_some(joints));
+    }
+
+
+
+    /** A basis of the same motions, each of which moves as little as possible. */
+    Eigen::MatrixXd
+    simplest_basis(const Eigen::MatrixXd &Z)
+    {
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Z.transpose());
+      Eigen::MatrixXd                                   pivots(Z.cols(), Z.cols());
+      for (int j = 0; j < Z.cols(); ++j)
+        pivots.row(j) = Z.row(qr.colsPermutation().indices()(j));
+      return Z * pivots.inverse();
+    }
+
+
+
+    /** Inverse iteration on a block of vectors: motions that strain nothing stay, all others fade. */
+    class Search
+    {
+    public:
+      explicit Search(const PieceMatrix &pieces);
+
+      /** Motions without strain among the first @p block found, one column each. */
+      Eigen::MatrixXd free_motions(int block) const;
+
+    private:
+      const PieceMatrix            &pieces;
+      const int                     n, m;
+      SparseMatrix                  K;     ///< shifted
+      Eigen::VectorXd               D;     ///< metric of motions
+      Eigen::VectorXd               scale; ///< of constraints: 1/|row|
+      std::unique_ptr<LinearSolver> solver;
+
+      Eigen::MatrixXd iterated(int block) const;
+    };
+
+
+
+    Search::Search(const PieceMatrix &pieces)
+      : pieces(pieces)
+      , n(pieces.n)
+      , m(pieces.m)
+      , K(pieces.matrix())
+      , D(n)
+      , scale(Eigen::VectorXd::Zero(m))
+      , solver(make_solver(K.pattern))
+    {
+      double largest = 0;
+      for (int i = 0; i < n; ++i)
+        largest = std::max(largest, std::abs(K.values[K.pattern->position(i, i)]));
+      for (int i = 0; i < n; ++i)
+        {
+          double &diagonal = K.values[K.pattern->position(i, i)];
+          D(i)             = diagonal > 1e-9 * largest ? diagonal : std::max(largest, 1.);
+          diagonal += shift * D(i);
+        }
+      for (int j = 0; j < m; ++j)
+        {
+          double square = 0;
+          for (int k = K.pattern->column_start[n + j]; k < K.pattern->column_start[n + j + 1]; ++k)
+            if (K.pattern->rows[k] < n)
+              square += K.values[k] * K.values[k] / D(K.pattern->rows[k]);
+          scale(j)         = square > 0 ? 1. / std::sqrt(square) : 0.;
+          double &diagonal = K.values[K.pattern->position(n + j, n + j)];
+          diagonal -= square > 0 ? softness * square : diagonal == 0 ? 1. : 0.;
+        }
+      solver->factorize(K);
+    }
+
+
+
+    Eigen::MatrixXd
+    Search::iterated(const int block) const
+    {
+      Eigen::MatrixXd       X    = Eigen::MatrixXd::NullaryExpr(n, block, [](const auto i, const auto j) {
+        return std::sin(1. + 1.3 * i + 2.1 * j * i + 0.7 * j);
+      });
+      const Eigen::VectorXd root = D.cwiseSqrt();
+      for (unsigned int iteration = 0; iteration < 6; ++iteration)
+        {
+          const Eigen::MatrixXd B = D.asDiagonal() * X;
+          std::vector<double>   b(n + m);
+          for (int j = 0; j < block; ++j)
+            {
+              std::fill(b.begin(), b.end(), 0.);
+              std::copy(B.col(j).data(), B.col(j).data() + n, b.begin());
+              solver->solve(b.data());
+              X.col(j) = Eigen::Map<Eigen::VectorXd>(b.data(), n);
+            }
+          // orthonormal in D
+          Eigen::HouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * X);
+          X = root.cwiseInverse().asDiagonal() * (qr.householderQ() * Eigen::MatrixXd::Identity(n, block));
+        }
+      return X;
+    }
+
+
+
+    Eigen::MatrixXd
+    Search::free_motions(const int block) const
+    {
+      const Eigen::MatrixXd X = iterated(block);
+      // Ritz vectors of the stiffness in the block, with violated constraints as stiff springs: where the block has
+      // more columns than there are free motions, the others are round-off, which obeys no constraint
+      Eigen::MatrixXd KX(n, block), GX(m, block);
+      for (int j = 0; j < block; ++j)
+        {
+          std::vector<double> x(n + m, 0.), y(n + m);
+          std::copy(X.col(j).data(), X.col(j).data() + n, x.begin());
+          K.multiply(x.data(), y.data());
+          KX.col(j) = Eigen::Map<Eigen::VectorXd>(y.data(), n) - shift * D.cwiseProduct(X.col(j));
+          GX.col(j) = Eigen::Map<Eigen::VectorXd>(y.data() + n, m).cwiseProduct(scale);
+        }
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(X.transpose() * KX + GX.transpose() * GX);
+      const Eigen::MatrixXd                                Z = X * ritz.eigenvectors();
+      std::vector<int>                                     zero;
+      for (int j = 0; j < block; ++j)
+        if (std::abs(ritz.eigenvalues()(j)) < 1e-8 && pieces.strain_energy(Z.col(j)) < 1e-14)
+          zero.push_back(j);
+      return Z(Eigen::all, zero);
+    }
+  } // namespace
+
+
+
+  void
+  find_free_motions(const System &system, ModelCheck &check)
+  {
+    const PieceMatrix pieces(system);
+    const int         n = pieces.n;
+    if (n == 0)
+      return;
+    const Search    search(pieces);
+    int             block = std::min(n, 8);
+    Eigen::MatrixXd motions;
+    for (;; block = std::min(n, 2 * block))
+      {
+        motions = search.free_motions(block);
+        if (motions.cols() < block || block == n || block >= most_free_motions(n))
+          break;
+      }
+    check.n_free_motions = motions.cols();
+    if (motions.cols() == 0)
+      return;
+    const Eigen::MatrixXd simple = simplest_basis(motions);
+    for (int j = 0; j < simple.cols(); ++j)
+      check.free_motions.push_back(description(system, pieces.velocities(simple.col(j))));
+    if (motions.cols() == block && block < n)
+      check.free_motions.push_back("others, which are not counted");
+  }
+} // namespace samara
