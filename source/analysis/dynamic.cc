@@ -182,7 +182,11 @@ namespace samara
       {
         projection.report(reported);
         if (context.least_norm && !reported.left_out.empty())
-          RedundantRows(context.system).make_least(reported);
+          {
+            if (!output.redundant)
+              output.redundant = std::make_unique<RedundantRows>(context.system);
+            output.redundant->make_least(reported);
+          }
       }
     catch (const SingularMatrix &)
       {

@@ -84,7 +84,7 @@ namespace samara
   Newton::check_rows_left_out(const State &state, NewtonResult &result)
   {
     unsigned int worst = 0;
-    if (state.left_out.empty() || redundant->gap(state, worst) < 1e-3 * length)
+    if (state.left_out.empty() || redundant->gap(state, worst) < 2e-4 * length)
       return;
     result.converged = false;
     result.reason    = redundant->contradiction(state, worst);

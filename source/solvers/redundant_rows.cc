@@ -40,11 +40,6 @@ namespace samara
     , scale(m, 0.)
     , is_absent(m, false)
   {
-    // a saddle-point matrix with a diagonal first block
-    PartOfPattern part(*K.pattern, [this](const int i, const int j) { return i == j || (i < n) != (j < n); });
-    pattern = part.pattern;
-    kept    = std::move(part.kept);
-    saddle  = std::make_unique<SparseMatrix>(pattern);
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       std::fill_n(unit.begin() + system.layout.of_node(node) + 3, 3, length);
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
@@ -77,54 +72,6 @@ namespace samara
 
 
 
-  void
-  RedundantRows::factorize(const std::vector<unsigned int> &left_out)
-  {
-    std::vector<double> factor(n + m, 0.);
-    for (int i = 0; i < n; ++i)
-      factor[i] = 1 / unit[i];
-    for (int i = 0; i < m; ++i)
-      factor[n + i] = scale[i];
-    for (const auto i : left_out)
-      factor[n + i] = 0;
-    for (int j = 0; j < n + m; ++j)
-      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
-        {
-          const int i       = pattern->rows[k];
-          saddle->values[k] = i != j ? K.values[kept[k]] * factor[i] * factor[j] : i < n || factor[i] == 0. ? 1. : 0.;
-        }
-    if (!solver)
-      solver = make_solver(pattern);
-    solver->factorize(*saddle);
-  }
-
-
-
-  void
-  RedundantRows::find_combinations(const std::vector<unsigned int> &left_out)
-  {
-    // [I Gᵀ; G 0] (u, X) = (−row left out, 0): G of the rows kept; u is what of the row is not in their span
-    const int           d = left_out.size();
-    std::vector<double> b(n + m);
-    X = Eigen::MatrixXd::Zero(m, d);
-    independence.assign(d, 0.);
-    for (int j = 0; j < d; ++j)
-      {
-        const int column = n + left_out[j];
-        std::fill(b.begin(), b.end(), 0.);
-        for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
-          if (const int i = K.pattern->rows[k]; i < n)
-            b[i] = -K.values[k] * scale[left_out[j]] / unit[i];
-        solver->solve(b.data());
-        X.col(j)          = Eigen::Map<const Eigen::VectorXd>(b.data() + n, m);
-        X(left_out[j], j) = 1;
-        independence[j]   = Eigen::Map<const Eigen::VectorXd>(b.data(), n).norm();
-      }
-    ++n_checks;
-  }
-
-
-
   bool
   RedundantRows::exchange(std::vector<unsigned int> &left_out)
   {
@@ -140,8 +87,9 @@ namespace samara
         Eigen::RowVectorXd       change = row;
         change(j) -= 1;
         X -= (X.col(j) / row(j)).eval() * change;
-        left_out[j] = i;
-        has_changed = true;
+        left_out[j]   = i;
+        left_out_of_X = left_out;
+        has_changed   = true;
         ++n_exchanges;
       }
   }
@@ -258,16 +206,23 @@ namespace samara
         if (const unsigned int i = qr.colsPermutation().indices()(k); !is_absent[i])
           rows.push_back(i);
     };
+    // of the unknowns only those that have a part in constraints
     std::vector<Eigen::Triplet<double>> entries;
+    std::vector<int>                    number(n, -1);
+    int                                 n_used = 0;
     for (int j = 0; j < m; ++j)
       for (int k = K.pattern->column_start[n + j]; k < K.pattern->column_start[n + j + 1]; ++k)
         if (const int i = K.pattern->rows[k]; i < n && K.values[k] != 0.)
-          entries.emplace_back(i, j, K.values[k] * scale[j] / unit[i]);
-    Eigen::SparseMatrix<double> Gt(n, m);
+          {
+            if (number[i] < 0)
+              number[i] = n_used++;
+            entries.emplace_back(number[i], j, K.values[k] * scale[j] / unit[i]);
+          }
+    Eigen::SparseMatrix<double> Gt(n_used, m);
     Gt.setFromTriplets(entries.begin(), entries.end());
     if (m <= few_rows)
       {
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(n, m);
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(n_used, m);
         qr.setThreshold(dependent);
         rest(qr.compute(Eigen::MatrixXd(Gt)));
       }
@@ -380,38 +335,6 @@ namespace samara
   {
     assemble(state);
     return dependent_rows();
-  }
-
-
-
-  Eigen::MatrixXd
-  RedundantRows::combinations(const State &state)
-  {
-    assemble(state);
-    factorize(state.left_out);
-    find_combinations(state.left_out);
-    Eigen::MatrixXd of_rows = X;
-    for (int i = 0; i < m; ++i)
-      of_rows.row(i) *= scale[i];
-    return of_rows;
-  }
-
-
-
-  void
-  RedundantRows::make_least(State &state)
-  {
-    if (state.left_out.empty())
-      return;
-    assemble(state);
-    factorize(state.left_out);
-    find_combinations(state.left_out);
-    Eigen::VectorXd lambda(m);
-    for (int i = 0; i < m; ++i)
-      lambda(i) = scale[i] > 0 ? state.multipliers[i] / scale[i] : 0.;
-    const Eigen::VectorXd least = X * (X.transpose() * X).ldlt().solve(X.transpose() * lambda);
-    for (int i = 0; i < m; ++i)
-      state.multipliers[i] -= scale[i] * least(i);
   }
 
 

@@ -1,3 +1,4 @@
+#include <samara/solvers/part_without.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/projection.h>
 
@@ -14,16 +15,27 @@ namespace samara
     , M(system.layout.pattern)
   {
     system.mass(M);
+  }
+
+
+
+  void
+  Projection::make_solver_without()
+  {
+    if (solver && left_out == left_out_of_pattern)
+      return;
+    left_out_of_pattern = left_out;
     // 6×6 masses of nodes, those of coordinates, and constraints
-    const int     n_twists = system.layout.of_coordinate(0), n_kinematic = system.layout.of_multiplier(0);
-    PartOfPattern part(*system.layout.pattern, [=](const int i, const int j) {
+    const Layout &layout   = system.layout;
+    const int     n_twists = layout.of_coordinate(0), n_kinematic = layout.of_multiplier(0);
+    PartOfPattern part = part_without(layout, *layout.pattern, left_out, [=](const int i, const int j) {
       const bool is_mass = i < n_twists && j < n_twists ? i / 6 == j / 6 : i == j;
       return is_mass || i >= n_kinematic || j >= n_kinematic;
     });
-    pattern = part.pattern;
-    kept    = std::move(part.kept);
-    saddle  = std::make_unique<SparseMatrix>(pattern);
-    solver  = make_solver(pattern);
+    pattern            = part.pattern;
+    kept               = std::move(part.kept);
+    saddle             = std::make_unique<SparseMatrix>(pattern);
+    solver             = make_solver(pattern);
   }
 
 
@@ -56,6 +68,7 @@ namespace samara
   void
   Projection::factorize_rows(const State &state)
   {
+    make_solver_without();
     Point<double> free = state.point();
     free.held          = false;
     K.clear();

@@ -39,14 +39,7 @@ namespace samara
   {
     const Layout      &layout = system.layout;
     const unsigned int n      = system.size();
-    for (const auto &eigenvalue : tableau.eigenvalues)
-      {
-        factors.emplace_back();
-        if (eigenvalue.mu.imag() == 0.)
-          factors.back().real = make_solver(layout.pattern);
-        else
-          factors.back().complex = make_complex_solver(layout.pattern);
-      }
+    make_factors();
     const int n_kinematic = layout.of_multiplier(0);
     for (int j = 0; j < layout.pattern->size(); ++j)
       for (int k = layout.pattern->column_start[j]; k < layout.pattern->column_start[j + 1]; ++k)
@@ -194,8 +187,8 @@ namespace samara
       is_active[i] = true;
     for (const auto i : state.left_out)
       is_active[i] = false;
-    left_out      = state.left_out;
-    factored_step = 0;
+    left_out = state.left_out;
+    make_factors();
   }
 
 
@@ -211,7 +204,7 @@ namespace samara
             largest_gap_left_out = gap;
             worst_left_out       = i;
           }
-        if (gap > 1e-3 * length)
+        if (gap > 2e-4 * length) // much more than rounding that passed for redundant makes
           {
             std::ostringstream text;
             text << "t = " << state.time << " s: " << redundant->contradiction(state, i);

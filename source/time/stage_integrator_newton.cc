@@ -1,6 +1,7 @@
 // The matrices of Newton's method, and its corrections.
 
 #include <samara/base/threads.h>
+#include <samara/solvers/part_without.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -69,6 +70,36 @@ namespace samara
 
 
   void
+  StageIntegrator::make_factors()
+  {
+    std::shared_ptr<const Pattern> pattern = system.layout.pattern;
+    entries_in_use.clear();
+    if (!left_out.empty())
+      {
+        PartOfPattern part = part_without(system.layout, *pattern, left_out, [](int, int) { return true; });
+        pattern            = part.pattern;
+        entries_in_use     = std::move(part.kept);
+      }
+    factored_step = 0;
+    factors.clear();
+    real_matrix.pattern = pattern;
+    real_matrix.values  = {}; // of a complex eigenvalue they are not needed
+    for (const auto &eigenvalue : tableau.eigenvalues)
+      {
+        factors.emplace_back();
+        if (eigenvalue.mu.imag() == 0.)
+          {
+            real_matrix         = SparseMatrix(pattern);
+            factors.back().real = make_solver(pattern);
+          }
+        else
+          factors.back().complex = make_complex_solver(pattern);
+      }
+  }
+
+
+
+  void
   StageIntegrator::factorize(const double h)
   {
     // where a matrix is singular there are no factors, whatever the next step is
@@ -80,8 +111,12 @@ namespace samara
     for (const auto &strains : frozen_strains)
       if (strains)
         strains->renew(point);
-    const unsigned int n = K.values.size() - 1;
-    matrix.resize(n);
+    const unsigned int n     = real_matrix.pattern->n_nonzeros();
+    const auto         value = [&](const unsigned int k, const auto &hm) {
+      const int i  = entries_in_use.empty() ? k : entries_in_use[k];
+      using Number = std::decay_t<decltype(hm)>;
+      return is_constraint_entry[i] ? Number(K.values[i]) : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
+    };
     n_factorizations += factors.size();
     for_factors([&](const unsigned int j) {
       const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
@@ -89,14 +124,14 @@ namespace samara
         {
           const double hr = hm.real();
           for (unsigned int i = 0; i < n; ++i)
-            real_matrix.values[i] =
-              is_constraint_entry[i] ? K.values[i] : M.values[i] + hr * (C.values[i] + hr * K.values[i]);
+            real_matrix.values[i] = value(i, hr);
           factors[j].real->factorize(real_matrix);
         }
       else
         {
+          matrix.resize(n);
           for (unsigned int i = 0; i < n; ++i)
-            matrix[i] = is_constraint_entry[i] ? K.values[i] : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
+            matrix[i] = value(i, hm);
           factors[j].complex->factorize(matrix);
         }
     });

@@ -2,6 +2,7 @@
 #define samara_analysis_dynamic_parts_h
 
 #include <samara/analysis/dynamic.h>
+#include <samara/solvers/redundant_rows.h>
 
 #include <array>
 
@@ -10,10 +11,11 @@ namespace samara
   /** Files of a run, and what time it is there. */
   struct DynamicAnalysis::Output
   {
-    std::unique_ptr<History>  history, energies, steps;
-    std::unique_ptr<Pictures> pictures;
-    double                    next_picture = 0;
-    bool                      is_massless  = false; ///< accelerations cannot be found; has been said
+    std::unique_ptr<History>       history, energies, steps;
+    std::unique_ptr<Pictures>      pictures;
+    std::unique_ptr<RedundantRows> redundant; ///< made when reactions are not unique
+    double                         next_picture = 0;
+    bool                           is_massless  = false; ///< accelerations cannot be found; has been said
 
     /** @p last: the checkpoint that the run goes on from, or none. */
     Output(const Context &context, const DynamicAnalysis &analysis, double start, const Checkpoint *last);

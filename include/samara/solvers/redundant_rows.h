@@ -95,6 +95,7 @@ namespace samara
     std::vector<int>               kept; ///< entries of the saddle matrix among those of K
     std::unique_ptr<SparseMatrix>  saddle;
     std::unique_ptr<LinearSolver>  solver;
+    std::vector<unsigned int>      left_out_of_pattern, left_out_of_X; ///< whose they are
     std::vector<double>            unit, scale;  ///< roots of the weights of unknowns; 1/|row|, 0 without one
     std::vector<bool>              is_absent;    ///< rows that say nothing, and need not be left out
     Eigen::MatrixXd                X;            ///< scaled
@@ -102,9 +103,17 @@ namespace samara
     State                          checked;      ///< where the choice was looked at last
     State                          generic;
 
-    void                      assemble(const State &state);
-    void                      factorize(const std::vector<unsigned int> &left_out);
-    void                      find_combinations(const std::vector<unsigned int> &left_out);
+    void assemble(const State &state);
+    void factorize(const std::vector<unsigned int> &left_out);
+    void find_combinations(const std::vector<unsigned int> &left_out);
+    void find_combination(const std::vector<unsigned int> &left_out, int j);
+    /** Those of a group of columns by one solution, as no row had a part in two of them when they were found last. */
+    void                          find_together(const std::vector<unsigned int>     &left_out,
+                                                const std::vector<int>              &group,
+                                                const std::vector<std::vector<int>> &rows_of);
+    std::vector<std::vector<int>> columns_apart(const std::vector<std::vector<int>> &rows_of) const;
+    /** Add the scaled row of G to a sum. */
+    void                      add_row(int i, double factor, double *sum) const;
     bool                      exchange(std::vector<unsigned int> &left_out);
     bool                      is_certainly_independent();
     std::vector<unsigned int> dependent_rows();

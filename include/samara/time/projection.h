@@ -42,9 +42,11 @@ namespace samara
     std::unique_ptr<SparseMatrix>  saddle;
     std::unique_ptr<LinearSolver>  solver;
 
+    std::vector<unsigned int> left_out_of_pattern;
     std::vector<unsigned int> left_out; ///< in the present matrix: those of the state, at singular positions more
     bool                      is_massless = false; ///< something without mass moves freely, and no choice of rows helps
 
+    void                make_solver_without();
     void                factorize(const State &state, double least_condition = 0);
     void                factorize_rows(const State &state);
     double              project(State &state) const;

@@ -146,6 +146,7 @@ namespace samara
     // work space
     std::vector<std::complex<double>> x, matrix;
     SparseMatrix                      real_matrix;
+    std::vector<int>                  entries_in_use; ///< of the system's pattern, in that of the factors; empty: all
     Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
     std::vector<double>               x_real, x_rates, e, mean_rates, no_multipliers, time_rates, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
@@ -161,6 +162,8 @@ namespace samara
     void remember(const State &state, double h);
     void freeze(const State &state, double h);
     void factorize(double h);
+    /** Make solvers for a pattern without the rows left out, of their values there are none yet. */
+    void make_factors();
     void move_stages(const State &state, double h);
     template <int s>
     void move_nodes(const State &state, double h);
