@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/dynamic.h>
+#include <samara/analysis/near_redundancy.h>
 #include <samara/analysis/static.h>
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
@@ -197,6 +198,9 @@ namespace samara
     const auto counts = check_model(system);
     if (!counts.contradictions.empty())
       throw InputError(with_place({counts.complaint()}, input.where("Title")));
+    const std::string near = nearly_redundant_text(system, counts.redundant_multipliers);
+    if (!near.empty())
+      log.warning("", near);
     if (options.check)
       return log.line(counts.text(system, options.model));
     system.drop(counts.redundant_multipliers);

@@ -65,10 +65,10 @@ namespace samara
     auto   &dynamic = scene.analysis<DynamicAnalysis>();
     Outcome run;
     dynamic.observer = [&](const State &state) {
-      run.places[std::lround(1e3 * state.time)] = {probes[0].value(state),
-                                                   probes[1].value(state),
-                                                   probes[2].value(state)};
-      run.gap                                   = std::max(run.gap, gap_of(scene.system, state));
+      run.gap         = std::max(run.gap, gap_of(scene.system, state));
+      const long time = std::lround(1e3 * state.time);
+      if (std::abs(1e3 * state.time - time) < 1e-6)
+        run.places[time] = {probes[0].value(state), probes[1].value(state), probes[2].value(state)};
     };
     run.n_redundant = scene.context.state.left_out.size();
     dynamic.start(scene.context);

@@ -1,0 +1,255 @@
+#include <samara/analysis/check.h>
+#include <samara/analysis/near_redundancy.h>
+#include <samara/base/text.h>
+#include <samara/solvers/newton.h>
+#include <samara/solvers/rigid_pieces.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace samara
+{
+  namespace
+  {
+    /** A row that is nearer than this to the span of others nearly says what they say. */
+    constexpr double nearly = 1e-3;
+
+    /** How far a small motion goes [rad, or parts of the model's size]: at singular positions rows become independent.
+     */
+    constexpr double small_motion = 0.01;
+
+    /** Up to this many rows dense elimination takes less than a second. */
+    constexpr unsigned int few_rows = 300;
+
+
+
+    /** Rows of G in use, each scaled to length 1, lengths divided by the size of the model. */
+    class ScaledRows
+    {
+    public:
+      ScaledRows(const System &system, const std::vector<unsigned int> &left_out)
+        : system(system)
+        , length(model_length(system.model))
+        , K(system.layout.pattern)
+        , number(system.layout.of_multiplier(0), -1)
+      {
+        const Layout &layout = system.layout;
+        for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+          if (std::find(left_out.begin(), left_out.end(), i) == left_out.end())
+            rows.push_back(i);
+        for (const auto row : rows)
+          for (int k = K.pattern->column_start[layout.of_multiplier(row)];
+               k < K.pattern->column_start[layout.of_multiplier(row) + 1];
+               ++k)
+            if (const int i = K.pattern->rows[k]; i < layout.of_multiplier(0) && number[i] < 0)
+              {
+                number[i] = unknowns.size();
+                unknowns.push_back(i);
+                const bool is_node = i < layout.of_coordinate(0);
+                const bool is_length =
+                  is_node ? i % 6 < 3 : system.model.coordinate_units[i - layout.of_coordinate(0)] == "m";
+                unit.push_back(is_length ? 1. : length);
+              }
+      }
+
+      /** One column for each row; those that say nothing are zero. */
+      Eigen::MatrixXd
+      transposed(const State &state)
+      {
+        K.clear();
+        for (const auto *c : system.layout.constraining)
+          c->tangent(state.point(), K);
+        Eigen::MatrixXd Gt = Eigen::MatrixXd::Zero(unknowns.size(), rows.size());
+        scale              = Eigen::VectorXd::Zero(rows.size());
+        for (unsigned int j = 0; j < rows.size(); ++j)
+          {
+            const int column = system.layout.of_multiplier(rows[j]);
+            for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
+              if (K.pattern->rows[k] < system.layout.of_multiplier(0))
+                {
+                  const int i = number[K.pattern->rows[k]];
+                  Gt(i, j)    = K.values[k] / unit[i];
+                }
+            if (const double norm = Gt.col(j).norm(); norm > 0)
+              {
+                scale(j) = 1 / norm;
+                Gt.col(j) /= norm;
+              }
+          }
+        return Gt;
+      }
+
+      const System             &system;
+      const double              length;
+      SparseMatrix              K;
+      std::vector<int>          number;   ///< of an unknown among those below; -1 if no row has it
+      std::vector<int>          unknowns; ///< that rows have entries for
+      std::vector<double>       unit;     ///< of each
+      std::vector<unsigned int> rows;
+      Eigen::VectorXd           scale; ///< of each row, 1/|row|; 0 if it has no entry
+    };
+
+
+
+    /** "joint foot" of "joint foot, displacement 3" */
+    std::string
+    owner_of(const std::string &row)
+    {
+      return row.substr(0, row.rfind(", "));
+    }
+
+
+
+    /** Whether constraints close a loop of nodes that are not one rigid piece. Without one there is nothing to agree.
+     */
+    bool
+    has_loop(const System &system)
+    {
+      const RigidPieces         pieces(system, 1);
+      const Layout             &layout  = system.layout;
+      const Pattern            &pattern = *layout.pattern;
+      std::vector<unsigned int> root(layout.n_nodes);
+      std::iota(root.begin(), root.end(), 0);
+      const auto root_of = [&](unsigned int piece) {
+        while (root[piece] != piece)
+          piece = root[piece] = root[root[piece]];
+        return piece;
+      };
+      std::vector<unsigned int> ends;
+      for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+        {
+          const int column = layout.of_multiplier(i);
+          for (int k = pattern.column_start[column]; k < pattern.column_start[column + 1]; ++k)
+            if (pattern.rows[k] < layout.of_coordinate(0))
+              ends.push_back(pieces.column_of_node(1 + pattern.rows[k] / 6) / 6 + 1);
+          if (i + 1 < layout.n_multipliers &&
+              owner_of(layout.multiplier_names[i]) == owner_of(layout.multiplier_names[i + 1]))
+            continue;
+          // all rows of one joint are known; of one piece alone the other end is the ground
+          std::sort(ends.begin(), ends.end());
+          ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+          if (ends.size() == 1)
+            ends.push_back(0);
+          for (unsigned int k = 1; k < ends.size(); ++k)
+            {
+              if (root_of(ends[0]) == root_of(ends[k]))
+                return true;
+              root[root_of(ends[k])] = root_of(ends[0]);
+            }
+          ends.clear();
+        }
+      return false;
+    }
+
+
+
+    /** Columns of @p Gt by their numbers, in two parts: those far from the span of others, and the rest. */
+    std::pair<std::vector<int>, std::vector<int>>
+    far_and_near(const Eigen::MatrixXd &Gt)
+    {
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
+      std::vector<int>                                  far, near;
+      for (int k = 0; k < Gt.cols(); ++k)
+        {
+          const int j = qr.colsPermutation().indices()(k);
+          if (k < Gt.rows() && std::abs(qr.matrixQR()(k, k)) > nearly)
+            far.push_back(j);
+          else if (!Gt.col(j).isZero(0.))
+            near.push_back(j);
+        }
+      return {far, near};
+    }
+
+
+
+    /** The state after a small motion that the rows in @p far allow; the state itself if they allow none. */
+    State
+    moved(const State &state, ScaledRows &rows, const std::vector<int> &far)
+    {
+      const System   &system = rows.system;
+      State           result = state;
+      Eigen::VectorXd x(rows.unknowns.size()); // scaled velocity
+      for (int i = 0; i < x.size(); ++i)
+        x(i) = std::sin(1. + 1.7 * i);
+      for (unsigned int iteration = 0; iteration < 6; ++iteration)
+        {
+          const Eigen::MatrixXd Gt        = rows.transposed(result)(Eigen::all, far);
+          const auto            of_normal = (Gt.transpose() * Gt).eval().ldlt();
+          if (iteration == 0)
+            x -= Gt * of_normal.solve(Gt.transpose() * x);
+          else
+            {
+              // back to where the rows hold
+              std::vector<double> r(system.size() + 6, 0.);
+              for (const auto *c : system.layout.constraining)
+                c->constraints(result.point(), r.data());
+              Eigen::VectorXd g(far.size());
+              for (unsigned int j = 0; j < far.size(); ++j)
+                g(j) = r[system.layout.of_multiplier(rows.rows[far[j]])] * rows.scale(far[j]);
+              x = -Gt * of_normal.solve(g);
+            }
+          std::vector<double> z(system.size(), 0.);
+          for (int i = 0; i < x.size(); ++i)
+            z[rows.unknowns[i]] = x(i) / rows.unit[i];
+          const double size = size_of_step(system, z, rows.length);
+          if (iteration == 0 ? !(size > 1e-9) : size < 1e-12)
+            break;
+          if (iteration == 0)
+            for (auto &value : z)
+              value *= small_motion / size;
+          system.update(result, z);
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  std::string
+  nearly_redundant_text(const System &system, const std::vector<unsigned int> &left_out)
+  {
+    if (system.layout.n_multipliers > few_rows + left_out.size() || !has_loop(system))
+      return "";
+    ScaledRows rows(system, left_out);
+    State      state = system.reference();
+    state.left_out.clear();
+    for (const auto &c : system.model.contributions)
+      c->add_initial_velocities(state);
+    const auto [far, near] = far_and_near(rows.transposed(state));
+    if (near.empty())
+      return "";
+    // at a singular position they are near for a moment only
+    const State           there = moved(state, rows, far);
+    const Eigen::MatrixXd Gt = rows.transposed(there), span = Gt(Eigen::all, far), rest = Gt(Eigen::all, near);
+    const Eigen::MatrixXd X        = (span.transpose() * span).ldlt().solve(span.transpose() * rest),
+                          distance = rest - span * X;
+    std::vector<std::string> joints;
+    double                   largest = 0;
+    unsigned int             count   = 0;
+    const auto               add     = [&](const int j) {
+      const std::string name = owner_of(system.layout.multiplier_names[rows.rows[j]]);
+      if (std::find(joints.begin(), joints.end(), name) == joints.end())
+        joints.push_back(name);
+    };
+    for (unsigned int j = 0; j < near.size(); ++j)
+      {
+        const double d = distance.col(j).norm();
+        if (there.q == state.q || d > nearly)
+          continue;
+        ++count;
+        largest = std::max(largest, d);
+        for (unsigned int i = 0; i < far.size(); ++i)
+          if (std::abs(X(i, j)) > 0.01 * X.col(j).lpNorm<Eigen::Infinity>())
+            add(far[i]);
+        add(near[j]);
+      }
+    if (count == 0)
+      return "";
+    return join_some(joints) + ": " + std::to_string(count) +
+           (count == 1 ? " constraint nearly says" : " constraints nearly say") + " what the others say, to " +
+           number_to_text("%.1g", largest) +
+           ". Only as a structure do they all hold. If something should move there, places or axes are rounded or wrong: give all their "
+           "digits, or the joints more freedom (spherical or cylindrical instead of revolute)";
+  }
+} // namespace samara
