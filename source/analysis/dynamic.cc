@@ -188,13 +188,15 @@ namespace samara
             output.redundant->make_least(reported);
           }
       }
-    catch (const SingularMatrix &)
+    catch (const SingularMatrix &problem)
       {
         if (!output.is_massless)
           context.log.warning(
             "",
-            "something without mass can move freely: velocities, accelerations and joint forces are those "
-            "of the integrator, of lower order");
+            "t = " + short_text(state.time) + " s: accelerations are not determined" +
+              (problem.unknown >= 0 ? " at " + context.system.layout.name_of(problem.unknown) : std::string()) +
+              ", because it has no mass or constraints depend on each other in this position: velocities, "
+              "accelerations and joint forces are those of the integrator, of lower order");
         output.is_massless = true;
       }
     if (observer)
@@ -281,11 +283,12 @@ namespace samara
     const bool is_adaptive = control == "adaptive";
     report                 = {};
     budget                 = {};
-    n_rows = n_judged     = 0;
-    n_grid                = 0;
-    n_recorded            = 0;
-    meshes                = {};
-    bool       with_steps = true;
+    contacts               = {};
+    n_rows = n_judged = round_off_of_sum = 0;
+    n_grid                               = 0;
+    n_recorded                           = 0;
+    meshes                               = {};
+    bool       with_steps                = true;
     Checkpoint last;
     State      state = context.state;
     if (context.restart)
@@ -343,6 +346,8 @@ namespace samara
       for (const auto &[name, table] : output.tables())
         if (table != nullptr)
           table->finish();
+      if (!context.folder.empty() && !system.layout.stops.empty() && can_be_exact)
+        contacts.write(context.folder + "/dynamic_stops.csv", system.layout);
       report.seconds           = seconds_since(clock_start);
       report.processor_seconds = double(std::clock() - processor_start) / CLOCKS_PER_SEC;
       context.state            = state;
@@ -385,6 +390,7 @@ namespace samara
             report.n_rejected += advance.n_rejected;
             report.n_failed += advance.n_failed;
             report.n_touches += advance.step.touches.size();
+            contacts.add(advance.step, from, state.time);
             report.turn   = std::max(report.turn, advance.h * largest_spin(state));
             double second = std::nan("");
             if (second_estimate)
@@ -443,6 +449,14 @@ namespace samara
           "\n  everything up to there is written; try a smaller <Step>, <Step control = adaptive>, more damping "
           "(<Spectral radius = 0>), or look whether the mechanism locks there");
       }
+    catch (const CannotWrite &problem)
+      {
+        std::string text = problem.what();
+        text += " What was written until t = " + number_to_text("%.6g", state.time) + " s is kept";
+        if (std::filesystem::exists(checkpoint_file(context)))
+          text += "; make room, and samara --restart goes on from the last checkpoint";
+        throw CannotWrite(text + ".");
+      }
     close();
     collect(context, *machinery.integrator);
     summarize(context, *machinery.integrator);
@@ -468,6 +482,8 @@ namespace samara
             (report.largest_energy > energy_floor ? " of the largest energy" : ": nothing moves") +
             resolution(integrator);
     context.log.line(text);
+    if (!contacts.all().empty())
+      context.log.line(contacts.summary(context.system.layout));
     if (report.n_exact_steps > 0)
       context.log.line(
         "  " + std::to_string(report.n_exact_steps) +

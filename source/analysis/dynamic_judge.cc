@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace samara
 {
@@ -36,13 +37,17 @@ namespace samara
   void
   DynamicAnalysis::judge(const Context &context, const Advance &advance, const double time, const double balance_before)
   {
-    report.largest_energy  = std::max({report.largest_energy,
-                                       budget.kinetic,
-                                       std::abs(budget.strain - first_strain),
-                                       std::abs(budget.loads),
-                                       std::abs(budget.drives)});
-    report.indicator       = std::max(report.indicator, advance.step.indicator);
-    report.work_defect     = std::max(report.work_defect, advance.step.work_defect);
+    report.largest_energy = std::max({report.largest_energy,
+                                      budget.kinetic,
+                                      std::abs(budget.strain - first_strain),
+                                      std::abs(budget.loads),
+                                      std::abs(budget.drives)});
+    report.indicator      = std::max(report.indicator, advance.step.indicator);
+    report.work_defect    = std::max(report.work_defect, advance.step.work_defect);
+    // whatever the tolerance, a sum is not known better than its terms are
+    const double terms = budget.kinetic + budget.strain + std::abs(budget.potential) + std::abs(budget.start) +
+                         std::abs(budget.loads) + std::abs(budget.drives) + budget.viscous + budget.dissipated;
+    round_off_of_sum       = std::max(round_off_of_sum, 2 * std::numeric_limits<double>::epsilon() * terms);
     const double miss      = std::abs(budget.balance() - balance_before);
     report.largest_gap     = std::max(report.largest_gap, std::abs(budget.balance()));
     report.largest_balance = report.largest_gap > 0 ? report.largest_gap / report.largest_energy : 0.;
@@ -52,10 +57,14 @@ namespace samara
         report.largest_miss = miss;
         report.worst_time   = time;
         report.worst_place  = context.system.layout.name_of(advance.step.worst);
+        if (advance.step.worst_constraint >= 0)
+          report.worst_place += "; of what holds that, most is transmitted by <" +
+                                context.system.layout.multiplier_names[advance.step.worst_constraint] + ">";
       }
     // what counts is the largest energy of all the run: a motion that begins slowly has little energy at first
     const double allowed = std::min(n_judged * (allowed_multiple * newton_tolerance + round_off), most_allowed);
-    report.does_close    = std::isfinite(budget.balance()) && report.largest_gap <= allowed * report.largest_energy;
+    report.does_close    = std::isfinite(budget.balance()) &&
+                        report.largest_gap <= allowed * report.largest_energy + n_judged * round_off_of_sum;
   }
 
 

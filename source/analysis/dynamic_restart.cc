@@ -99,6 +99,7 @@ namespace samara
             {"largest indicator", &report.indicator},
             {"largest work defect", &report.work_defect},
             {"judged steps", &n_judged},
+            {"round-off of the balance", &round_off_of_sum},
             {"largest gap left out", &report.largest_gap_left_out},
             {"rows", &n_rows}};
   }
@@ -117,7 +118,8 @@ namespace samara
     checkpoint.step   = memory.next_step;
     checkpoint.model  = context.used;
     checkpoint.arrays = {{"step control", {memory.of_controller.begin(), memory.of_controller.end()}},
-                         {"steady twists", memory.steady_twists}};
+                         {"steady twists", memory.steady_twists},
+                         {"contacts", contacts.to_numbers()}};
     for (const auto &[name, number] : remembered_numbers())
       checkpoint.numbers[name] = *number;
     checkpoint.numbers["steps of the grid"] = n_grid;
@@ -171,6 +173,8 @@ namespace samara
     report.n_exact_steps    = count("exact steps");
     report.n_exchanges      = count("exchanges");
     report.worst_left_out   = "one before the restart";
+    report.worst_place      = "a place before the restart";
+    contacts.set_numbers(checkpoint.arrays.at("contacts"));
     n_grid =
       with_steps ? checkpoint.numbers.at("steps of the grid") : std::floor((state.time - start_time) / step + 1e-6);
     return checkpoint;

@@ -298,6 +298,8 @@ namespace samara
             result.converged = false;
             result.reason    = "a stability limit (limit point or bifurcation) is passed";
           }
+        if (result.reason.find("finite") != std::string::npos)
+          give_up(context, result, fraction); // no other step helps
         if (!result.converged)
           {
             step = (next - fraction) / 2;
@@ -358,6 +360,8 @@ namespace samara
         "Stability limits = pass to go on to whatever equilibrium is found there.";
     else if (result.reason.find("contradict") != std::string::npos)
       ; // all is said
+    else if (result.reason.find("finite") != std::string::npos)
+      text += "  Look at the functions of time, the tables and the values at: " + place;
     else if (result.reason.find("singular") != std::string::npos)
       text +=
         "  No stiffness is found for: " + place +

@@ -29,6 +29,11 @@ namespace samara
   double
   size_of_step(const System &system, const std::vector<double> &step, const double length)
   {
+    // a maximum would not see what is no number
+    if (const auto bad =
+          std::find_if(step.begin(), step.begin() + system.size(), [](double x) { return !std::isfinite(x); });
+        bad != step.begin() + system.size())
+      return *bad;
     double size = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
@@ -109,6 +114,15 @@ namespace samara
         throw_if_interrupted();
         system.stresses(state, stress);
         system.residual(state, stress, residual);
+        if (const auto bad = std::find_if(residual.begin(),
+                                          residual.begin() + system.size(),
+                                          [](const double r) { return !std::isfinite(r); });
+            result.iterations == 0 && bad != residual.begin() + system.size())
+          {
+            result.reason = "what acts there is not a finite number";
+            result.worst  = bad - residual.begin();
+            return result;
+          }
         system.tangent(state, K);
         try
           {

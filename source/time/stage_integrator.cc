@@ -222,10 +222,18 @@ namespace samara
     if (kinetic_energy < sources)
       return true;
     // what moves by a thousandth of the model a step is round-off of something at rest
+    return kinetic_energy < sources + energy_of_moving(1e-3 * length / h);
+  }
+
+
+
+  double
+  StageIntegrator::energy_of_moving(const double speed) const
+  {
     double mass = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       mass += system.model.nodes[node].inertia(0, 0);
-    return kinetic_energy < sources + 0.5 * mass * std::pow(1e-3 * length / h, 2);
+    return 0.5 * mass * speed * speed;
   }
 
 
@@ -264,9 +272,14 @@ namespace samara
             if (last * rate / (1 - rate) < tolerance && error < tolerance * energy_that_counts() &&
                 largest_gap(h) < std::max(1e-9, 10 * tolerance) * length)
               return true;
-            // what is left may be more than what was before, if factors are old: then it grows, slowly, from round-off
+            // What is left may be more than what was before, if factors are old: then it grows, slowly, from round-off.
+            // Small corrections alone say little: near singular positions, reactions go astray while nothing moves.
             if (n_stagnant > 2 && last < 1e-9)
-              return is_fresh || (error < 1e-12 * scale && largest_gap(h) < 1e-12 * length);
+              {
+                const double allowed = is_fresh ? 1e-10 : 1e-12;
+                return error < allowed * scale + energy_of_moving(1e-8 * length / h) &&
+                       largest_gap(h) < 10 * allowed * length;
+              }
           }
         const double size = is_exact ? solve_exactly(h) : solve(h);
         ++result.iterations;

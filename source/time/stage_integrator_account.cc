@@ -38,19 +38,7 @@ namespace samara
           result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
       }
 
-    // where most work is left by Newton's method, for messages
-    double most = -1;
-    for (const Stage &stage : stages)
-      for (unsigned int i = 0; i < static_cast<unsigned int>(system.layout.of_multiplier(0)); ++i)
-        {
-          const unsigned int n_nodal = 6 * (system.layout.n_nodes - 1);
-          const double       work    = std::abs(stage.residual[i] * (i < n_nodal ? stage.y[6 + i] : stage.rates[i - n_nodal]));
-          if (work > most)
-            {
-              most         = work;
-              result.worst = i;
-            }
-        }
+    find_worst(result);
 
     // dampers: the power of the viscous stresses is the product with their own strain rates
     if (has_damping)
@@ -113,6 +101,40 @@ namespace samara
     const double factor = h * h / (2 * (2. * s - 1)), raw = square + kinetic(state.y);
     result.dissipated = tableau.alpha * factor * raw;
     result.indicator  = factor * (wants_indicator ? square + kinetic(admissible_velocities(state)) : raw);
+  }
+
+
+
+  void
+  StageIntegrator::find_worst(StepResult &result) const
+  {
+    const Layout      &layout  = system.layout;
+    const unsigned int n_nodal = 6 * (layout.n_nodes - 1);
+    double             most    = -1;
+    for (const Stage &stage : stages)
+      for (unsigned int i = 0; i < static_cast<unsigned int>(layout.of_multiplier(0)); ++i)
+        {
+          const double work = std::abs(stage.residual[i] * (i < n_nodal ? stage.y[6 + i] : stage.rates[i - n_nodal]));
+          if (work > most)
+            {
+              most         = work;
+              result.worst = i;
+            }
+        }
+    // of the constraints that act on the node, or on the coordinate, the one that has to transmit most
+    const unsigned int first = result.worst < n_nodal ? result.worst / 6 * 6 : result.worst,
+                       end   = result.worst < n_nodal ? first + 6 : first + 1;
+    double largest           = 0;
+    result.worst_constraint  = -1;
+    for (unsigned int j = first; j < end; ++j)
+      for (int k = layout.pattern->column_start[j]; k < layout.pattern->column_start[j + 1]; ++k)
+        if (const int i = layout.pattern->rows[k] - layout.of_multiplier(0); i >= 0 && is_active[i])
+          for (const Stage &stage : stages)
+            if (const double force = std::abs(stage.multipliers[i]); force > largest)
+              {
+                largest                 = force;
+                result.worst_constraint = i;
+              }
   }
 
 

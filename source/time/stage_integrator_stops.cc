@@ -134,14 +134,13 @@ namespace samara
     const unsigned int     s = tableau.s, n = s * touched.size();
     double                 rates[3];
     // what would not be noticed in a step counts as small, as in the corrections of all unknowns
-    double       scale = 1e-3 / h, last = 0;
-    StopForces   forces;
-    const double floor = 1e-16;
-    rate_changes       = from_free ? stop_free : Eigen::VectorXd::Zero(n).eval();
+    double     scale = 1e-3 / h, size = 0;
+    StopForces forces;
+    rate_changes = from_free ? stop_free : Eigen::VectorXd::Zero(n).eval();
+    force_changes.resize(n);
+    stop_slopes.setZero(n, n);
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
       {
-        stop_matrix.setIdentity(n, n);
-        force_changes.resize(n);
         for (unsigned int i = 0; i < touched.size(); ++i)
           {
             gap_rates(touched[i], rates);
@@ -152,21 +151,24 @@ namespace samara
               {
                 force_changes(s * i + k) = forces.force[k] - stop_forces_now[touched[i]].force[k];
                 for (unsigned int l = 0; l < s; ++l)
-                  if (forces.slope[l][k] != 0.)
-                    stop_matrix.col(s * i + k) += forces.slope[l][k] * stop_compliance.col(s * i + l);
+                  stop_slopes(s * i + k, s * i + l) = forces.slope[k][l];
               }
           }
-        if (iteration > 0 && (last < floor * scale || (iteration > 3 && last < 1e-11 * scale)))
-          return true;
+        stop_matrix.noalias() = stop_compliance * stop_slopes;
+        stop_matrix.diagonal().array() += 1;
         const Eigen::VectorXd change =
           stop_matrix.partialPivLu().solve(stop_free - rate_changes - stop_compliance * force_changes);
-        rate_changes += change;
-        const double size = change.lpNorm<Eigen::Infinity>();
+        size = change.lpNorm<Eigen::Infinity>();
         if (!std::isfinite(size))
           return false;
-        last = size;
+        rate_changes += change;
+        // Forces belong to the change itself, not to rates that are rounded: of these, stiff stops make forces with
+        // errors k h ε|ġ|, of which the compliance makes rates with errors k h² ε|ġ|/m.
+        force_changes.noalias() += stop_slopes * change;
+        if (size < 1e-15 * scale || (iteration > 3 && size < 1e-11 * scale))
+          return true;
       }
-    return last < 1e-9 * scale;
+    return size < 1e-9 * scale;
   }
 
 
@@ -273,6 +275,7 @@ namespace samara
           continue;
         result.viscous_loss += forces.loss;
         result.work_defect += std::abs(forces.work_defect);
+        result.touched_stops.push_back({i, forces.depth, forces.loss, gaps[i] > 0});
         add_touches(i, tableau, gaps[i], rates, state.time, h, result.touches);
       }
   }

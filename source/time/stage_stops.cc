@@ -31,12 +31,13 @@ namespace samara
     struct Gaps
     {
       std::array<double, 3> stage{};
-      double                change = 0, end = 0;
+      double                change = 0, end = 0, most;
       bool                  is_touched = false, is_touched_all_the_time = false;
 
       Gaps(const Tableau &t, const double start, const double *rates, const double h)
       {
-        double least = start, most = start;
+        double least = start;
+        most         = start;
         for (unsigned int k = 0; k < t.s; ++k)
           {
             stage[k] = start;
@@ -47,7 +48,8 @@ namespace samara
             most  = std::max(most, stage[k]);
           }
         end                     = start + change;
-        is_touched              = std::max(most, end) > 0;
+        most                    = std::max(most, end);
+        is_touched              = most > 0;
         is_touched_all_the_time = std::min(least, end) >= 0;
       }
     };
@@ -154,6 +156,7 @@ namespace samara
     result.is_touched = gaps.is_touched;
     if (!result.is_touched)
       return result;
+    result.depth = gaps.most;
     add_elastic_forces(stop.stiffness, tableau, gap, gaps, rates, h, result);
     if (stop.damping > 0)
       add_damper(stop.damping, tableau, gaps, rates, h, result);

@@ -357,11 +357,12 @@ TEST(Stops, KeepTheEnergyWhateverTheirStiffness)
           {
             SCOPED_TRACE(c.name + ", k = " + number(k) + ", s = " + std::to_string(s) + ", rho = " + number(rho));
             const Motion r     = run_to(scene.system, Tableau(s, rho), c.h, c.end);
-            const double bound = k < 1e7 ? 2e-11 : k < 1e10 ? 2e-10 : 1e-6;
+            const double bound = k < 1e7 ? 1e-11 : k < 1e10 ? 2e-11 : 2e-9;
             EXPECT_LT(r.drift, bound);
             EXPECT_LT(r.up, bound);
             EXPECT_GT(r.n_touches, 0u);
-            EXPECT_LT(r.n_steps, 12 * c.end / c.h);
+            EXPECT_LT(r.n_steps, 3 * c.end / c.h);
+            EXPECT_LT(r.n_iterations, 15 * r.n_steps);
           }
       }
 }
@@ -458,15 +459,19 @@ TEST(Stops, AdaptiveStepsResolveContacts)
 
 
 // Trees of one to five bodies with all kinds of motions between stops, from soft to hard, with the default settings:
-// bench_random_stops has two hundred of them.
+// bench_random_stops has two hundred of them. Numbers 145 and 1006 come near singular positions, where corrections of
+// velocities shrink while reactions go astray.
 TEST(Stops, RandomMechanisms)
 {
-  unsigned int n_touches = 0;
+  unsigned int              n_touches = 0;
+  std::vector<unsigned int> seeds{145, 1006};
   for (unsigned int seed = 0; seed < 20; ++seed)
+    seeds.push_back(seed);
+  for (const unsigned int seed : seeds)
     {
       const RandomMechanism mechanism(seed, true);
       SCOPED_TRACE(mechanism.name());
-      const Course c = course_of(mechanism, 30);
+      const Course c = course_of(mechanism, seed < 20 ? 30 : 50);
       EXPECT_TRUE(c.is_finished) << c.problem;
       EXPECT_LT(c.balance, 1e-9);
       EXPECT_LT(c.gap, 1e-8);

@@ -146,7 +146,7 @@ def energies(model, run, world):
     columns = table[[n for n in table.names if n not in ("t", "balance")]]
     speed = 1e-3 * model.size() / (model.step * model.steps)
     rest = model.mass() * speed**2 * world.factor(ENERGY)
-    scale = max(table["kinetic"].max(), abs(columns - columns[0]).max(), 1e-6 * abs(columns).max(), rest)
+    scale = max(table["kinetic"].max(), abs(columns - columns[0]).max(), 1e-5 * abs(columns).max(), rest)
     return scale, abs(table["balance"]).max() / scale
 
 
@@ -163,6 +163,15 @@ def budget(model, run, world, tolerance=1e-9):
     for name in "numerical dissipation", "damper loss":
         if np.diff(table[name]).min(initial=0) < -1e-9 * scale:
             yield f"{name} falls, by {-np.diff(table[name]).min() / scale:.1e} of the largest energy"
+
+
+def worst_step(model, run, world):
+    """Energy that the worst step misses, relative to the largest of the run; nan if there was no motion."""
+    table = run.tables.get("dynamic_energy")
+    if run.code != 0 or table is None or len(table.numbers) < 2:
+        return math.nan
+    scale, _ = energies(model, run, world)
+    return abs(np.diff(table["balance"])).max() / scale
 
 
 def kinetic(model, run, world):

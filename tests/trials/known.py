@@ -3,5 +3,4 @@ the run says so, and its line goes."""
 
 KNOWN = {
     "units 9010 time=1e-06": "statics watch for limits of stability by a determinant that round-off reaches in these units",
-    "turned 9006": "the energy account is judged below round-off when the Newton tolerance is 1e-13",
 }

@@ -21,6 +21,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 class Trial:
     """complaints(program, thing) judges the thing, or a smaller one."""
 
+    worst_step = float("nan")  # energy that the worst step of a motion misses, relative
+
     def __init__(self, name, thing):
         self.name, self.thing = name, thing
 
@@ -34,6 +36,8 @@ class MechanismTrial(Trial):
     def complaints(self, program, thing):
         run = Run(program, thing.text_here())
         self.code, self.seconds = run.code, run.seconds
+        if thing is self.thing:
+            self.worst_step = judges.worst_step(thing, run, World())
         return judges.all_of(thing, run, World())
 
 
@@ -127,6 +131,12 @@ def endless(program, start):
         yield from (mutant_trial(10 * seed + k) for k in range(10))
         yield from (everything.pop() for _ in range(min(10, len(everything))))
         seed += 1
+
+
+def motions(start, n):
+    """n runs of mechanisms with all integrators in turn, for statistics."""
+    for k in range(n):
+        yield mechanism_trial(start + k // len(INTEGRATORS), INTEGRATORS[k % len(INTEGRATORS)])
 
 
 def is_slow(trial):

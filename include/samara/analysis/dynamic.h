@@ -2,6 +2,7 @@
 #define samara_analysis_dynamic_h
 
 #include <samara/analysis/analysis.h>
+#include <samara/analysis/contacts.h>
 #include <samara/output/checkpoint.h>
 #include <samara/output/history.h>
 #include <samara/output/pictures.h>
@@ -19,7 +20,8 @@ namespace samara
    * (the paper, sections 3 and 4.2; doc/theory/integrators.md).
    *
    * Writes dynamic.csv (.h5) with the probes, dynamic_energy.csv with the energy budget, dynamic_steps.csv with the
-   * steps, dynamic.pvd with the moving model, and dynamic.checkpoint from which a run is continued (--restart).
+   * steps, dynamic_stops.csv with the contacts of stops, dynamic.pvd with the moving model, and dynamic.checkpoint from
+   * which a run is continued (--restart).
    *
    * Every steps_between_fresh_starts() steps of the integrator family everything that remembers (factors, pivots,
    * extrapolation) is made anew from what a checkpoint holds. Checkpoints are those moments, so that a run that is
@@ -64,7 +66,8 @@ namespace samara
       double largest_energy = 0; ///< of what moved [J]
       /** @} */
     };
-    Report report;
+    Report   report;
+    Contacts contacts; ///< of stops; those of the integrator family
 
     /** Energies since the start [J]. */
     struct Budget
@@ -98,9 +101,10 @@ namespace samara
 
   private:
     struct Output;
-    double energy_floor = 0; ///< of a motion by a millionth of the model in the run [J]
-    double n_judged     = 0; ///< steps so far
-    double first_strain = 0; ///< energy at the start [J]
+    double energy_floor     = 0; ///< of a motion by a millionth of the model in the run [J]
+    double n_judged         = 0; ///< steps so far
+    double first_strain     = 0; ///< energy at the start [J]
+    double round_off_of_sum = 0; ///< of the terms of the balance, at most in any step [J]
 
     void set_energy_floor(const System &system);
     /** Judge the account of a step: what it misses, relative to the energies that moved so far. */
@@ -110,9 +114,9 @@ namespace samara
     /** Say what does not hold. @throws NotConverged if the energy account does not close, unless told otherwise. */
     void conclude(const Context &context) const;
     struct Machinery;
-    double        n_rows         = 0; ///< steps on the grid since the start; of each of <Output every> a row is written
-    unsigned long n_grid         = 0; ///< steps of the grid that are done
-    unsigned int  n_recorded     = 0;
+    double        n_rows     = 0; ///< steps on the grid since the start; of each of <Output every> a row is written
+    unsigned long n_grid     = 0; ///< steps of the grid that are done
+    unsigned int  n_recorded = 0;
     CoarseMeshes  meshes;
 
     std::unique_ptr<Integrator> make_integrator(const System &system, double tolerance) const;

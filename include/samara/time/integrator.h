@@ -19,8 +19,11 @@ namespace samara
     double       work_defect     = 0; ///< Σ|N| of stops: what their energy would change by without correction
     double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
     unsigned int worst           = 0; ///< unknown with the largest force left; if converged, with the most work left
+    int          worst_constraint =
+      -1; ///< if converged, the multiplier with the largest force of those that act there; -1: none
 
-    std::vector<Touch> touches; ///< stops that were touched or left in the step
+    std::vector<Touch>       touches; ///< stops that were touched or left in the step
+    std::vector<TouchedStop> touched_stops;
   };
 
 

@@ -112,13 +112,13 @@ namespace samara
       std::unique_ptr<ComplexSolver> complex;
     };
     std::vector<Factor>                         factors;
-    double                                      energy_scale   = 0; ///< at the start of the step
-    double                                      kinetic_energy = 0; ///< mean of the stages
-    double                                      moved_energy   = 0; ///< kinetic, and what strain energy has changed by
-    double                                      first_strain = -1;  ///< energy at the first step; negative: not known
-    double                                      factored_step  = 0; ///< step size of the factors; 0: none
-    State                                       frozen;             ///< at which they were made
-    std::vector<std::unique_ptr<LinearStrains>> frozen_strains;     ///< of each contribution; none without strains
+    double                                      energy_scale   = 0;  ///< at the start of the step
+    double                                      kinetic_energy = 0;  ///< mean of the stages
+    double                                      moved_energy   = 0;  ///< kinetic, and what strain energy has changed by
+    double                                      first_strain   = -1; ///< energy at the first step; negative: not known
+    double                                      factored_step  = 0;  ///< step size of the factors; 0: none
+    State                                       frozen;              ///< at which they were made
+    std::vector<std::unique_ptr<LinearStrains>> frozen_strains;      ///< of each contribution; none without strains
     unsigned int                                n_steps_with_factors = 0, fresh_iterations = 0;
     double                                      extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix                                M, C, K;
@@ -199,7 +199,7 @@ namespace samara
     std::vector<Column>       columns;
     std::vector<unsigned int> touched;
     Eigen::VectorXd           stop_free, rate_changes, force_changes;
-    Eigen::MatrixXd           stop_compliance, stop_matrix;
+    Eigen::MatrixXd           stop_compliance, stop_slopes, stop_matrix;
 
     void          start_stops(const State &state);
     void          evaluate_stops(double h);
@@ -236,6 +236,8 @@ namespace samara
      * as large as one likes: no solution, whatever Newton's method says.
      */
     bool has_sources(const StepResult &result, double h) const;
+    /** Of everything, at this speed. */
+    double energy_of_moving(double speed) const;
     /** Choose the rows to leave out in this step. */
     void choose_rows(State &state);
     /** @throws NotConverged if the step leads to where rows left out are violated: they contradict the others. */
@@ -245,7 +247,9 @@ namespace samara
     std::unique_ptr<Projection> projection; ///< for these
     State                       admissible;
     void                        account(const State &state, double h, StepResult &result);
-    void                        finish(State &state, double h);
+    /** Tell where Newton's method has left most work, for messages. */
+    void find_worst(StepResult &result) const;
+    void finish(State &state, double h);
   };
 } // namespace samara
 

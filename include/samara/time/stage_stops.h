@@ -16,6 +16,7 @@ namespace samara
     bool                                 is_touched = false;
     double work_defect = 0; ///< N [J]: the work of U'(g) in the stages misses U_f − U_i by it
     double loss        = 0; ///< of the damper [J], not negative
+    double depth       = 0; ///< the largest gap in the stages and at both ends
   };
 
   /**
@@ -44,6 +45,16 @@ namespace samara
     double       time;
     bool         begins;
   };
+
+  /** What a stop did in a step in which it was touched, for reports. */
+  struct TouchedStop
+  {
+    unsigned int stop; ///< number in Layout::stops
+    double       depth, loss;
+    bool         is_touched_at_start;
+  };
+
+
 
   /** Where the polynomial of the gap changes its sign in a step from time @p time on, for reports. */
   void add_touches(unsigned int        stop,
