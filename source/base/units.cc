@@ -29,7 +29,7 @@ namespace samara
     constexpr Dimension force    {{1, 1, -2, 0, 0}};
     constexpr Dimension pressure {{-1, 1, -2, 0, 0}};
     constexpr Dimension energy   {{2, 1, -2, 0, 0}};
-    constexpr Dimension power    {{2, 1, -3, 0, 0}};
+    constexpr Dimension work_rate{{2, 1, -3, 0, 0}};
     constexpr Dimension frequency{{0, 0, -1, 0, 0}};
     constexpr Dimension spin     {{0, 0, -1, 1, 0}};
     constexpr Dimension density  {{-3, 1, 0, 0, 0}};
@@ -59,7 +59,7 @@ namespace samara
                           {force, "a force [N]"},
                           {pressure, "a pressure [Pa]"},
                           {energy, "a moment or energy [N*m]"},
-                          {power, "a power [W]"},
+                          {work_rate, "a power [W]"},
                           {frequency, "a frequency [1/s]"},
                           {spin, "an angular speed [rad/s]"},
                           {density, "a density [kg/m^3]"},
@@ -102,7 +102,7 @@ namespace samara
       {"Pa", {1, pressure}},        {"kPa", {1e3, pressure}},    {"MPa", {1e6, pressure}},
       {"GPa", {1e9, pressure}},     {"psi", {psi, pressure}},    {"ksi", {1e3 * psi, pressure}},
       {"J", {1, energy}},           {"kJ", {1e3, energy}},
-      {"W", {1, power}},            {"kW", {1e3, power}},        {"hp", {550 * foot * poundf, power}},
+      {"W", {1, work_rate}},        {"kW", {1e3, work_rate}},    {"hp", {550 * foot * poundf, work_rate}},
       {"Hz", {1, frequency}},
       {"rad", {1, plane}},          {"deg", {pi / 180, plane}},  {"rev", {2 * pi, plane}},
       {"rpm", {2 * pi / 60, spin}}, {"kn", {knot, speed}},       {"knot", {knot, speed}},

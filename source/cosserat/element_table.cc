@@ -12,14 +12,14 @@ namespace samara
   {
     /** Product of a rule along direction @p alpha with another one across; for dim 1 the first alone. */
     template <int dim>
-    std::vector<Point<dim>>
+    std::vector<dealii::Point<dim>>
     product_points(const Quadrature<1> &along, const Quadrature<1> &across, const unsigned int alpha)
     {
-      std::vector<Point<dim>> result;
+      std::vector<dealii::Point<dim>> result;
       for (unsigned int j = 0; j < (dim == 1 ? 1 : across.size()); ++j)
         for (unsigned int i = 0; i < along.size(); ++i)
           {
-            Point<dim> x;
+            dealii::Point<dim> x;
             x[alpha] = along.point(i)[0];
             if (dim == 2)
               x[1 - alpha] = across.point(j)[0];

@@ -335,13 +335,13 @@ TEST(SectionMesh, SaysWhatIsWrong)
     return std::string();
   };
   auto bent     = rectangle_patches(1, 1, 2, 2);
-  bent[0].place = [](const double u, const double v) { return Point<2>(u, v * (u - 0.3)); };
+  bent[0].place = [](const double u, const double v) { return dealii::Point<2>(u, v * (u - 0.3)); };
   EXPECT_NE(refusal(bent).find("cell (0, "), std::string::npos) << refusal(bent);
   auto pointed     = rectangle_patches(1, 1, 2, 2);
-  pointed[0].place = [](const double u, const double v) { return Point<2>(u, v * u); };
+  pointed[0].place = [](const double u, const double v) { return dealii::Point<2>(u, v * u); };
   EXPECT_NE(refusal(pointed).find("two corners in one place"), std::string::npos) << refusal(pointed);
   auto apart = rectangle_patches(1, 1, 1, 1), other = apart;
-  other[0].place = [](const double u, const double v) { return Point<2>(u + 3, v); };
+  other[0].place = [](const double u, const double v) { return dealii::Point<2>(u + 3, v); };
   apart.push_back(other[0]);
   EXPECT_NE(refusal(apart).find("patch 1"), std::string::npos) << refusal(apart);
   EXPECT_EQ(refusal(rectangle_patches(1, 1, 2, 2)), "");

@@ -64,7 +64,7 @@ namespace samara
       Eigen::Matrix2d shear;     ///< g, order 13 23
       Matrix3         axes;      ///< columns: those of the material
       double          bottom, top;
-      Eigen::Matrix2d f_at_bottom; ///< shear stresses of unit shear forces
+      Eigen::Matrix2d f_at_bottom = Eigen::Matrix2d::Zero(); ///< shear stresses of unit shear forces
     };
     std::vector<Layer>          layers;
     Eigen::Matrix<double, 6, 2> unit_moments; ///< plate strains of unit M₁₁ and M₂₂
