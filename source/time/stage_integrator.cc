@@ -276,9 +276,8 @@ namespace samara
             // Small corrections alone say little: near singular positions, reactions go astray while nothing moves.
             if (n_stagnant > 2 && last < 1e-9)
               {
-                const double allowed = is_fresh ? 1e-10 : 1e-12;
-                return error < allowed * scale + energy_of_moving(1e-8 * length / h) &&
-                       largest_gap(h) < 10 * allowed * length;
+                const double work = is_fresh ? 1e-10 : 1e-12, gap = is_fresh ? 1e-9 : 1e-12;
+                return error < work * scale + energy_of_moving(1e-8 * length / h) && largest_gap(h) < gap * length;
               }
           }
         const double size = is_exact ? solve_exactly(h) : solve(h);
