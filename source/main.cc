@@ -1,7 +1,5 @@
 #include <samara/base/errors.h>
-#include <samara/base/interrupt.h>
 #include <samara/base/text.h>
-#include <samara/base/threads.h>
 #include <samara/program.h>
 
 #include <CLI/CLI.hpp>
@@ -10,7 +8,6 @@
 
 #include <csignal>
 #include <iostream>
-#include <new>
 
 #ifndef SAMARA_VERSION
 #  define SAMARA_VERSION "unknown"
@@ -71,44 +68,7 @@ main(int argc, char **argv)
   if (version->count() > 0)
     return std::cout << "samara " << SAMARA_VERSION << '\n', samara::success;
 
-  try
-    {
-      // no MPI, which would want to start a daemon and complains where it cannot; one thread, until the model says more
-      samara::set_threads(1);
-      limit_memory();
-      std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
-      samara::Log log(std::cout, options.quiet);
-      samara::run(options, log);
-      return samara::success;
-    }
-  catch (const samara::InputError &error)
-    {
-      std::cerr << samara::readable(error.what()) << '\n';
-      return samara::input_error;
-    }
-  catch (const samara::NotConverged &error)
-    {
-      std::cerr << samara::readable(error.what()) << '\n';
-      return samara::not_converged;
-    }
-  catch (const samara::Interrupted &stop)
-    {
-      std::cerr << samara::readable(stop.what()) << '\n';
-      return samara::interrupted;
-    }
-  catch (const samara::CannotWrite &error)
-    {
-      std::cerr << "samara: " << samara::readable(error.what()) << '\n';
-      return samara::internal_error;
-    }
-  catch (const std::bad_alloc &)
-    {
-      std::cerr << "samara: there is not enough memory for this model\n";
-      return samara::internal_error;
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "samara: internal error: " << samara::readable(error.what()) << '\n';
-      return samara::internal_error;
-    }
+  limit_memory();
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
+  return samara::execute(options);
 }

@@ -5,6 +5,7 @@
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
 #include <samara/base/text.h>
+#include <samara/base/threads.h>
 #include <samara/input.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
@@ -17,6 +18,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 namespace samara
 {
@@ -138,7 +140,7 @@ namespace samara
                         std::to_string(study.members.size()));
       const std::string folder = folder_of_results(options);
       prepare_folder(folder);
-      study.run(folder, options.jobs, options.program, log);
+      study.run(folder, options.jobs, execute, log);
     }
 
 
@@ -251,5 +253,50 @@ namespace samara
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
     log.line("done in " + short_text(seconds) + " s; results are in " + folder);
+  }
+
+
+
+  int
+  execute(const Options &options)
+  {
+    try
+      {
+        // no MPI, which would want to start a daemon and complains where it cannot
+        set_threads(1);
+        Log log(std::cout, options.quiet);
+        run(options, log);
+        return success;
+      }
+    catch (const InputError &error)
+      {
+        std::cerr << readable(error.what()) << '\n';
+        return input_error;
+      }
+    catch (const NotConverged &error)
+      {
+        std::cerr << readable(error.what()) << '\n';
+        return not_converged;
+      }
+    catch (const Interrupted &stop)
+      {
+        std::cerr << readable(stop.what()) << '\n';
+        return interrupted;
+      }
+    catch (const CannotWrite &error)
+      {
+        std::cerr << "samara: " << readable(error.what()) << '\n';
+        return internal_error;
+      }
+    catch (const std::bad_alloc &)
+      {
+        std::cerr << "samara: there is not enough memory for this model\n";
+        return internal_error;
+      }
+    catch (const std::exception &error)
+      {
+        std::cerr << "samara: internal error: " << readable(error.what()) << '\n';
+        return internal_error;
+      }
   }
 } // namespace samara

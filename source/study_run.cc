@@ -87,14 +87,17 @@ namespace samara
 
 
 
-    std::vector<std::string>
-    command_of(const StudyMember &member, const std::string &program)
+    Options
+    options_of(const StudyMember &member)
     {
+      Options options;
+      options.model  = member.model;
+      options.output = member.folder;
       // times of members are compared, and members run side by side
-      std::vector<std::string> command = {program, member.model, "--output", member.folder, "--set", "Threads = 1"};
+      options.overrides = {"Threads = 1"};
       for (const auto &override : member.override_texts())
-        command.insert(command.end(), {"--set", override});
-      return command;
+        options.overrides.push_back(override);
+      return options;
     }
 
 
@@ -121,7 +124,7 @@ namespace samara
 
 
   void
-  Study::run(const std::string &folder, const unsigned int n_jobs, const std::string &program, Log &log)
+  Study::run(const std::string &folder, const unsigned int n_jobs, const Program &program, Log &log)
   {
     for (auto &member : members)
       member.folder = folder + "/" + member.folder;
@@ -149,7 +152,7 @@ namespace samara
 
 
   void
-  Study::run_members(const unsigned int n_jobs, const std::string &program, Log &log)
+  Study::run_members(const unsigned int n_jobs, const Program &program, Log &log)
   {
     std::vector<StudyMember *> waiting;
     for (auto &member : members)
@@ -169,7 +172,7 @@ namespace samara
       make_folder(member.folder);
       replace_file(member.folder + "/command.txt", command_text(member));
       running.push_back({&member,
-                         std::make_unique<Process>(command_of(member, program),
+                         std::make_unique<Process>([&]() { return program(options_of(member)); },
                                                    member.folder + "/log.txt",
                                                    member.folder + "/errors.txt")});
     };

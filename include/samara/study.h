@@ -5,6 +5,7 @@
 #include <samara/base/parameters.h>
 #include <samara/base/process.h>
 #include <samara/input.h>
+#include <samara/program.h>
 #include <samara/study_quantity.h>
 
 #include <memory>
@@ -92,10 +93,10 @@ namespace samara
     void add_parameters(Parameters &prm);
 
     /**
-     * Run what has not been run, @p n_jobs at a time, by @p program; then compare, and write.
+     * Run what has not been run, @p n_jobs at a time, by @p program in processes of their own; then compare, and write.
      * @throws NotConverged if no member arrives, Interrupted
      */
-    void run(const std::string &folder, unsigned int n_jobs, const std::string &program, Log &log);
+    void run(const std::string &folder, unsigned int n_jobs, const Program &program, Log &log);
 
     std::string                               title;
     std::vector<std::unique_ptr<StudyMethod>> methods;
@@ -124,7 +125,7 @@ namespace samara
     std::vector<std::string> faults_of(const StudyMember &member, const std::vector<std::string> &overrides) const;
 
     // source/study_run.cc
-    void run_members(unsigned int n_jobs, const std::string &program, Log &log);
+    void run_members(unsigned int n_jobs, const Program &program, Log &log);
     void evaluate();
     void compare(const std::vector<Series> &series);
 

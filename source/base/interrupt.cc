@@ -49,6 +49,17 @@ namespace samara
 
 
   void
+  forget_interrupts()
+  {
+    n_guards    = 0;
+    signal_seen = 0;
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  }
+
+
+
+  void
   throw_if_interrupted()
   {
     if (n_guards > 0 && signal_seen != 0)

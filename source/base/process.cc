@@ -1,3 +1,4 @@
+#include <samara/base/interrupt.h>
 #include <samara/base/process.h>
 
 #include <sys/resource.h>
@@ -10,47 +11,59 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <iostream>
 #include <stdexcept>
 
 namespace samara
 {
   namespace
   {
-    /** In the new process; only what is allowed between fork and exec. */
+    /** In the new process. No destructor of the old one's objects runs here. */
     [[noreturn]] void
-    become(char *const *const command, const char *const output, const char *const errors)
+    begin(const std::function<int()> &work, const char *const output, const char *const errors)
     {
       setpgid(0, 0);
 #ifdef __linux__
       prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
-      std::signal(SIGINT, SIG_DFL);
-      std::signal(SIGTERM, SIG_DFL);
+      forget_interrupts();
       const int in  = open("/dev/null", O_RDONLY);
       const int out = open(output, O_WRONLY | O_CREAT | O_TRUNC, 0644);
       const int err = open(errors, O_WRONLY | O_CREAT | O_TRUNC, 0644);
       if (in < 0 || out < 0 || err < 0 || dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0)
         _exit(126);
-      execv(command[0], command);
-      _exit(127);
+      int code = 127;
+      try
+        {
+          code = work();
+        }
+      catch (...)
+        {
+          std::cerr << "the work of another process threw an exception\n";
+        }
+      std::cout.flush();
+      std::cerr.flush();
+      std::fflush(nullptr);
+      _exit(code);
     }
   } // namespace
 
 
 
-  Process::Process(const std::vector<std::string> &command, const std::string &output, const std::string &errors)
+  Process::Process(const std::function<int()> &work, const std::string &output, const std::string &errors)
     : start(std::chrono::steady_clock::now())
   {
-    std::vector<char *> arguments;
-    for (const auto &argument : command)
-      arguments.push_back(const_cast<char *>(argument.c_str()));
-    arguments.push_back(nullptr);
+    // what is not yet written would be written twice
+    std::cout.flush();
+    std::cerr.flush();
+    std::fflush(nullptr);
     pid = fork();
     if (pid < 0)
       throw std::runtime_error(std::string("cannot start another process: ") + std::strerror(errno));
     if (pid == 0)
-      become(arguments.data(), output.c_str(), errors.c_str());
+      begin(work, output.c_str(), errors.c_str());
     setpgid(pid, pid); // it does the same; whoever comes first
   }
 

@@ -32,9 +32,6 @@ namespace samara
       Options options;
       options.model  = folder.path + "/model.prm";
       options.output = folder.path + "/results";
-#ifdef SAMARA_PROGRAM
-      options.program = SAMARA_PROGRAM; // of a study's members
-#endif
       options.overrides = overrides;
       std::ofstream(options.model) << model;
       std::ostringstream said;

@@ -1,20 +1,29 @@
-// Programs that run beside this one: how they end is told, and none is left behind.
+// Processes beside this one: how they end is told, and none is left behind.
 
 #include <samara/base/process.h>
 
 #include "../output/scratch_folder.h"
 
+#include <unistd.h>
+
 using namespace samara;
 
 namespace
 {
+  /** A shell in place of this program. */
+  int
+  shell(const std::string &command)
+  {
+    return execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+  }
+
   struct Shell
   {
     ScratchFolder folder;
     Process       process;
 
     explicit Shell(const std::string &command)
-      : process({"/bin/sh", "-c", command}, folder.path + "/out", folder.path + "/err")
+      : process([&]() { return shell(command); }, folder.path + "/out", folder.path + "/err")
     {}
 
     void
@@ -59,13 +68,24 @@ TEST(Process, Signals)
 
 
 
-TEST(Process, MissingProgram)
+// What is printed goes to its files, and what stood in a buffer before is not printed twice.
+TEST(Process, WorkOfThisProgram)
 {
   const ScratchFolder folder;
-  Process             process({"/no/such/program"}, folder.path + "/out", folder.path + "/err");
-  while (!process.has_ended())
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  EXPECT_EQ(process.exit_code(), 127);
+  std::cout << "before" << std::flush;
+  std::cout << " ";
+  const int seven = 7;
+  Process   returns([&]() { return std::cout << "seven", seven; }, folder.path + "/out", folder.path + "/err");
+  Process   throws([]() -> int { throw std::runtime_error("a mistake"); }, folder.path + "/out2", folder.path + "/err2");
+  Process   cannot([]() { return 0; }, folder.path + "/none/out", folder.path + "/err3");
+  for (auto *const process : {&returns, &throws, &cannot})
+    while (!process->has_ended())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(returns.exit_code(), 7);
+  EXPECT_EQ(content_of(folder.path + "/out"), "seven");
+  EXPECT_EQ(throws.exit_code(), 127);
+  EXPECT_FALSE(content_of(folder.path + "/err2").empty());
+  EXPECT_EQ(cannot.exit_code(), 126);
 }
 
 
@@ -86,7 +106,7 @@ TEST(Process, DoesNotOutliveItsObject)
   const ScratchFolder folder;
   pid_t               pid = 0;
   {
-    Process process({"/bin/sh", "-c", "echo $$ > " + folder.path + "/pid; sleep 60"},
+    Process process([&]() { return shell("echo $$ > " + folder.path + "/pid; sleep 60"); },
                     folder.path + "/out",
                     folder.path + "/err");
     while (content_of(folder.path + "/pid").empty())

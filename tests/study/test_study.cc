@@ -1,5 +1,5 @@
 // Parameter studies as a user runs them: orders equal the theory, members fail alone, what is finished is kept, and the
-// cheapest level is found. The program itself runs the members.
+// cheapest level is found. The members run in processes of their own.
 
 #include <samara/base/interrupt.h>
 #include <samara/program.h>
@@ -8,7 +8,10 @@
 #include "../output/scratch_folder.h"
 
 #include <cmath>
+#include <csignal>
 #include <sstream>
+
+#include <unistd.h>
 
 using namespace samara;
 
@@ -20,7 +23,7 @@ namespace
   struct Case
   {
     ScratchFolder      folder;
-    std::string        program = SAMARA_PROGRAM;
+    Program            program = execute;
     std::ostringstream said;
 
     std::string
@@ -51,13 +54,21 @@ namespace
       return content_of(folder.path + "/results/" + name);
     }
 
-    /** A program that runs @p before each time, and then the real one. */
+    /** A program that does @p before each time, and then what the real one does. */
     void
-    wrap(const std::string &before)
+    wrap(const std::function<void(const Options &)> &before)
     {
-      program = folder.path + "/wrapper";
-      std::ofstream(program) << "#!/bin/sh\n" << before << "\nexec " << SAMARA_PROGRAM << " \"$@\"\n";
-      std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+      program = [before](const Options &options) {
+        before(options);
+        return execute(options);
+      };
+    }
+
+    /** One more line in the file `calls`. */
+    void
+    count_call() const
+    {
+      std::ofstream(folder.path + "/calls", std::ios::app) << '\n';
     }
 
     unsigned int
@@ -67,6 +78,16 @@ namespace
       return std::count(calls.begin(), calls.end(), '\n');
     }
   };
+
+  bool
+  sets_five_elements(const Options &options)
+  {
+    return std::any_of(options.overrides.begin(), options.overrides.end(), [](const std::string &override) {
+      return contains(override, "Elements = 5");
+    });
+  }
+
+
 
   /** The elastica of prm/benchmarks against the elliptic integrals, for @p values of the number of elements. */
   std::string
@@ -173,7 +194,13 @@ TEST(Study, FinestLevelIsTheReference)
 TEST(Study, MembersFailAlone)
 {
   Case study;
-  study.wrap("case \"$*\" in *'Elements = 5'*) kill -SEGV $$ ;; esac");
+  study.wrap([](const Options &options) {
+    if (sets_five_elements(options))
+      {
+        std::signal(SIGSEGV, SIG_DFL);
+        std::raise(SIGSEGV);
+      }
+  });
   study.write(elastica("4, 5",
                        "subsection Methods\n  subsection good\n  end\n  subsection bad\n"
                        "    set Overrides = Static/Iterations = 1\n    set Values = 4\n  end\nend\n"));
@@ -206,7 +233,7 @@ TEST(Study, AllMembersFailing)
 TEST(Study, KeepsWhatIsFinished)
 {
   Case study;
-  study.wrap("echo >> " + study.folder.path + "/calls");
+  study.wrap([&](const Options &) { study.count_call(); });
   const std::string model = study.folder.path + "/model.prm";
   std::filesystem::copy_file(models + "elastica.prm", model);
   const auto write = [&](const std::string &values, const std::string &settings) {
@@ -248,7 +275,11 @@ TEST(Study, KeepsWhatIsFinished)
 TEST(Study, MoreTimeForWhatRanOutOfIt)
 {
   Case study;
-  study.wrap("echo >> " + study.folder.path + "/calls; [ -e " + study.folder.path + "/quick ] || sleep 60");
+  study.wrap([&](const Options &) {
+    study.count_call();
+    if (!std::filesystem::exists(study.folder.path + "/quick"))
+      sleep(60);
+  });
   study.write(elastica("4", "", "  set Time limit = 0.2\n"));
   for (unsigned int i = 0; i < 2; ++i)
     EXPECT_EQ(complaint_of([&]() { study.run(); }), "the only member fails: time limit of 0.2 s");
@@ -265,12 +296,18 @@ TEST(Study, MoreTimeForWhatRanOutOfIt)
 TEST(Study, GoesOnAfterAnInterruption)
 {
   Case study;
-  study.wrap("echo >> " + study.folder.path +
-             "/calls; case \"$*\" in *'Elements = 5'*) kill -INT $PPID; sleep 60 ;; esac");
+  study.wrap([&](const Options &options) {
+    study.count_call();
+    if (sets_five_elements(options))
+      {
+        kill(getppid(), SIGINT);
+        sleep(60);
+      }
+  });
   study.write(elastica("4, 5, 6"));
   EXPECT_THROW(study.run(), Interrupted);
   EXPECT_EQ(study.n_calls(), 2u);
-  study.wrap("echo >> " + study.folder.path + "/calls");
+  study.wrap([&](const Options &) { study.count_call(); });
   const auto members = study.run();
   EXPECT_EQ(study.n_calls(), 4u);
   for (const auto &member : members)

@@ -29,6 +29,9 @@ namespace samara
     bool was_interrupted() const;
   };
 
+  /** In a process that was just forked: as if no guard lived and no signal had come. */
+  void forget_interrupts();
+
   /** To be called now and then by what takes long and has nothing to write. @throws Interrupted */
   void throw_if_interrupted();
 } // namespace samara

@@ -4,23 +4,25 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
-#include <vector>
 
 namespace samara
 {
   /**
-   * Another program that runs beside this one. It has a process group of its own: Ctrl-C on the terminal reaches only
-   * us, who then decide about it. It does not outlive us, nor the object.
+   * A part of this program that runs beside it, in a process of its own: what happens to it does not happen to us. It is
+   * forked, so that the libraries, whose loading takes longer than many a run, are loaded once for all. It has a process
+   * group of its own: Ctrl-C on the terminal reaches only us, who then decide about it. It does not outlive us, nor the
+   * object.
    */
   class Process
   {
   public:
     /**
-     * Start @p command, a program with its arguments; what it prints goes to two files. Throws a std::runtime_error if
-     * the system refuses; a program that cannot be executed ends at once with the exit code 127, as in a shell.
+     * Do @p work, which returns an exit code; what it prints goes to two files. Throws a std::runtime_error if the system
+     * refuses; an exit code 126 says that the files cannot be opened, 127 that the work threw an exception.
      */
-    Process(const std::vector<std::string> &command, const std::string &output, const std::string &errors);
+    Process(const std::function<int()> &work, const std::string &output, const std::string &errors);
 
     Process(const Process &)            = delete;
     Process &operator=(const Process &) = delete;
