@@ -333,11 +333,13 @@ namespace samara
                            number_to_text("%.0f", done > 0 ? seconds / done * (end_time - state.time) : 0.) + " s");
     };
     const auto save = [&]() {
-      output.flush();
+      // a shorter run is done again sooner than a disk answers
+      const bool wait = seconds_since(clock_start) > 1;
+      output.flush(wait);
       if (!can_be_exact)
         last = remember(context, state, machinery, output);
       if (!context.folder.empty())
-        write_checkpoint(checkpoint_file(context), last);
+        write_checkpoint(checkpoint_file(context), last, wait);
     };
     const auto close = [&]() {
       if (context.log.is_terminal())

@@ -276,7 +276,7 @@ namespace samara
 
 
   void
-  write_checkpoint(const std::string &file, const Checkpoint &checkpoint)
+  write_checkpoint(const std::string &file, const Checkpoint &checkpoint, const bool wait)
   {
     const hdf5::Quiet quiet;
     std::string       body;
@@ -288,7 +288,7 @@ namespace samara
       {
         throw std::runtime_error("cannot write " + file + ": " + error.what() + ".");
       }
-    replace_file(file, head_of(body) + body, true);
+    replace_file(file, head_of(body) + body, wait);
   }
 
 

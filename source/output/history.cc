@@ -163,12 +163,13 @@ namespace samara
 
 
   void
-  History::flush()
+  History::flush(const bool wait)
   {
     if (finished)
       return;
     write_lines();
-    wait_for_disk(csv_file);
+    if (wait)
+      wait_for_disk(csv_file);
   }
 
 

@@ -13,6 +13,8 @@ namespace samara
 {
   namespace
   {
+    constexpr std::chrono::seconds between_series(1);
+
     /** 7 becomes pictures/NAME.0007.vtu, so that files in the order of their names are in the order of time. */
     std::string
     picture_file(const std::string &name, const unsigned int frame)
@@ -78,15 +80,39 @@ namespace samara
   void
   Pictures::add(Drawing &&drawing, const double time)
   {
-    finish();
+    wait();
     being_written =
       std::async(std::launch::async, [this, time, drawing = std::move(drawing)] { write(drawing, time); });
   }
 
 
 
+  Pictures::~Pictures()
+  {
+    try
+      {
+        finish();
+      }
+    catch (const std::exception &)
+      {
+        // whoever wants to know calls finish()
+      }
+  }
+
+
+
   void
   Pictures::finish()
+  {
+    wait();
+    if (n_in_series < times_and_files.size())
+      write_series();
+  }
+
+
+
+  void
+  Pictures::wait()
   {
     if (being_written.valid())
       being_written.get();
@@ -98,11 +124,12 @@ namespace samara
   Pictures::write(const Drawing &drawing, const double time)
   {
     const std::string file = picture_file(name, times_and_files.size());
-    replace_file(folder + "/" + file, vtu_of(drawing));
+    replace_file(folder + "/" + file, vtu_of(drawing, compressor));
     write_objects(drawing.objects);
 
     times_and_files.emplace_back(time, file);
-    write_series();
+    if (n_in_series == 0 || std::chrono::steady_clock::now() - time_of_series > between_series)
+      write_series();
   }
 
 
@@ -123,7 +150,7 @@ namespace samara
 
 
   void
-  Pictures::write_series() const
+  Pictures::write_series()
   {
     std::string content = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
     for (const auto &[time, file] : times_and_files)
@@ -131,5 +158,7 @@ namespace samara
                  "\" group=\"\" part=\"0\" file=\"" + file + "\"/>\n";
     content += "  </Collection>\n</VTKFile>\n";
     replace_file(folder + "/" + name + ".pvd", content);
+    n_in_series    = times_and_files.size();
+    time_of_series = std::chrono::steady_clock::now();
   }
 } // namespace samara

@@ -142,6 +142,29 @@ TEST(Pictures, SeriesIsCompleteAfterEachPicture)
 
 
 
+TEST(Pictures, SeriesIsWrittenAtTheFirstPictureAndAtTheEnd)
+{
+  const ScratchFolder folder;
+  const auto          n_named = [&]() {
+    const std::string text = content_of(folder.path + "/dynamic.pvd");
+    unsigned int      n    = 0;
+    for (std::size_t at = text.find("<DataSet"); at != std::string::npos; at = text.find("<DataSet", at + 1))
+      ++n;
+    return n;
+  };
+  {
+    Pictures pictures(folder.path, "dynamic");
+    for (unsigned int frame = 0; frame < 20; ++frame)
+      {
+        pictures.add(two_objects(), frame);
+        EXPECT_GE(n_named() + (frame == 0), 1u); // the one before is written
+      }
+  }
+  EXPECT_EQ(n_named(), 20u);
+}
+
+
+
 TEST(Pictures, NothingToDrawIsAPictureToo)
 {
   const ScratchFolder folder;

@@ -28,11 +28,11 @@ namespace samara
     }
 
     void
-    flush()
+    flush(const bool wait)
     {
       for (const auto &[name, table] : tables())
         if (table != nullptr)
-          table->flush();
+          table->flush(wait);
       if (pictures != nullptr)
         pictures->finish();
     }

@@ -26,15 +26,15 @@ namespace samara
 
 
   /**
-   * Write a checkpoint in place of the one that may be there. Whatever happens, also a power failure, the file is the
+   * Write a checkpoint in place of the one that may be there. Whatever happens to the process, the file is the
    * old one or the new one. Throws a std::runtime_error with the name of the file if it cannot be written; the old one
-   * stays then, and nothing else.
+   * stays then, and nothing else. A power failure is survived with @p wait only, which waits for the disk.
    *
    * The file has a head of 512 bytes with a text that tells what it is, its format and a checksum, and behind it HDF5,
    * which HDF5's tools find there: state/q, state/time and so on; step; numbers/0, numbers/1, ..., arrays/0, ... with
    * the attribute `name`; and the letters of the model.
    */
-  void write_checkpoint(const std::string &file, const Checkpoint &checkpoint);
+  void write_checkpoint(const std::string &file, const Checkpoint &checkpoint, bool wait = true);
 
   /**
    * Read what write_checkpoint() wrote. Throws an InputError if the file is missing, is no checkpoint, is one of

@@ -56,10 +56,10 @@ namespace samara
     void add(const std::vector<double> &row, unsigned int n_optional = 0);
 
     /**
-     * Bring all rows to the disk. Call it before write_checkpoint(): otherwise rows before the checkpoint may be
+     * Write all rows, and with @p wait bring them to the disk, so that they outlive the machine. Call it before write_checkpoint(): otherwise rows before the checkpoint may be
      * missing when a killed run is continued.
      */
-    void flush();
+    void flush(bool wait = true);
 
     /** Rows there are, with those that were kept. */
     std::uint64_t

@@ -1,8 +1,9 @@
 #ifndef samara_output_pictures_h
 #define samara_output_pictures_h
 
-#include <samara/model/drawing.h>
+#include <samara/output/vtu.h>
 
+#include <chrono>
 #include <future>
 #include <optional>
 #include <string>
@@ -21,9 +22,10 @@ namespace samara
    * The fields at the points are those of Sample: displacement [m], section force [N], section moment [N m], strain,
    * curvature [1/m], velocity [m/s]. The place before the deformation is x − displacement.
    *
-   * Every file is complete or absent, and the series is rewritten after each picture, so that what a run left when it
-   * was killed can be opened. A picture is compressed and written beside the run; the next one waits for it. What
-   * cannot be written is a CannotWrite with the name of the file, thrown by the next add() or by finish().
+   * Every file is complete or absent, so that what a run left when it was killed can be opened. The series is rewritten
+   * at the first picture, once a second, and by finish(). A picture is compressed and written beside the run; the next one
+   * waits for it. What cannot be written is a CannotWrite with the name of the file, thrown by the next add() or by
+   * finish().
    */
   class Pictures
   {
@@ -37,21 +39,27 @@ namespace samara
              const std::string           &name,
              const std::optional<double> &resume_after = std::nullopt);
 
+    ~Pictures();
+
     /** Write a picture. @p time is what ParaView orders the series by: seconds, a load factor, a phase. */
     void add(Drawing &&drawing, double time);
 
-    /** Wait until all is written. The destructor does, too, but does not tell what went wrong. */
+    /** Wait until all is written, the series too. The destructor does, too, but does not tell what went wrong. */
     void finish();
 
   private:
     void keep_series(double resume_after);
     void write(const Drawing &drawing, double time);
     void write_objects(const std::vector<std::string> &objects);
-    void write_series() const;
+    void wait();
+    void write_series();
 
     const std::string                           folder, name;
     std::vector<std::pair<double, std::string>> times_and_files;
     std::vector<std::string>                    written_objects;
+    unsigned int                                n_in_series = 0; ///< that the file of the series names
+    std::chrono::steady_clock::time_point       time_of_series;
+    Compressor                                  compressor;
     std::future<void>                           being_written; ///< last, so that it ends before the others do
   };
 } // namespace samara

@@ -3,10 +3,33 @@
 
 #include <samara/model/drawing.h>
 
+#include <zlib.h>
+
 #include <string>
+#include <vector>
 
 namespace samara
 {
+  /** zlib with one stream for many arrays: setting one up costs more than to compress a small array. */
+  class Compressor
+  {
+  public:
+    /** @throws std::runtime_error if there is no memory. */
+    Compressor();
+    ~Compressor();
+    Compressor(const Compressor &)            = delete;
+    Compressor &operator=(const Compressor &) = delete;
+
+    /** The bytes of a complete zlib stream, until the next call. @throws std::runtime_error if there is no memory. */
+    const std::vector<unsigned char> &operator()(const void *bytes, std::size_t n_bytes);
+
+  private:
+    z_stream                   stream{};
+    std::vector<unsigned char> compressed;
+  };
+
+
+
   /**
    * The content of a .vtu file of VTK (UnstructuredGrid, version 0.1) that shows a drawing: its points with the fields
    * of their samples as 32-bit numbers, its quadrilaterals, and the number of the object each point belongs to. Arrays
@@ -17,7 +40,7 @@ namespace samara
    *
    * @throws std::runtime_error if zlib fails (no memory).
    */
-  std::string vtu_of(const Drawing &drawing);
+  std::string vtu_of(const Drawing &drawing, Compressor &compressor);
 } // namespace samara
 
 #endif
