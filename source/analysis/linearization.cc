@@ -10,13 +10,13 @@ namespace samara
 {
   namespace
   {
-    /** The constant rotation rate of each node's axes, blockdiag(Ω~, Ω~). */
+    /** The constant rate at which each node turns in its axes, of these @p spins, blockdiag(Ω~, Ω~). */
     Matrix6
-    turning(const State &state, const unsigned int node)
+    turning(const State &state, const std::vector<Vector3> &spins, const unsigned int node)
     {
       Matrix6 W               = Matrix6::Zero();
       W.topLeftCorner<3, 3>() = W.bottomRightCorner<3, 3>() =
-        skew(Eigen::Map<const Vector6>(&state.y[6 * node]).tail<3>());
+        skew(Eigen::Map<const Vector6>(&state.y[6 * node]).tail<3>() - state.triad(node).transpose() * spins[node]);
       return W;
     }
 
@@ -24,16 +24,17 @@ namespace samara
 
     /** B += factor · A W, W block diagonal with one block for each node. */
     void
-    add_times_turning(const System       &system,
-                      const State        &state,
-                      const double        factor,
-                      const SparseMatrix &A,
-                      SparseMatrix       &B)
+    add_times_turning(const System               &system,
+                      const State                &state,
+                      const std::vector<Vector3> &spins,
+                      const double                factor,
+                      const SparseMatrix         &A,
+                      SparseMatrix               &B)
     {
       const Pattern &pattern = *A.pattern;
       for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
         {
-          const Matrix6 W     = factor * turning(state, node);
+          const Matrix6 W     = factor * turning(state, spins, node);
           const int     first = system.layout.of_node(node);
           // the six columns of a node have the same rows, as all couplings are by nodes
           const int                               n = pattern.column_start[first + 1] - pattern.column_start[first];
@@ -47,7 +48,10 @@ namespace samara
 
     /** −B W, row by row. */
     SparseRows
-    minus_times_turning(const System &system, const State &state, const SparseRows &B)
+    minus_times_turning(const System               &system,
+                        const State                &state,
+                        const std::vector<Vector3> &spins,
+                        const SparseRows           &B)
     {
       const unsigned int n_nodal = system.layout.of_coordinate(0);
       SparseRows         result;
@@ -58,7 +62,7 @@ namespace samara
             if (B.columns[k] < n_nodal)
               {
                 const unsigned int node = B.columns[k] / 6;
-                const Matrix6      W    = turning(state, node + 1);
+                const Matrix6      W    = turning(state, spins, node + 1);
                 for (unsigned int j = 0; j < 6; ++j)
                   if (W(B.columns[k] % 6, j) != 0.)
                     result.add_entry(6 * node + j, -B.values[k] * W(B.columns[k] % 6, j));
@@ -85,7 +89,7 @@ namespace samara
 
 
 
-  Linearization::Linearization(const System &system, const State &state, const bool fixed_axes)
+  Linearization::Linearization(const System &system, const State &state, const std::vector<Vector3> &spins)
     : LinearMotion{SparseMatrix(system.layout.pattern),
                    SparseMatrix(system.layout.pattern),
                    SparseMatrix(system.layout.pattern),
@@ -97,16 +101,16 @@ namespace samara
     system.mass(M);
     system.damping(state, gyroscopic, false);
     system.tangent(state, S, false);
-    if (!fixed_axes)
+    if (spins.empty())
       return;
-    // ζ = Rᵀη with R turning at W: ζ̇ = η̇ − Wη, ζ̈ = η̈ − 2Wη̇ + W²η
+    // ζ = Rᵀη with R turning at W in the axes of η: ζ̇ = η̇ − Wη, ζ̈ = η̈ − 2Wη̇ + W²η
     SparseMatrix MW(system.layout.pattern);
-    add_times_turning(system, state, 1., M, MW);
-    add_times_turning(system, state, -1., gyroscopic, S);
-    add_times_turning(system, state, 1., MW, S);
+    add_times_turning(system, state, spins, 1., M, MW);
+    add_times_turning(system, state, spins, -1., gyroscopic, S);
+    add_times_turning(system, state, spins, 1., MW, S);
     gyroscopic.add(-2., MW);
     if (strains.is_viscous())
-      B_dot = minus_times_turning(system, state, strains.B);
+      B_dot = minus_times_turning(system, state, spins, strains.B);
   }
 
 
@@ -195,7 +199,7 @@ namespace samara
 
       /** @param r the residual; @param lacking stresses beyond those of the strains, one a strain */
       MixedStep(const System &system, const State &at, const std::vector<double> &r, const std::vector<double> &lacking)
-        : motion(system, at, false)
+        : motion(system, at)
         , change(motion.strains.B.n_rows())
       {
         MixedMatrix matrix(motion);
@@ -268,7 +272,7 @@ namespace samara
 
 
   Imbalance
-  imbalance_at_any_reactions(const System &system, const State &state)
+  balance_reactions(const System &system, State &state)
   {
     // the moments of drives that are free to move belong to the state
     State at = state;
@@ -277,6 +281,8 @@ namespace samara
     system.residual(at, at.stress, r);
     std::fill(r.begin() + system.layout.of_multiplier(0), r.end(), 0.);
     const MixedStep step(system, state, r, std::vector<double>(system.layout.n_strains, 0.));
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      state.multipliers[i] += step.x[system.layout.of_multiplier(i)];
     return {size_of_step(system, step.x, model_length(system.model)),
             share_of_energy(step.motion, step.change, resultants(step.motion.strains, state.stress)),
             most_changed(system, step)};

@@ -1,7 +1,9 @@
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
+#include <samara/analysis/moving_axes.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/errors.h>
+#include <samara/base/text.h>
 #include <samara/output/pictures.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
@@ -29,7 +31,7 @@ namespace samara
     prm.add("Axes",
             axes,
             "Axes in which small motions are seen: turning with each body; fixed in space at the moment of the state; "
-            "automatic: turning, unless parts turn against each other.",
+            "automatic: those in which coefficients are constant; where there are none, modes are refused.",
             Selection("automatic|turning|fixed"));
     prm.add(
       "Unsteady motion",
@@ -53,7 +55,7 @@ namespace samara
       }
     require_finite_state(system, context.state);
     const bool is_steady = check_motion(context);
-    State      state = context.state;
+    State      state     = context.state;
     check_equilibrium(system, state);
     state.held = hold;
     if (is_steady)
@@ -61,15 +63,26 @@ namespace samara
     if (!state.left_out.empty())
       RedundantRows(system).choose(state);
 
-    const bool fixed = axes == "fixed" || (axes == "automatic" && !turns_as_a_whole(system, state));
-    if (fixed)
-      context.log.line("  modal: parts turn against each other; modes are those seen in fixed axes at this moment "
-                       "(constant in time if the turning parts are axisymmetric)");
-    const Linearization linearization(system, state, fixed);
+    Linearization linearization(system, state);
     for (const auto *const A : {&linearization.M, &linearization.gyroscopic, &linearization.S})
       require_finite_matrix(system, *A);
     check_mass(linearization);
-    find(context, linearization);
+    try
+      {
+        const MovingAxes seen(system, state, axes);
+        if (!seen.spins().empty())
+          linearization = Linearization(system, state, seen.spins());
+        find(context, linearization);
+        check_axes(context, seen);
+      }
+    catch (const SingularMatrix &singular)
+      {
+        throw NotConverged(
+          "modal analysis: the matrix is singular at " +
+          (singular.unknown < 0 ? std::string("an unknown") : system.layout.name_of(singular.unknown)) +
+          ".\n  A constraint is there twice, or something has neither mass nor stiffness; or the <Shift> is an "
+          "eigenvalue.");
+      }
     branches = tracking.follow(modes, linearization.M);
     report(context);
     check_errors(context);
@@ -156,23 +169,62 @@ namespace samara
   void
   ModalAnalysis::find(const Context &context, const Linearization &linearization)
   {
-    Modes result;
-    try
-      {
-        result = find_modes(linearization, n_modes, shift == 0. ? std::optional<double>() : shift);
-      }
-    catch (const SingularMatrix &singular)
-      {
-        throw NotConverged(
-          "modal analysis: the matrix is singular at " +
-          (singular.unknown < 0 ? std::string("an unknown") : context.system.layout.name_of(singular.unknown)) +
-          ".\n  A constraint is there twice, or something has neither mass nor stiffness; or the <Shift> is an "
-          "eigenvalue.");
-      }
-    modes = result.found;
+    const Modes result = find_modes(linearization, n_modes, shift == 0. ? std::optional<double>() : shift);
+    modes              = result.found;
     if (result.is_all)
       context.log.line("  modal: only " + std::to_string(modes.size()) + " of " + std::to_string(n_modes) +
                        " modes are there: no other motion moves mass, or all lie a million times higher");
+  }
+
+
+
+  namespace
+  {
+    /** How modes of a moment differ from those of others; empty if they do not. */
+    std::string
+    text_of_changes(const std::vector<Mode> &modes, const std::vector<double> &changes)
+    {
+      unsigned int n = 0, most = 0;
+      for (unsigned int i = 0; i < modes.size(); ++i)
+        if (!(changes[i] <= 1e-5 + 10 * modes[i].error))
+          {
+            ++n;
+            if (!(changes[i] <= changes[most]))
+              most = i;
+          }
+      if (n == 0)
+        return "";
+      return std::to_string(n) + " of " + std::to_string(modes.size()) + " modes of this moment do not last: mode " +
+             std::to_string(most + 1) + " at " + short_text(modes[most].frequency()) + " rad/s changes " +
+             (changes[most] < 1 ? "by up to " + number_to_text("%.2g", 100 * changes[most]) + " %" :
+                                  "by more than itself");
+    }
+  } // namespace
+
+
+
+  void
+  ModalAnalysis::check_axes(const Context &context, const MovingAxes &seen) const
+  {
+    if (!seen.are_looked_at())
+      return;
+    const std::string of_modes = text_of_changes(modes, seen.changes(modes)), of_all = seen.text_of_change();
+    if (of_modes.empty() && of_all.empty())
+      {
+        context.log.line("  modal: coefficients are constant in " + seen.text());
+        return;
+      }
+    const std::string why = of_all + (of_all.empty() || of_modes.empty() ? "" : "; ") + of_modes;
+    if (axes != "automatic")
+      context.log.warning("modal", why);
+    else if (unsteady == "refuse")
+      throw InputError(
+        (parameters.where().empty() ? "" : parameters.where() + ": ") + "modal analysis: " + why +
+        ".\n  Coefficients are periodic: there are no modes, but exponents that Floquet analysis would find, which is not "
+        "there yet. For modes of this moment set Axes = turning or Axes = fixed in subsection Modal, or Unsteady motion = "
+        "allow for axes in which least changes.");
+    else
+      context.log.line("  modal: " + why + "; modes are those of this moment in " + seen.text());
   }
 
 

@@ -87,27 +87,6 @@ namespace samara
 
 
 
-    /** Times in which what turns fastest, and what turns slowest, has turned by parts of a turn that are no simple ones. */
-    std::vector<double>
-    times_to_look(const State &state)
-    {
-      double fastest = 0;
-      for (const auto &m : state.motion)
-        fastest = std::max(fastest, m.spin.norm());
-      double slowest = fastest;
-      for (const auto &m : state.motion)
-        if (m.spin.norm() > 1e-3 * fastest)
-          slowest = std::min(slowest, m.spin.norm());
-      std::vector<double> times;
-      if (fastest > 0)
-        times = {1. / fastest, 2.4 / fastest};
-      if (slowest < 0.3 * fastest)
-        times.push_back(2.4 / slowest);
-      return times;
-    }
-
-
-
     /** Note the largest change of loads from one state to another. */
     void
     find_change(const System &system, const State &from, const State &to, const double reference, ChangingLoads &result)
@@ -122,10 +101,10 @@ namespace samara
       const unsigned int coordinate = system.layout.of_coordinate(0);
       const bool         at_node    = row < coordinate;
       result.share                  = reference > 0 ? std::min(1., size / reference) : 1.;
-      result.is_moment = at_node ? row % 6 == 3 : system.model.coordinate_units[row - coordinate] != "m";
-      result.force     = result.is_moment ? size * change.length : size;
-      result.body      = at_node ? system.model.nodes[row / 6 + 1].name : system.model.coordinates[row - coordinate];
-      double most      = 0;
+      result.is_moment              = at_node ? row % 6 == 3 : system.model.coordinate_units[row - coordinate] != "m";
+      result.force                  = result.is_moment ? size * change.length : size;
+      result.body = at_node ? system.model.nodes[row / 6 + 1].name : system.model.coordinates[row - coordinate];
+      double most = 0;
       if (result.share > 1e-6)
         for (const auto &c : system.model.contributions)
           if (c->has_loads())
@@ -147,11 +126,11 @@ namespace samara
 
     /** Look at the imbalance of a state, and keep what is larger. */
     void
-    keep_larger(const System &system, const State &turned, Imbalance &largest)
+    keep_larger(const System &system, State turned, Imbalance &largest)
     {
       try
         {
-          const Imbalance here = imbalance_at_any_reactions(system, turned);
+          const Imbalance here = balance_reactions(system, turned);
           if (std::max(10 * here.step, here.stress) > std::max(10 * largest.step, largest.stress))
             largest = here;
         }
@@ -159,6 +138,26 @@ namespace samara
         {} // the state itself is singular: who looks for modes or stresses says where
     }
   } // namespace
+
+
+
+  std::vector<double>
+  times_to_look(const State &state)
+  {
+    double fastest = 0;
+    for (const auto &m : state.motion)
+      fastest = std::max(fastest, m.spin.norm());
+    double slowest = fastest;
+    for (const auto &m : state.motion)
+      if (m.spin.norm() > 1e-3 * fastest)
+        slowest = std::min(slowest, m.spin.norm());
+    std::vector<double> times;
+    if (fastest > 0)
+      times = {1. / fastest, 2.4 / fastest};
+    if (slowest < 0.3 * fastest)
+      times.push_back(2.4 / slowest);
+    return times;
+  }
 
 
 
@@ -173,8 +172,8 @@ namespace samara
     loads.add_all_loads(state);
     inertia.add_inertia_forces(state);
     const double reference = std::max(loads.largest().first, inertia.largest().first);
-    State held = state;
-    held.held  = true;
+    State        held      = state;
+    held.held              = true;
     system.residual(held, held.stress, all.r);
     for (const double time : times)
       {
@@ -201,10 +200,10 @@ namespace samara
   std::string
   ChangingLoads::text() const
   {
-    const std::string what =
-      share > 1e-6 ? ", as <" + load + "> changes by up to " + short_text(force) + (is_moment ? " N m" : " N") + " on <" +
-                       body + ">, seen in its own axes" :
-                     "; a rotor is out of balance, or a support is not the same in all directions";
+    const std::string what = share > 1e-6 ?
+                               ", as <" + load + "> changes by up to " + short_text(force) +
+                                 (is_moment ? " N m" : " N") + " on <" + body + ">, seen in its own axes" :
+                               "; a rotor is out of balance, or a support is not the same in all directions";
     if (imbalance.step <= 1e-7 && imbalance.stress <= 1e-8)
       return "the moment of a drive would have to change with the azimuth" + what;
     return "the equilibrium changes as parts turn" +

@@ -9,18 +9,19 @@
 namespace samara
 {
   /**
-   * The small motions of a system about a state, in axes that turn with the nodes. With @p fixed_axes the increments of
-   * turning nodes are seen in axes that stand still, which makes parts turning against others comparable: the matrices
-   * are those of the moment, and constant if what turns is axisymmetric.
+   * The small motions of a system about a state, in axes that turn with the nodes; or in axes that are theirs at the
+   * moment of the state and turn at other @p spins [rad/s], one a node, in the inertial frame, parallel to the node's
+   * own. Zero makes fixed axes. The matrices are those of the moment; MovingAxes tells where they are constant.
    */
   struct Linearization : LinearMotion
   {
-    Linearization(const System &system, const State &state, bool fixed_axes);
+    Linearization(const System &system, const State &state, const std::vector<Vector3> &spins = {});
   };
 
 
 
-  /** How far a state is from the equilibrium of its loads and inertia forces, by one step of the mixed Newton iteration. */
+  /** How far a state is from the equilibrium of its loads and inertia forces, by one step of the mixed Newton
+   * iteration. */
   struct Imbalance
   {
     double      step   = 0; ///< displacement relative to the size of the model, or rotation
@@ -42,11 +43,11 @@ namespace samara
   Imbalance balance_stresses(const System &system, State &state);
 
   /**
-   * The same for a state with stresses that other multipliers may balance: how far it is from an equilibrium, whatever
-   * its multipliers. Places are taken as they are, though they may disobey constraints. Drives keep their moments if the
-   * state is not held.
+   * The same for a state with stresses that other multipliers may balance: it is given these, and how far it is from an
+   * equilibrium nevertheless. Places are taken as they are, though they may disobey constraints. Drives keep their
+   * moments if the state is not held.
    */
-  Imbalance imbalance_at_any_reactions(const System &system, const State &state);
+  Imbalance balance_reactions(const System &system, State &state);
 } // namespace samara
 
 #endif

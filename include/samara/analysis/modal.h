@@ -4,17 +4,19 @@
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/linearization.h>
 #include <samara/analysis/mode_tracking.h>
+#include <samara/analysis/moving_axes.h>
 #include <samara/output/table.h>
 
 namespace samara
 {
   /**
    * Modes of small motions about the context's state (the paper, section 4.1; doc/theory/modes.md), an equilibrium at
-   * rest or in steady rotation. A state that is none, because loads act on it that its stresses do not balance, is refused.
+   * rest or in steady rotation. A state that is none, because loads act on it that its stresses do not balance, is
+   * refused.
    *
    * Writes modes.csv, or modes_<speed>.csv for each speed of a sweep and fan.csv with all of them, where modes keep
-   * their number by their shape (MAC); mode_<k>.pvd shows a mode moving. Each mode has an estimate of its error: above 1e-6
-   * of the frequency it is warned about, above 1e-2 refused.
+   * their number by their shape (MAC); mode_<k>.pvd shows a mode moving. Each mode has an estimate of its error: above
+   * 1e-6 of the frequency it is warned about, above 1e-2 refused.
    */
   class ModalAnalysis : public Analysis
   {
@@ -45,6 +47,7 @@ namespace samara
     void refuse_unsteady(const Context &context, const std::string &why) const;
     void check_mass(const Linearization &linearization) const;
     void find(const Context &context, const Linearization &linearization);
+    void check_axes(const Context &context, const MovingAxes &seen) const;
     void check_errors(const Context &context) const;
     void add_to_fan(const Context &context);
     void report(Context &context) const;

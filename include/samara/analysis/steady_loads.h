@@ -8,9 +8,9 @@
 namespace samara
 {
   /**
-   * How the equilibrium of a state changes while its steady motion goes on: the other half of the proof that the motion is
-   * steady. Weight across the axis bends a shaft or moves a hinged blade anew at each azimuth, weight along it does not;
-   * the reactions of a rotor out of balance move a support that yields.
+   * How the equilibrium of a state changes while its steady motion goes on: the other half of the proof that the motion
+   * is steady. Weight across the axis bends a shaft or moves a hinged blade anew at each azimuth, weight along it does
+   * not; the reactions of a rotor out of balance move a support that yields.
    */
   struct ChangingLoads
   {
@@ -18,8 +18,8 @@ namespace samara
     Imbalance drives;    ///< the same where drives keep their moments, if these do not hold the state
 
     /** @name The largest change of loads, seen in the axes of what they act on @{ */
-    double      share = 0; ///< of the largest load or inertia force of any node [1]
-    double      force = 0; ///< [N], or [N m]
+    double      share     = 0; ///< of the largest load or inertia force of any node [1]
+    double      force     = 0; ///< [N], or [N m]
     bool        is_moment = false;
     std::string load, body;
     /** @} */
@@ -41,6 +41,10 @@ namespace samara
     /** In words, for a message: what changes and by how much. */
     std::string text() const;
   };
+
+  /** Times in which what turns fastest, and what turns slowest, has turned by parts of a turn that are no simple ones
+   * [s]. */
+  std::vector<double> times_to_look(const State &state);
 
   /**
    * Let the steady motion of an equilibrium go on by a part of a turn, twice and more, and look at the loads and at the
