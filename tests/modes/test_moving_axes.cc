@@ -1,10 +1,13 @@
 // Parts that turn against each other: modes are found in axes in which coefficients are constant, and refused where
 // there are none. Independent references: the same rotor alone; closed forms of a disc on springs.
 
+#include <samara/analysis/dynamic.h>
+
 #include "../scene.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 using namespace samara;
 
@@ -209,6 +212,35 @@ TEST(MovingAxes, DiscOnSpringsOfTheGround)
   EXPECT_NEAR(a[1], 30, 1e-9);
   EXPECT_NEAR(b[0], 13, 1e-9);
   EXPECT_NEAR(b[1], 27, 1e-9);
+}
+
+
+
+// Two hinged blades on a soft mount near resonance: by the modes the pylon whirls at growing radius. So it does in time
+// after a small blow, at the same rate.
+TEST(MovingAxes, WhirlGrowsInTimeAsModesTell)
+{
+  Parts rotor_and_blow = rotor("one", 2, 0, "pylon", 29.57, true);
+  rotor_and_blow.loads += " subsection blow\n set Type = point load\n set At = blade 0 of one.end\n set Axes = body\n"
+                          " set Force = 0, 0.002*(t < 0.4 ? 1 - cos(2*pi*t/0.4) : 0), 0\n end\n";
+  Scene  scene(model({pylon("1e6, 88300, 88300"), rotor_and_blow}, 4) +
+                "subsection Dynamic\n set End time = 4\n set Step = 0.01\n set Stages = 3\n set Spectral radius = 1\n"
+                 " set Newton tolerance = 1e-13\nend\n",
+              {"Modal/Hold rotations = false"});
+  double growth = 0;
+  scene.equilibrium();
+  for (const auto &mode : scene.modes())
+    growth = std::max(growth, mode.lambda.real());
+  EXPECT_GT(growth, 1.);
+  const Probe x = scene.input.model.probe("pylon.displacement x"), y = scene.input.model.probe("pylon.displacement y");
+  std::map<double, double> radius;
+  auto                    &dynamics = scene.analysis<DynamicAnalysis>();
+  dynamics.observer                 = [&](const State &state) {
+    radius[std::round(100 * state.time)] = std::hypot(x.value(state), y.value(state));
+  };
+  dynamics.run(scene.context);
+  EXPECT_LT(radius.at(400), 1e-3);
+  EXPECT_NEAR(std::log(radius.at(400) / radius.at(300)), growth, 2e-3 * growth);
 }
 
 
