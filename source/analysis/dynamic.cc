@@ -385,6 +385,8 @@ namespace samara
             if (!std::isfinite(budget.kinetic + budget.strain + budget.potential))
               require_finite_state(system, state);
             judge(context, advance, from, before_step);
+            if (!can_be_exact)
+              require_rows_left_out(system, state);
             const Integrator &integrator = *machinery.integrator;
             report.n_steps               = before_machinery.n_steps + integrator.n_steps;
             report.n_iterations          = before_machinery.n_iterations + integrator.n_iterations;

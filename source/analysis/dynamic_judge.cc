@@ -1,6 +1,6 @@
 // Whether the energy account of a run closes, and how well its steps resolve the motion.
 
-#include <samara/analysis/dynamic.h>
+#include <samara/analysis/dynamic_parts.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/solvers/newton.h>
@@ -65,6 +65,20 @@ namespace samara
     const double allowed = std::min(n_judged * (allowed_multiple * newton_tolerance + round_off), most_allowed);
     report.does_close    = std::isfinite(budget.balance()) &&
                         report.largest_gap <= allowed * report.largest_energy + n_judged * round_off_of_sum;
+  }
+
+
+
+  void
+  require_rows_left_out(const System &system, const State &state)
+  {
+    if (state.left_out.empty())
+      return;
+    RedundantRows rows(system);
+    State         there = state;
+    rows.choose(there);
+    if (const std::string objection = rows.objection(state, rows.gaps(state)); !objection.empty())
+      throw NotConverged("t = " + number_to_text("%.6g", state.time) + " s: " + objection);
   }
 
 

@@ -80,13 +80,13 @@ namespace samara
   void
   StaticAnalysis::follow_path(Context &context)
   {
-    ArcLength    method(context.system, *solver, load_weight, tolerance, max_iterations);
-    PathPoint    here     = start_of_path(context, method), next;
-    const double shortest = smallest_step * largest_arc;
-    double       step = std::min(largest_arc, 1. / (initial_steps * std::abs(here.slope))), arc = 0;
-    unsigned int n_passed = 0;
+    ArcLength     method(context.system, *solver, load_weight, tolerance, max_iterations);
+    PathPoint     here     = start_of_path(context, method), next;
+    const double  shortest = smallest_step * largest_arc;
+    double        step = std::min(largest_arc, 1. / (initial_steps * std::abs(here.slope))), arc = 0;
+    unsigned int  n_passed = 0;
     RedundantRows redundant(context.system);
-    context.state         = here.state;
+    context.state = here.state;
     // away from zero factor: towards the end that is asked for
     if ((end_factor - here.state.factor) * here.slope < 0)
       {
@@ -108,6 +108,12 @@ namespace samara
           }
         redundant.choose(here.state);
         NewtonResult result = method.step(here, step, next);
+        if (result.converged && !next.state.left_out.empty())
+          if (const auto objection = redundant.objection(next.state, redundant.gaps(next.state)); !objection.empty())
+            {
+              result.converged = false;
+              result.reason    = objection;
+            }
         if (result.converged && next.cosine < smallest_cosine)
           {
             result.converged = false;

@@ -88,12 +88,15 @@ namespace samara
   void
   Newton::check_rows_left_out(const State &state, NewtonResult &result)
   {
-    unsigned int worst = 0;
-    if (state.left_out.empty() || redundant->gap(state, worst) < 2e-4 * length)
+    if (state.left_out.empty())
+      return;
+    const auto        gaps      = redundant->gaps(state);
+    const std::string objection = redundant->objection(state, gaps);
+    if (objection.empty())
       return;
     result.converged = false;
-    result.reason    = redundant->contradiction(state, worst);
-    result.worst     = system.layout.of_multiplier(worst);
+    result.reason    = objection;
+    result.worst     = system.layout.of_multiplier(gaps.worst);
   }
 
 

@@ -8,17 +8,6 @@
 
 namespace samara
 {
-  std::string
-  RedundantRows::contradiction(const State &state, const unsigned int i)
-  {
-    const Eigen::MatrixXd X = combinations(state);
-    const int             j = std::find(state.left_out.begin(), state.left_out.end(), i) - state.left_out.begin();
-    return "these constraints contradict each other: " + names(X, j) +
-           ".\n  Not all of them can hold. Give a joint of the loop more freedom, or look at what is prescribed";
-  }
-
-
-
   std::vector<int>
   RedundantRows::contradictions(const State &state)
   {

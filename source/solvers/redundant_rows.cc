@@ -147,6 +147,8 @@ namespace samara
   {
     if (state.left_out.empty() || !has_moved(state))
       return false;
+    if (!rounding.is_known)
+      measure_rounding(state);
     checked.q    = state.q;
     checked.held = state.held;
     assemble(state);
@@ -245,16 +247,13 @@ namespace samara
   {
     // along the velocity of the state, or any other that the rows kept allow, and back to where they hold
     std::vector<double> b(n + m, 0.), z(n + m, 0.);
-    const auto          solve = [&]() {
-      solver->solve(b.data());
-      for (int i = 0; i < n; ++i)
-        z[i] = b[i] / unit[i];
-    };
-    const auto set = [&](const auto &velocity) {
+    const auto          set = [&](const auto &velocity) {
       std::fill(b.begin(), b.end(), 0.);
       for (int i = 0; i < n; ++i)
         b[i] = velocity(i) * unit[i];
-      solve();
+      solver->solve(b.data());
+      for (int i = 0; i < n; ++i)
+        z[i] = b[i] / unit[i];
       return size_of_step(system, z, length);
     };
     const int  n_twists = system.layout.of_coordinate(0);
@@ -277,26 +276,37 @@ namespace samara
       return result; // a structure
     for (auto &value : z)
       value *= small_motion / size;
-    std::vector<double> r;
+    std::fill(z.begin() + n, z.end(), 0.);
+    system.update(result, z);
+    close(result, out);
+    return result;
+  }
+
+
+
+  void
+  RedundantRows::close(State &state, const std::vector<unsigned int> &left_out)
+  {
+    std::vector<double> r, b(n + m), z(n + m, 0.);
     for (unsigned int iteration = 0; iteration < 8; ++iteration)
       {
-        std::fill(z.begin() + n, z.end(), 0.);
-        system.update(result, z);
-        if (size_of_step(system, z, length) < 1e-12)
-          break;
-        assemble(result);
-        factorize(out);
+        assemble(state);
+        factorize(left_out);
         r.assign(n + m + 6, 0.);
         for (const auto *c : system.layout.constraining)
-          c->constraints(result.point(), r.data());
+          c->constraints(state.point(), r.data());
         std::fill(b.begin(), b.end(), 0.);
         for (int i = 0; i < m; ++i)
           b[n + i] = -r[n + i] * scale[i];
-        for (const auto i : out)
+        for (const auto i : left_out)
           b[n + i] = 0;
-        solve();
+        solver->solve(b.data());
+        for (int i = 0; i < n; ++i)
+          z[i] = b[i] / unit[i];
+        system.update(state, z);
+        if (size_of_step(system, z, length) < 1e-12)
+          return;
       }
-    return result;
   }
 
 
@@ -335,23 +345,5 @@ namespace samara
   {
     assemble(state);
     return dependent_rows();
-  }
-
-
-
-  double
-  RedundantRows::gap(const State &state, unsigned int &worst) const
-  {
-    std::vector<double> r(n + m + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->constraints(state.point(), r.data());
-    double gap = 0;
-    for (const auto i : state.left_out)
-      if (const double g = std::abs(scaled(i, r[n + i])); g > gap)
-        {
-          gap   = g;
-          worst = i;
-        }
-    return gap;
   }
 } // namespace samara

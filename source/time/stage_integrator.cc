@@ -196,20 +196,22 @@ namespace samara
   void
   StageIntegrator::check_rows_left_out(const State &state)
   {
-    for (const auto i : left_out)
+    if (left_out.empty())
+      return;
+    const auto gaps = redundant->gaps(state, constraints_at_end);
+    if (gaps.left_out > largest_gap_left_out)
       {
-        const double gap = std::abs(redundant->scaled(i, constraints_at_end[system.layout.of_multiplier(i)]));
-        if (gap > largest_gap_left_out)
-          {
-            largest_gap_left_out = gap;
-            worst_left_out       = i;
-          }
-        if (gap > 2e-4 * length) // much more than rounding that passed for redundant makes
-          {
-            std::ostringstream text;
-            text << "t = " << state.time << " s: " << redundant->contradiction(state, i);
-            throw NotConverged(text.str());
-          }
+        largest_gap_left_out = gaps.left_out;
+        worst_left_out       = gaps.worst;
+      }
+    State end       = state; // but for the velocities, which say nothing here
+    end.q           = final_q;
+    end.coordinates = final_coordinates;
+    if (const std::string objection = redundant->objection(end, gaps); !objection.empty())
+      {
+        std::ostringstream text;
+        text << "t = " << state.time << " s: " << objection;
+        throw NotConverged(text.str());
       }
   }
 

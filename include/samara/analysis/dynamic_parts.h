@@ -48,6 +48,12 @@ namespace samara
     std::unique_ptr<Projection> projection;
   };
 
+  /**
+   * Of integrators that do not watch them by themselves.
+   * @throws NotConverged if rows left out do not hold
+   */
+  void require_rows_left_out(const System &system, const State &state);
+
   /** Of a run into this folder. */
   std::string checkpoint_file(const Context &context);
 } // namespace samara

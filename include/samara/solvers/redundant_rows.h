@@ -49,11 +49,23 @@ namespace samara
       return scale[row] > 0 ? scale[row] * value : value;
     }
 
-    /** Largest violation of a row left out, as a length. */
-    double gap(const State &state, unsigned int &worst) const;
+    /** Largest violations as lengths [m]. */
+    struct Gaps
+    {
+      double       kept = 0, left_out = 0;
+      unsigned int worst = 0; ///< of the rows left out
+    };
 
-    /** What to say where row @p i is left out and does not hold: the rows that contradict each other. */
-    std::string contradiction(const State &state, unsigned int i);
+    /** Of the constraints, values @p g of unknowns and multipliers as of Contribution::constraints(). */
+    Gaps gaps(const State &state, const std::vector<double> &g) const;
+    Gaps gaps(const State &state) const;
+
+    /**
+     * What to say where rows left out do not hold: nothing as long as that comes from round-off or from rounded places
+     * and axes, by the measure of the reference position. Else the rows that contradict each other, or that say the
+     * same in one position only. To be asked after choose().
+     */
+    std::string objection(const State &state, const Gaps &gaps);
 
     /** The columns of X that prescribed motions cannot obey. */
     std::vector<int> contradictions(const State &state);
@@ -103,6 +115,15 @@ namespace samara
     State                          checked;      ///< where the choice was looked at last
     State                          generic;
 
+    /** How far the rows left out are from repeating others where the model is given. */
+    struct Rounding
+    {
+      bool   is_known     = false;
+      double independence = 0, gap = 0; ///< distance from the span of those kept [1]; violation where those hold [m]
+    };
+    Rounding rounding;
+
+    void measure_rounding(const State &state);
     void assemble(const State &state);
     void factorize(const std::vector<unsigned int> &left_out);
     void find_combinations(const std::vector<unsigned int> &left_out);
@@ -118,6 +139,8 @@ namespace samara
     bool                      is_certainly_independent();
     std::vector<unsigned int> dependent_rows();
     void                      take_in_independent(std::vector<unsigned int> &left_out);
+    /** To where the rows kept hold. */
+    void  close(State &state, const std::vector<unsigned int> &left_out);
     State                     moved(const State &state, const std::vector<unsigned int> &left_out);
     bool                      has_moved(const State &state) const;
     void                      keep_forces(State &state, const std::vector<unsigned int> &left_out) const;
