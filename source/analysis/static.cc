@@ -1,6 +1,7 @@
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/solvers/anderson.h>
+#include <samara/solvers/equilibrate.h>
 #include <samara/solvers/steady_motion.h>
 
 #include <algorithm>
@@ -150,6 +151,7 @@ namespace samara
     State        at = state;
     context.system.stresses(at, at.stress);
     context.system.tangent(at, K);
+    equilibrate(K); // else units decide what is singular
     try
       {
         solver->factorize(K);
@@ -252,6 +254,64 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** What turns further in a load step may have gone to another equilibrium than the load leads to [rad]. */
+    constexpr double largest_turn = 1;
+    /** The same of what turns against the sense of the path at an end of the step [rad]. */
+    constexpr double largest_turn_back = 0.1;
+    /** Fraction of the load in which a path turns by as much only if it has an end there [1]. */
+    constexpr double step_of_jumps = 1e-12;
+
+    /** How the unknowns grow with the load at an equilibrium, but for a positive factor; nothing if they may move. */
+    std::vector<double>
+    growth_with_load(const System &system, const State &state, ArcLength &method)
+    {
+      PathPoint point;
+      point.state = state;
+      system.stresses(state, point.state.stress);
+      try
+        {
+          method.start(point);
+        }
+      catch (const SingularMatrix &)
+        {
+          return {};
+        }
+      return point.tangent;
+    }
+
+    /**
+     * The number of an angle that turns so far from one equilibrium to the next that this may be none of the same path;
+     * -1 if all is well. Angles that are unknown and not prescribed are looked at. If @p by_load, if nothing but the
+     * load grows, it is known in which sense they go on. The solver keeps the matrix of @p to, if any.
+     */
+    int
+    turned_too_far(const System &system, const State &from, const State &to, ArcLength &method, const bool by_load)
+    {
+      std::vector<unsigned int> suspects;
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        if (system.model.coordinate_units[i] == "rad" && system.model.prescribed.count(i) == 0)
+          {
+            const double turn = std::abs(to.coordinates[i] - from.coordinates[i]);
+            if (turn > largest_turn)
+              return i;
+            if (turn > largest_turn_back)
+              suspects.push_back(i);
+          }
+      if (suspects.empty() || !by_load)
+        return -1;
+      for (const State *const state : {&from, &to})
+        if (const auto growth = growth_with_load(system, *state, method); !growth.empty())
+          for (const unsigned int i : suspects)
+            if (growth[system.layout.of_coordinate(i)] * (to.coordinates[i] - from.coordinates[i]) < 0)
+              return i;
+      return -1;
+    }
+  } // namespace
+
+
+
   void
   StaticAnalysis::follow_load(Context &context)
   {
@@ -283,10 +343,16 @@ namespace samara
     State              start = context.state;
     start.factor             = start_factor;
 
-    double fraction = 0, step = 1. / initial_steps;
+    // between two speeds there may be no path; and nothing holds a start to what is unstressed elsewhere
+    const bool is_between_speeds = context.is_equilibrium && !context.sweep.empty();
+    const bool at_rest           = std::all_of(speeds.begin(), speeds.end(), [](const double w) { return w == 0.; });
+    const bool may_jump          = stability_limits == "pass" || !at_rest;
+    ArcLength  method(system, *solver, load_weight, tolerance, max_iterations);
+
+    double fraction = 0, step = 1. / initial_steps, least_step = smallest_step;
     while (fraction < 1.)
       {
-        const double next = fraction + step > 1. - 1e-9 ? 1. : fraction + step;
+        const double next = fraction + 1.000001 * step > 1. ? 1. : fraction + step;
         State        trial;
         NewtonResult result = attempt(context.state, next, trial);
         // between two speeds of a sweep there may be a critical one, where no path leads through: start afresh beyond
@@ -298,6 +364,18 @@ namespace samara
             result.converged = false;
             result.reason    = "a stability limit (limit point or bifurcation) is passed";
           }
+        const int turned = result.converged && !is_between_speeds ?
+                             turned_too_far(system, context.state, trial, method, at_rest && start_factor < 1) :
+                             -1;
+        if (turned >= 0 && (next - fraction > step_of_jumps || (fraction > 0 && !may_jump)))
+          {
+            result.converged = false;
+            result.reason    = "<" + system.model.coordinates[turned] + "> turns by " +
+                            short_text(trial.coordinates[turned] - context.state.coordinates[turned]) + " rad";
+            if (next - fraction <= step_of_jumps)
+              result.reason += " at once, past a stability limit (limit point or bifurcation)";
+            least_step = 0.5 * step_of_jumps;
+          }
         if (result.reason.find("finite") != std::string::npos)
           give_up(context, result, fraction); // no other step helps
         if (!result.converged)
@@ -305,7 +383,7 @@ namespace samara
             step = (next - fraction) / 2;
             context.log.line("  load step to " + short_text(next) + ": " + result.reason + "; trying " +
                              short_text(fraction + step));
-            if (step < smallest_step)
+            if (step < least_step)
               give_up(context, result, fraction);
             continue;
           }
