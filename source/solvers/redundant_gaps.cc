@@ -25,9 +25,6 @@ namespace samara
 
     /** No rounding that passes for redundant makes more, in parts of the model's size. */
     constexpr double most = 2e-4;
-
-    /** Combinations have larger entries at singular positions only: nothing can be said there. */
-    constexpr double singular = 1e5;
   } // namespace
 
 

@@ -21,8 +21,8 @@ namespace samara
      */
     constexpr double still_dependent = 1e-3;
 
-    /** Largest entry of the combinations that is left as it is; and one that only singular positions have. */
-    constexpr double good = 2, singular = 1e5;
+    /** Largest entry of the combinations that is left as it is. */
+    constexpr double good = 2;
 
     /** Up to this many rows dense elimination takes less than a second. */
     constexpr int few_rows = 300;

@@ -99,6 +99,9 @@ namespace samara
     unsigned int n_checks = 0, n_exchanges = 0; ///< for reports
 
   private:
+    /** Combinations have larger entries at singular positions only: nothing can be said there. */
+    static constexpr double singular = 1e5;
+
     const System                  &system;
     const int                      n, m; ///< kinematic unknowns, multipliers
     double                         length;
