@@ -395,6 +395,11 @@ namespace samara
             report.n_failed += advance.n_failed;
             report.n_touches += advance.step.touches.size();
             contacts.add(advance.step, from, state.time);
+            if (machinery.stepper->controller)
+              {
+                report.error += machinery.stepper->estimate;
+                report.length = machinery.stepper->controller->size;
+              }
             report.turn   = std::max(report.turn, advance.h * largest_spin(state));
             double second = std::nan("");
             if (second_estimate)
@@ -409,7 +414,7 @@ namespace samara
                                  double(advance.step.iterations),
                                  double(report.n_factorizations - n_factorizations),
                                  double(advance.n_rejected + advance.n_failed),
-                                 machinery.stepper->estimate,
+                                 report.length > 0 ? machinery.stepper->estimate / report.length : 0.,
                                  second},
                                 1);
             n_factorizations = report.n_factorizations;

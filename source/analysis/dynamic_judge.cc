@@ -96,6 +96,9 @@ namespace samara
     text += Y < M_PI * M_PI ? "about " + number_to_text("%.2g", std::sqrt(Y)) + " rad, with an error of about " +
                                 number_to_text("%.1e", Y > 0 ? relation.period_error(Y) : 0.) + " in a period" :
                               "more than half a turn: it is not resolved";
+    if (report.length > 0)
+      text += "; errors of steps add up to about " + number_to_text("%.1e", report.error / report.length) + " of " +
+              number_to_text("%.3g", report.length) + " m";
     if (report.work_defect > 0)
       text += "; work defect of the stops up to " + number_to_text("%.1e", report.work_defect / report.largest_energy) +
               " of the largest energy a step";

@@ -98,6 +98,7 @@ namespace samara
             {"largest turn", &report.turn},
             {"largest indicator", &report.indicator},
             {"largest work defect", &report.work_defect},
+            {"sum of errors", &report.error},
             {"judged steps", &n_judged},
             {"round-off of the balance", &round_off_of_sum},
             {"largest gap left out", &report.largest_gap_left_out},
@@ -117,7 +118,8 @@ namespace samara
     checkpoint.state  = state;
     checkpoint.step   = memory.next_step;
     checkpoint.model  = context.used;
-    checkpoint.arrays = {{"step control", {memory.of_controller.begin(), memory.of_controller.end()}},
+    checkpoint.arrays = {{"step control", memory.of_controller},
+                         {"step error", memory.of_error},
                          {"steady twists", memory.steady_twists},
                          {"contacts", contacts.to_numbers()}};
     for (const auto &[name, number] : remembered_numbers())
@@ -193,6 +195,8 @@ namespace samara
       {
         StepController::Settings settings;
         settings.tolerance     = tolerance;
+        settings.duration      = tolerance_holds_for > 0 ? tolerance_holds_for : end_time - start_time;
+        settings.length        = length > 0 ? length : StepError::length_of(system.model);
         settings.smallest_step = smallest_step;
         settings.largest_step  = largest_step > 0 ? largest_step : 0.1 * (end_time - start_time);
         machinery.stepper =
@@ -208,10 +212,12 @@ namespace samara
   DynamicAnalysis::Machinery
   DynamicAnalysis::make_machinery(const System &system, const Checkpoint &memory, const bool with_steps) const
   {
-    Machinery   machinery = make_machinery(system);
-    const auto &control   = memory.arrays.at("step control");
-    machinery.stepper->set_memory(
-      {memory.step, {{control[0], control[1], control[2]}}, memory.arrays.at("steady twists")}, with_steps);
+    Machinery machinery = make_machinery(system);
+    machinery.stepper->set_memory({memory.step,
+                                   memory.arrays.at("step control"),
+                                   memory.arrays.at("step error"),
+                                   memory.arrays.at("steady twists")},
+                                  with_steps);
     return machinery;
   }
 } // namespace samara

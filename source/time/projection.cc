@@ -109,6 +109,27 @@ namespace samara
 
 
 
+  void
+  Projection::increments(const State &state, std::vector<double> &dy, std::vector<double> &driven)
+  {
+    State still = state;
+    std::fill(still.y.begin(), still.y.end(), 0.);
+    std::fill(still.rates.begin(), still.rates.end(), 0.);
+    State moved = still;
+    moved.y     = dy;
+    if (system.layout.n_multipliers > 0)
+      {
+        factorize(state, 1e-14);
+        project(still);
+        project(moved);
+      }
+    for (unsigned int i = 0; i < dy.size(); ++i)
+      dy[i] = moved.y[i] - still.y[i];
+    driven = still.y;
+  }
+
+
+
   double
   Projection::project(State &state) const
   {

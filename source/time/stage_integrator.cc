@@ -35,6 +35,7 @@ namespace samara
     , is_active(system.layout.n_multipliers, true)
     , real_matrix(system.layout.pattern)
     , final_weights(tableau.w.transpose() * tableau.b)
+    , mode_weights(tableau.w.transpose() * tableau.b.cwiseProduct(tableau.p))
     , no_multipliers(system.layout.n_multipliers, 0.)
   {
     const Layout      &layout = system.layout;
@@ -115,7 +116,7 @@ namespace samara
     start_stops(state);
     predict(state, h);
     bool converged = false;
-    if (std::abs(factored_step / h - 1) < 1e-9)
+    if (is_step(factored_step, h))
       {
         converged = iterate(state, h, 0.3, result);
         if (!converged && !(result.last_correction < 0.1))
@@ -164,6 +165,8 @@ namespace samara
         return result;
       }
     result.converged = true;
+    if (wants_estimates)
+      estimate_error(state, h, result.difference);
     remember(state, h);
     finish(state, h);
     ++n_steps;

@@ -78,16 +78,12 @@ namespace samara
       }
 
     // D = h² α/(2(2s−1)) |Σ b p (ẏ, ė)|² in the norm of the energy
-    const Eigen::VectorXd weights = tableau.w.transpose() * tableau.b.cwiseProduct(tableau.p) / h;
-    const auto            kinetic = [&](const std::vector<double> &start) {
+    const auto kinetic = [&](const std::vector<double> &start) {
       double square = 0;
       for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
         {
-          const Eigen::Map<const Vector6> y_start(&start[6 * node]);
-          Vector6                         v = Vector6::Zero();
-          for (unsigned int k = 0; k < s; ++k)
-            v += weights(k) * (Eigen::Map<const Vector6>(&stages[k].y[6 * node]) - y_start);
-          square += v.dot(system.model.nodes[node].inertia * v);
+          const Vector6 u = highest_mode(start, node, h);
+          square += u.dot(system.model.nodes[node].inertia * u);
         }
       return square;
     };
@@ -100,7 +96,19 @@ namespace samara
       square += 2 * c->strain_energy(strain_increment.data() + c->first_strain);
     const double factor = h * h / (2 * (2. * s - 1)), raw = square + kinetic(state.y);
     result.dissipated = tableau.alpha * factor * raw;
-    result.indicator  = factor * (wants_indicator ? square + kinetic(admissible_velocities(state)) : raw);
+    result.indicator  = factor * (wants_estimates ? square + kinetic(admissible_velocities(state)) : raw);
+  }
+
+
+
+  Vector6
+  StageIntegrator::highest_mode(const std::vector<double> &start, const unsigned int node, const double h) const
+  {
+    const Eigen::Map<const Vector6> y_start(&start[6 * node]);
+    Vector6                         u = Vector6::Zero();
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      u += mode_weights(k) / h * (Eigen::Map<const Vector6>(&stages[k].y[6 * node]) - y_start);
+    return u;
   }
 
 

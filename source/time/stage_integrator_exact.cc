@@ -4,18 +4,26 @@
 
 namespace samara
 {
+  void
+  StageIntegrator::make_exact()
+  {
+    if (exact)
+      return;
+    exact = std::make_unique<ExactStages>(system, tableau);
+    stage_strains.resize(tableau.s);
+    for (auto &strains : stage_strains)
+      for (const auto &c : system.model.contributions)
+        strains.push_back(c->n_strains() > 0 ? c->linear_strains() : nullptr);
+  }
+
+
+
   bool
   StageIntegrator::iterate_exactly(const State &state, const double h, StepResult &result)
   {
-    if (!exact)
-      {
-        exact = std::make_unique<ExactStages>(system, tableau);
-        stage_strains.resize(tableau.s);
-        for (auto &strains : stage_strains)
-          for (const auto &c : system.model.contributions)
-            strains.push_back(c->n_strains() > 0 ? c->linear_strains() : nullptr);
-      }
+    make_exact();
     ++n_exact_steps;
+    step_of_factors = 0; // no good here
     previous_step = 0; // the extrapolated start did not help
     predict(state, h);
     is_exact       = true;

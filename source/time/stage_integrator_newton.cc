@@ -103,7 +103,7 @@ namespace samara
   StageIntegrator::factorize(const double h)
   {
     // where a matrix is singular there are no factors, whatever the next step is
-    factored_step = 0;
+    factored_step = step_of_factors = 0;
     system.damping(frozen, C);
     system.tangent(frozen, K);
     Point<double> point = frozen.point();
@@ -135,8 +135,8 @@ namespace samara
           factors[j].complex->factorize(matrix);
         }
     });
-    factored_step        = h;
-    n_steps_with_factors = 0;
+    factored_step = step_of_factors = h;
+    n_steps_with_factors            = 0;
     extra_iterations     = 0;
     forget_columns();
   }
@@ -189,11 +189,10 @@ namespace samara
 
 
 
-  double
-  StageIntegrator::solve(const double h)
+  bool
+  StageIntegrator::solve_for_increments(const double h)
   {
-    const Layout      &layout = system.layout;
-    const unsigned int n = system.size(), n_kinematic = layout.of_multiplier(0), s = tableau.s;
+    const unsigned int n = system.size(), n_kinematic = system.layout.of_multiplier(0), s = tableau.s;
     for (unsigned int k = 0; k < s; ++k)
       for (auto *const increments : {&dz[k], &dz_rate[k], &d_lambda[k]})
         std::fill(increments->begin(), increments->end(), 0.);
@@ -233,7 +232,7 @@ namespace samara
     });
 
     if (!correct_for_stops(h))
-      return std::nan("");
+      return false;
 
     // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
     for (unsigned int j = 0; j < factors.size(); ++j)
@@ -264,7 +263,17 @@ namespace samara
                 d_lambda[k][i - n_kinematic] += product(force, x[i]).real();
             }
       }
+    return true;
+  }
 
+
+
+  double
+  StageIntegrator::solve(const double h)
+  {
+    if (!solve_for_increments(h))
+      return std::nan("");
+    const Layout &layout = system.layout;
     // to twists: δy = ζ̇ + ad_y ζ
     return correct_velocities(h, [&](const unsigned int k, const unsigned int node) -> Vector6 {
       const int                       i = layout.of_node(node);
@@ -294,10 +303,9 @@ namespace samara
 
 
 
-  double
-  StageIntegrator::solve_exactly(const double h)
+  void
+  StageIntegrator::solve_exactly_for_increments(const double h)
   {
-    const Layout              &layout = system.layout;
     std::vector<Point<double>> points;
     d_exact.resize(tableau.s);
     for (unsigned int k = 0; k < tableau.s; ++k)
@@ -312,8 +320,19 @@ namespace samara
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         exact->displacements(k, d_exact, dz[k], dz_rate[k]);
-        std::copy_n(d_exact[k].begin() + layout.of_multiplier(0), layout.n_multipliers, d_lambda[k].begin());
+        std::copy_n(d_exact[k].begin() + system.layout.of_multiplier(0),
+                    system.layout.n_multipliers,
+                    d_lambda[k].begin());
       }
+  }
+
+
+
+  double
+  StageIntegrator::solve_exactly(const double h)
+  {
+    solve_exactly_for_increments(h);
+    const Layout &layout = system.layout;
     return correct_velocities(h, [&](const unsigned int k, const unsigned int node) -> Vector6 {
       return Eigen::Map<const Vector6>(&d_exact[k][layout.of_node(node)]);
     });

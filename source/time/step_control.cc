@@ -68,8 +68,15 @@ namespace samara
   double
   DissipationRelation::period_error(const double Y) const
   {
-    const double phi = 0.5 * (1. / (2 * s + 1) + alpha * alpha / (2. * s - 1));
-    return M_PI * kappa * std::pow(Y, s - 0.5) * std::sqrt(alpha * alpha + phi * phi * Y);
+    return M_PI * kappa * std::pow(Y, s - 0.5) * std::sqrt(alpha * alpha + std::pow(phase(), 2) * Y);
+  }
+
+
+
+  double
+  DissipationRelation::phase() const
+  {
+    return 0.5 * (1. / (2 * s + 1) + alpha * alpha / (2. * s - 1));
   }
 
 
@@ -88,82 +95,93 @@ namespace samara
 
   StepController::StepController(const Tableau &tableau, const Settings &settings)
     : relation(tableau)
-    , Y_target(relation.inverse_period_error(settings.tolerance))
-    , zeta_target(relation.value(Y_target))
+    , Y_guard(relation.inverse_period_error(settings.guard))
+    , zeta_guard(relation.value(Y_guard))
     , settings(settings)
+    , order(tableau.alpha < 0.1 ? 2 * tableau.s : 2 * tableau.s - 1)
   {
     if (!(settings.tolerance > 0 && settings.tolerance < 1))
       throw std::invalid_argument("the tolerance of the steps lies between 0 and 1");
     if (!(settings.smallest_step > 0 && settings.smallest_step <= settings.largest_step))
       throw std::invalid_argument("the smallest step is positive, and not larger than the largest");
-    if (!(settings.safety > 0 && settings.safety <= 1 && settings.least_ratio > 0 && settings.least_ratio < 1 &&
-          settings.largest_ratio > 1 && settings.reject_factor >= 1))
-      throw std::invalid_argument("a step control has a safety up to 1, a least ratio below 1, a largest ratio above 1 "
-                                  "and a reject factor from 1");
+    if (!(settings.duration > 0 && settings.length > 0 && settings.guard > 0 && settings.worth_a_change >= 1))
+      throw std::invalid_argument("a step control has a positive duration, length and guard");
+    size = settings.length;
   }
 
 
 
-  std::array<double, 3>
+  std::vector<double>
   StepController::memory() const
   {
-    return {{E_ref, double(hold), last_ratio}};
+    return {E_ref, size, last_c, last_ratio, cap};
   }
 
 
 
   void
-  StepController::set_memory(const std::array<double, 3> &memory)
+  StepController::set_memory(const std::vector<double> &memory)
   {
     E_ref      = memory[0];
-    hold       = static_cast<unsigned int>(memory[1]);
-    last_ratio = memory[2];
+    size       = memory[1];
+    last_c     = memory[2];
+    last_ratio = memory[3];
+    cap        = memory[4];
   }
 
 
 
   void
-  StepController::update(const double energy)
+  StepController::update(const double energy, const double displacement)
   {
     E_ref = std::max(E_ref, energy);
+    size  = std::max(size, displacement);
+  }
+
+
+
+  double
+  StepController::by_error(const double error, const double h, double &c) const
+  {
+    c = std::max(2 * error * settings.duration / (settings.tolerance * size * h), 1e-12);
+    double ratio = std::pow(c, -1. / order);
+    if (c <= 2 && ratio > 0.97 && ratio < settings.worth_a_change)
+      return 1; // the factorisation can be kept
+    if (c <= 2 && last_c > 0)
+      ratio = std::pow(c * last_c, -0.25 / order) * std::pow(last_ratio, -0.25);
+    return std::max(1 + std::atan(ratio - 1), 0.2);
   }
 
 
 
   StepController::Decision
-  StepController::decide(const double indicator, const double work_defect, const double h)
+  StepController::decide(const Judged &step, const double h)
   {
+    double       c         = 0;
+    const double of_errors = by_error(step.error, h, c);
+    last_share             = c / 2;
+
     // nothing dissipated: nothing to resolve, whatever the reference
-    const double zeta   = indicator == 0 ? 0. : indicator / E_ref;
-    const double wanted = settings.safety * std::sqrt(Y_target / relation.inverse(zeta));
-    const double by_energy =
-      std::clamp(wanted,
-                 settings.least_ratio,
-                 hold > 0 ? 1. : std::min(settings.largest_ratio, 1.2 * std::max(1., last_ratio)));
-    last_ratio = wanted;
+    const double zeta     = step.indicator == 0 ? 0. : step.indicator / E_ref;
+    const double of_guard = std::clamp(0.9 * std::sqrt(Y_guard / relation.inverse(zeta)), 0.3, 2.);
 
     // contact: N/E ~ h^2.5 where a stop is touched or left within the step
-    const double defect    = work_defect == 0 ? 0. : work_defect / E_ref / settings.tolerance;
+    const double defect    = step.work_defect == 0 ? 0. : step.work_defect / E_ref / settings.tolerance;
     const bool   resolves  = defect <= 3;
     const double of_defect = std::max(0.2, (resolves ? 0.9 : 0.8) * std::pow(defect, -0.4));
-    const double ratio     = std::min(by_energy, of_defect);
-    const bool   good      = resolves && zeta <= settings.reject_factor * zeta_target;
 
-    Decision decision;
+    const double ratio = std::min({of_errors, of_guard, of_defect});
+    const bool   good  = c <= 2 && resolves && zeta <= 2 * zeta_guard;
+    Decision     decision;
     decision.accept = good || h <= settings.smallest_step;
-    decision.next_h = std::clamp(ratio * h, settings.smallest_step, settings.largest_step);
-    if (decision.accept && std::max(ratio, 1 / ratio) < settings.worth_a_change)
-      decision.next_h = h; // the factorisation can be kept
+    cap *= 1.05;
+    decision.next_h = std::clamp(std::min(ratio * h, cap), settings.smallest_step, settings.largest_step);
+    last_c          = good ? c : 0;
+    last_ratio      = good ? decision.next_h / h : 1;
     if (!decision.accept)
-      {
-        ++n_rejections;
-        hold = std::max(hold, 1u);
-        return decision;
-      }
-    if (!good)
+      ++n_rejections;
+    else if (!good)
       ++n_forced;
-    if (hold > 0)
-      --hold;
     return decision;
   }
 
@@ -173,7 +191,8 @@ namespace samara
   StepController::after_failure(const double h)
   {
     ++n_failures;
-    hold = settings.patience;
+    cap    = 0.8 * h;
+    last_c = 0;
     if (h <= settings.smallest_step)
       {
         std::ostringstream message;

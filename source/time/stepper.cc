@@ -26,9 +26,10 @@ namespace samara
   {
     if (integrator.family() == nullptr)
       throw InputError(
-        "steps are adapted by the energy that the integrator family dissipates; other integrators have none");
+        "steps are adapted by what neighbours in the integrator family would have done; other integrators have none");
     controller.emplace(*integrator.family(), settings);
-    integrator.wants_indicator = true;
+    error.emplace(system, *integrator.family());
+    integrator.wants_estimates = true;
   }
 
 
@@ -36,7 +37,9 @@ namespace samara
   Stepper::Memory
   Stepper::memory() const
   {
-    return {next_step, controller ? controller->memory() : std::array<double, 3>{}, steady_twists};
+    if (!controller)
+      return {next_step, {}, {}, steady_twists};
+    return {next_step, controller->memory(), error->memory(), steady_twists};
   }
 
 
@@ -47,10 +50,15 @@ namespace samara
     steady_twists = memory.steady_twists;
     if (with_steps)
       next_step = memory.next_step;
-    if (controller && with_steps)
-      controller->set_memory(memory.of_controller);
-    else if (controller)
-      controller->E_ref = memory.of_controller[0];
+    if (!controller || memory.of_controller.empty())
+      return;
+    if (with_steps)
+      {
+        controller->set_memory(memory.of_controller);
+        error->set_memory(memory.of_error);
+      }
+    else
+      controller->update(memory.of_controller[0], memory.of_controller[1]);
   }
 
 
@@ -117,7 +125,7 @@ namespace samara
         system.update_twists(trial);
         steady_twists = trial.y;
         if (controller)
-          controller->update(std::max(energy_of_change(state), 1e-10 * system.energy(state).kinetic));
+          controller->update(std::max(energy_of_change(state), 1e-10 * system.energy(state).kinetic), 0);
       }
     double       h     = next_step;
     const double ahead = state.time + 3 * h; // what is beyond does not change this step
@@ -142,9 +150,9 @@ namespace samara
           }
         if (controller)
           {
-            controller->update(energy_of_change(trial));
-            const auto decision = controller->decide(result.step.indicator, result.step.work_defect, h);
-            estimate            = controller->E_ref > 0 ? result.step.indicator / controller->E_ref : 0.;
+            controller->update(energy_of_change(trial), error->largest_displacement(trial));
+            estimate = error->of_step(trial, result.step.difference, h, controller->duration());
+            const auto decision = controller->decide({estimate, result.step.indicator, result.step.work_defect}, h);
             if (!decision.accept)
               {
                 ++result.n_rejected;
@@ -152,6 +160,7 @@ namespace samara
                 h = next_step = decision.next_h;
                 continue;
               }
+            error->accept();
             // a step that was cut short says little of the next one
             next_step = tried < 0.5 * next_step ? std::max(next_step, decision.next_h) : decision.next_h;
           }

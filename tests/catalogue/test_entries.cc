@@ -449,6 +449,8 @@ TEST_F(Catalogued, Dynamics)
          {"Step", "0.02"},
          {"Step control", "adaptive"},
          {"Tolerance", "1e-8", {adaptive}},
+         {"Tolerance holds for", "0.05", {adaptive}},
+         {"Length", "1000", {adaptive}},
          {"Smallest step", "0.01", {"Dynamic/Iterations = 2", "Dynamic/Newton tolerance = 1e-15"}},
          {"Largest step", "0.011", {adaptive}},
          {"Integrator", "trapezoidal"},

@@ -146,6 +146,7 @@ TEST(Restart, KilledRunsGoOnToTheLastBit)
       {
         const std::vector<std::string> settings = {"Dynamic/Stages = " + stages,
                                                    "Dynamic/Step control = " + control,
+                                                   stages == "1" ? "Dynamic/Spectral radius = 1" : "Dynamic/Spectral radius = 0.5",
                                                    "Dynamic/Tolerance = 1e-3"};
         const ScratchFolder            scratch;
         const std::string              whole = scratch.path + "/whole";
@@ -180,11 +181,12 @@ TEST(Restart, KilledAgainAndAgain)
 
 TEST(Restart, FinishedRunsGoOnBeyondTheirEnd)
 {
-  // the largest adaptive step follows the end unless it is given
+  // the largest adaptive step and the time for which the tolerance holds follow the end unless they are given
   for (const std::string control : {"fixed", "adaptive"})
     {
       const std::vector<std::string> settings = {"Dynamic/Step control = " + control,
                                                  "Dynamic/Largest step = 0.02",
+                                                 "Dynamic/Tolerance holds for = 0.6",
                                                  "Dynamic/Tolerance = 1e-3",
                                                  "Output/Pictures = false"};
       auto                           shorter  = settings;

@@ -1,8 +1,8 @@
 // IFToMM benchmark A01: a point mass on a rod, let go from the horizontal.
 //
 // Reference: exact, sin(θ/2) = k cd(√(g/L) t, k) with k² = 1/2, tests/reference/multibody/A01_simple_pendulum.csv;
-// tension 3 m g cos θ. Expected: order 2s, 2s − 1 with dissipation; ten digits after four swings; at most the
-// tolerance a swing with adaptive steps, but for what losing amplitude does to the period.
+// tension 3 m g cos θ. Expected: order 2s, 2s − 1 with dissipation; ten digits after four swings; a few
+// times the tolerance with adaptive steps.
 
 #include "motion.h"
 
@@ -109,19 +109,17 @@ TEST(SimplePendulum, EnergyIsKeptWithoutDissipationAndLostWithIt)
 
 TEST(SimplePendulum, AdaptiveStepsMeetTheTolerance)
 {
+  // 2 m is the largest displacement
   for (const auto &[stages, radius] : {std::make_pair(2, 0.), {3, 0.5}, {3, 1.}})
-    {
-      std::vector<double> errors;
-      for (const double tolerance : {1e-5, 1e-7})
-        {
-          auto overrides = integrator(stages, radius, 0.05, "1e-12");
-          overrides.push_back("Dynamic/Step control = adaptive");
-          overrides.push_back("Dynamic/Tolerance = " + text_of(tolerance));
-          const Motion motion("simple_pendulum", overrides, position);
-          errors.push_back(largest_error(motion));
-          EXPECT_LT(errors.back(), 300 * tolerance) << stages << " stages, spectral radius " << radius;
-          EXPECT_LT(motion.report.n_rejected + motion.report.n_failed, 0.3 * motion.report.n_steps);
-        }
-      EXPECT_LT(errors[1], 0.1 * errors[0]);
-    }
+    for (const double tolerance : {1e-5, 1e-7})
+      {
+        auto overrides = integrator(stages, radius, 0.05, "1e-12");
+        overrides.push_back("Dynamic/Step control = adaptive");
+        overrides.push_back("Dynamic/Tolerance = " + text_of(tolerance));
+        const Motion motion("simple_pendulum", overrides, position);
+        const double error = largest_error(motion) / 2;
+        EXPECT_GT(error, 0.05 * tolerance) << stages << " stages, spectral radius " << radius;
+        EXPECT_LT(error, 10 * tolerance) << stages << " stages, spectral radius " << radius;
+        EXPECT_LT(motion.report.n_rejected + motion.report.n_failed, 0.3 * motion.report.n_steps);
+      }
 }

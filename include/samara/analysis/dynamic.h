@@ -64,6 +64,8 @@ namespace samara
       double indicator      = 0; ///< D/α [J]
       double work_defect    = 0; ///< of the stops [J]
       double largest_energy = 0; ///< of what moved [J]
+      double error          = 0; ///< what the errors of adaptive steps add up to [m]
+      double length         = 0; ///< that it is a part of [m]
       /** @} */
     };
     Report   report;
@@ -94,6 +96,7 @@ namespace samara
 
     // entries
     double start_time = 0, end_time = 1, step = 1e-3, tolerance = 1e-4, smallest_step = 1e-10, largest_step = 0,
+           tolerance_holds_for = 0, length = 0,
            spectral_radius = 0.5, newton_tolerance = 1e-10, seconds_between_checkpoints = 60;
     unsigned int n_stages = 3, output_every = 1, n_pictures = 100, max_iterations = 50;
     std::string  control = "fixed", inconsistent = "project", integrator = "family", energy_balance = "refuse";

@@ -2,6 +2,7 @@
 #define samara_time_integrator_h
 
 #include <samara/time/stage_stops.h>
+#include <samara/time/step_error.h>
 
 namespace samara
 {
@@ -13,7 +14,7 @@ namespace samara
     bool         converged  = false;
     unsigned int iterations = 0;
     double       dissipated = 0; ///< numerically, D ≥ 0
-    double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate; see wants_indicator
+    double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate; see wants_estimates
     double       work_of_loads = 0, viscous_loss = 0;
     double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
     double       work_defect     = 0; ///< Σ|N| of stops: what their energy would change by without correction
@@ -24,6 +25,7 @@ namespace samara
 
     std::vector<Touch>       touches; ///< stops that were touched or left in the step
     std::vector<TouchedStop> touched_stops;
+    StepDifference           difference; ///< what it says about its error; see wants_estimates
   };
 
 
@@ -54,9 +56,11 @@ namespace samara
       return nullptr;
     }
 
-    /** Whether StepResult::indicator decides on something: then velocities at the start are made to obey constraints
-     * for it. */
-    bool wants_indicator = false;
+    /**
+     * Whether steps are judged: then StepResult::difference is found, and velocities at the start are made to obey the
+     * constraints for the indicator.
+     */
+    bool wants_estimates = false;
 
     unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0; ///< for reports
   };

@@ -23,6 +23,13 @@ namespace samara
     double velocities(State &state);
 
     /**
+     * Make the increment @p dy of the twists of @p state one that its constraints allow, the nearest in the norm of the
+     * kinetic energy, and find the twists @p driven that prescribed motions enforce on the model, nearest to rest.
+     * @throws SingularMatrix as above.
+     */
+    void increments(const State &state, std::vector<double> &dy, std::vector<double> &driven);
+
+    /**
      * Multipliers and accelerations ẏ (nodal twists, rates of coordinates) from M ẏ + f + Gᵀλ = 0 with G ẏ + Ġ y = 0 at
      * the velocities of the state, which must obey the constraints.
      */

@@ -9,6 +9,8 @@
 #include <samara/time/stage_stops.h>
 #include <samara/time/tableau.h>
 
+#include <cmath>
+
 namespace samara
 {
   /**
@@ -112,13 +114,14 @@ namespace samara
       std::unique_ptr<ComplexSolver> complex;
     };
     std::vector<Factor>                         factors;
-    double                                      energy_scale   = 0;  ///< at the start of the step
-    double                                      kinetic_energy = 0;  ///< mean of the stages
-    double                                      moved_energy   = 0;  ///< kinetic, and what strain energy has changed by
-    double                                      first_strain   = -1; ///< energy at the first step; negative: not known
-    double                                      factored_step  = 0;  ///< step size of the factors; 0: none
-    State                                       frozen;              ///< at which they were made
-    std::vector<std::unique_ptr<LinearStrains>> frozen_strains;      ///< of each contribution; none without strains
+    double                                      energy_scale   = 0; ///< at the start of the step
+    double                                      kinetic_energy = 0; ///< mean of the stages
+    double                                      moved_energy   = 0; ///< kinetic, and what strain energy has changed by
+    double                                      first_strain = -1;  ///< energy at the first step; negative: not known
+    double                                      factored_step  = 0; ///< step size of the factors; 0: to be made anew
+    double                                      step_of_factors = 0; ///< the same of those that there are; 0: none
+    State                                       frozen;             ///< at which they were made
+    std::vector<std::unique_ptr<LinearStrains>> frozen_strains;     ///< of each contribution; none without strains
     unsigned int                                n_steps_with_factors = 0, fresh_iterations = 0;
     double                                      extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix                                M, C, K;
@@ -148,12 +151,24 @@ namespace samara
     SparseMatrix                      real_matrix;
     std::vector<int>                  entries_in_use; ///< of the system's pattern, in that of the factors; empty: all
     Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
+    Eigen::VectorXd                   mode_weights;  ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
     std::vector<double>               x_real, x_rates, e, mean_rates, no_multipliers, time_rates, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
     std::vector<std::vector<double>>  d_exact;               ///< those of the exact matrix, or residuals for it
     std::vector<double>               extrapolated;
     std::vector<double>               twists, strain_increment, rate_increment, stress_increment;
 
+    /** Whether factors made for the step @p of serve for the step @p h. */
+    static bool
+    is_step(const double of, const double h)
+    {
+      return std::abs(of / h - 1) < 1e-9;
+    }
+    bool
+    has_factors(const double h) const
+    {
+      return is_step(step_of_factors, h);
+    }
     /** Newton's method with the factors there are; gives up if corrections shrink by less than the factor @p slow. */
     bool iterate(const State &state, double h, double slow, StepResult &result);
     void judge_factors(unsigned int iterations);
@@ -184,6 +199,8 @@ namespace samara
     double largest_gap(double h) const;
     /** λ̄ ρ, the force of a correction per rate. */
     double force_of(const Layout::Correction &correction, double h) const;
+    /** Increments of the stages from their residuals: dz, dz_rate, d_lambda; false without a solution for the stops. */
+    bool   solve_for_increments(double h);
     double solve(double h);
 
     /** @name Stops; gaps at the start, forces of the last evaluation @{ */
@@ -214,7 +231,9 @@ namespace samara
     void          account_for_stops(const State &state, double h, StepResult &result);
     /** @} */
 
+    void   solve_exactly_for_increments(double h);
     double solve_exactly(double h);
+    void   make_exact();
     void   add_slopes_of_stops();
     /** Repeat a step that does not converge with the exact matrix of all stages. */
     bool iterate_exactly(const State &state, double h, StepResult &result);
@@ -249,7 +268,32 @@ namespace samara
     void                        account(const State &state, double h, StepResult &result);
     /** Tell where Newton's method has left most work, for messages. */
     void find_worst(StepResult &result) const;
-    void finish(State &state, double h);
+    /** Σ b_k p_k ẏ_k of a node, for velocities @p start at the start of the step. */
+    Vector6 highest_mode(const std::vector<double> &start, unsigned int node, double h) const;
+
+    /** @name What a step says about its error (stage_integrator_error.cc) @{ */
+    std::vector<double> load_defect, load_sum;
+    void                estimate_error(const State &state, double h, StepDifference &difference);
+    /** False if Newton's method does not find the neighbour with the matrix in use. */
+    bool find_neighbour(const State               &state,
+                        double                     h,
+                        const std::vector<Stage>  &base,
+                        const std::vector<double> &base_q,
+                        StepDifference            &difference);
+    /** Velocities that the constraints allow at the end, and those that drives enforce there. */
+    void project_neighbour(const State &state, double h, StepDifference &difference);
+    /** Derivatives of the residuals and excesses by α, times @p epsilon; @p v are stresses. */
+    void add_derivatives(const std::vector<Vector6> &u, const std::vector<double> &v, double epsilon);
+    /** Residuals and excesses of the stages as they are now, less those of @p base. */
+    void evaluate_difference(const State &state, double h, const std::vector<Stage> &base);
+    void find_frequency(const State &state, double h, StepDifference::Field &field);
+    bool find_load_defect(const State &state, double h);
+    void add_loads(double time, double weight, Stage &stage);
+    std::vector<double> sum_of_stages(const std::vector<std::vector<double>> &values,
+                                      const Eigen::VectorXd                  &weights) const;
+    std::vector<double> resolved_part(const std::vector<double> &displacement);
+    /** @} */
+    void                        finish(State &state, double h);
   };
 } // namespace samara
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace samara
 {
@@ -43,6 +44,15 @@ namespace samara
     /** The Y with ε(Y) = @p error > 0. */
     double inverse_period_error(double error) const;
 
+    /** κ, and φ. @{ */
+    double
+    leading() const
+    {
+      return kappa;
+    }
+    double phase() const;
+    /** @} */
+
   private:
     const unsigned int    s;
     const double          alpha;
@@ -53,33 +63,43 @@ namespace samara
 
 
   /**
-   * Chooses the steps from the energy that the scheme dissipates, or would with α = 1, over a reference energy.
+   * Chooses the steps so that errors of positions add up to the tolerance over the run (doc/theory/step_control.md).
    *
-   * A step is as long as one with which a linear oscillator has the relative error `tolerance` after a period. Errors
-   * are then proportional to the tolerance and to the number of periods, for all s and ρ∞. With ζ measured,
+   * A step of length h may have the local error
    *
-   *     ε(Y_t) = tolerance,     h_new = safety · h √(Y_t/Y(ζ)) within [least_ratio, largest_ratio] h,
+   *     e ≤ tolerance · length · h/duration,     length: the model's, or the largest displacement so far;
    *
-   * and a step is rejected if ζ > reject_factor · ζ(Y_t).
+   * half of it is aimed at, c = 2 e duration/(tolerance length h) = 1, by a controller with memory (H211b of Söderlind
+   * 2003, b = 4), k the order of e/h:
    *
-   * Limits: one oscillator is taken for all. A mode that is not resolved is not noticed if it has less than about
-   * ζ(Y_t) of the energy; nor is steady rotation, nor what loads do in between stages: that is what largest_step is
-   * for.
+   *     ratio_n = (c_n c_{n−1})^{−1/4k} ratio_{n−1}^{−1/4},     after a rejection c^{−1/k};     h ← h (1 + atan(ratio − 1))
+   *
+   * A guard for what moves little but fast, velocities and forces: by the energy that a step dissipates, or would with
+   * α = 1, over a reference energy, an oscillator's relative error in a period is `guard`, at most. And the work defect
+   * of stops may be `tolerance` times the reference energy.
+   *
+   * What has no solution is tried with half the step; longer than 0.8 of what failed no step is soon after that.
    */
   class StepController
   {
   public:
     struct Settings
     {
-      double       tolerance      = 1e-4; ///< relative error in a period
-      double       smallest_step  = 1e-9; ///< s
-      double       largest_step   = std::numeric_limits<double>::infinity();
-      double       safety         = 0.9;
-      double       least_ratio    = 0.3;
-      double       largest_ratio  = 2;
-      double       worth_a_change = 1.15; ///< factor below which a step stays as it is, and factorisations can be kept
-      double       reject_factor  = 2;
-      unsigned int patience       = 10; ///< steps without growth after a failure: long steps tend to fail again
+      double tolerance      = 1e-4; ///< error of positions at the end over the length
+      double duration       = 1;    ///< over which errors add up to the tolerance [s]
+      double length         = 1;    ///< displacements count at least as this [m]
+      double smallest_step  = 1e-9; ///< s
+      double largest_step   = std::numeric_limits<double>::infinity();
+      double guard          = 0.1;  ///< relative error of an oscillation in a period
+      double worth_a_change = 1.15; ///< growth below which a step stays as it is, and factorisations can be kept
+    };
+
+    /** What is known of a step. */
+    struct Judged
+    {
+      double error;       ///< local error of positions [m]
+      double indicator;   ///< D/α = h²/(2(2s−1)) |Σ b_k p_k F_k|², which is there for α = 0, too [J]
+      double work_defect; ///< Σ|N| of stops [J]
     };
 
     struct Decision
@@ -88,29 +108,23 @@ namespace samara
       double next_h; ///< of the next step, or of the same step again
     };
 
-    /** @throws std::invalid_argument unless 0 < tolerance < 1, 0 < smallest ≤ largest step, and the factors fit. */
+    /** @throws std::invalid_argument unless 0 < tolerance < 1, 0 < smallest ≤ largest step, and the others are positive. */
     StepController(const Tableau &tableau, const Settings &settings);
 
     /**
-     * To be called with the energy at the start, and with that at the end of each step before decide(): strain energy
-     * and kinetic energy of what is not steady rotation. The largest so far is the reference. Call it also with the
-     * least energy that matters, 1e-10 of the whole kinetic energy say: otherwise a model at rest or in steady rotation
-     * has its round-off resolved.
+     * To be called with energy and largest displacement at the start, and with those at the end of each step before
+     * decide(): strain energy and kinetic energy of what is not steady rotation. The largest so far are the references.
+     * Call it also with the least energy that matters, 1e-10 of the whole kinetic energy say: otherwise a model at rest
+     * or in steady rotation has its round-off resolved.
      */
-    void update(double energy);
+    void update(double energy, double displacement);
 
     /**
-     * @param indicator   D/α = h²/(2(2s−1)) |Σ b_k p_k F_k|², which is there for α = 0, too.
-     * @param work_defect Σ|N| of stops; it may be `tolerance` times the reference energy, and a step is rejected from
-     *                    three times that. The shorter of both steps is taken.
-     * @param h          the step that was made. After one cut short to meet a time, go on with the step proposed
-     * before.
+     * @param h the step that was made. After one cut short to meet a time, go on with the step proposed before.
      *
-     * A step in which an oscillation turns around has an indicator near zero: it alone makes the next one longer by a
-     * fifth at most. The step after a rejection is not made longer, nor are `patience` steps after a failure. At the
-     * smallest step everything is accepted.
+     * At the smallest step everything is accepted.
      */
-    Decision decide(double indicator, double work_defect, double h);
+    Decision decide(const Judged &step, double h);
 
     /**
      * The step to try when the equations of a step @p h could not be solved: half of it.
@@ -119,22 +133,40 @@ namespace samara
      */
     double after_failure(double h);
 
-    /** All that later steps depend on, for restarts: reference energy, steps without growth, last ratio. @{ */
-    std::array<double, 3> memory() const;
-    void                  set_memory(const std::array<double, 3> &memory);
+    /** What errors add up over [s]. */
+    double
+    duration() const
+    {
+      return settings.duration;
+    }
+
+    /** Local error of the last step over what it may have. */
+    double
+    share() const
+    {
+      return last_share;
+    }
+
+    /** All that later steps depend on, for restarts. @{ */
+    std::vector<double> memory() const;
+    void                set_memory(const std::vector<double> &memory);
     /** @} */
 
     const DissipationRelation relation;
-    const double              Y_target, zeta_target;
+    const double              Y_guard, zeta_guard;
 
-    double       E_ref        = 0;
+    double       E_ref = 0, size = 0;
     unsigned int n_rejections = 0, n_failures = 0;
     unsigned int n_forced = 0; ///< accepted only because the step was the smallest: there the tolerance is not met
 
   private:
     const Settings settings;
-    unsigned int   hold = 0;                                       ///< for so many steps no growth
-    double last_ratio   = std::numeric_limits<double>::infinity(); ///< of the step the last one asked for to itself
+    const unsigned int order; ///< of the error of a step over its length
+    double last_c = 0, last_ratio = 1; ///< of the last step if it was accepted; 0 otherwise
+    double last_share = 0;
+    double cap = std::numeric_limits<double>::infinity(); ///< no longer steps, after a failure [s]
+
+    double by_error(double error, double h, double &c) const;
   };
 } // namespace samara
 

@@ -4,7 +4,6 @@
 #include <samara/time/integrator.h>
 #include <samara/time/step_control.h>
 
-#include <array>
 #include <optional>
 
 namespace samara
@@ -39,9 +38,9 @@ namespace samara
     /** All that later steps depend on besides the state, for restarts. */
     struct Memory
     {
-      double                next_step; ///< to be tried next [s]
-      std::array<double, 3> of_controller{};
-      std::vector<double>   steady_twists;
+      double              next_step; ///< to be tried next [s]
+      std::vector<double> of_controller, of_error;
+      std::vector<double> steady_twists;
     };
     Memory memory() const;
     /** @p with_steps: go on with the step sequence; otherwise with the step that was given. */
@@ -50,10 +49,11 @@ namespace samara
     /** The step to be tried next [s]. */
     double next_step;
 
-    /** Of the last accepted step: the size of the energy indicator, relative to the reference energy. */
+    /** Local error of the last accepted step [m]. */
     double estimate = 0;
 
     std::optional<StepController> controller;
+    std::optional<StepError>      error;
 
   private:
     const System       &system;

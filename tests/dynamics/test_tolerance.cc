@@ -1,0 +1,168 @@
+// What the tolerance of adaptive steps means: the error of positions at the end of a run is in proportion to it, for rigid
+// mechanisms, a fast top, and elastic bodies with stiff parts that no step resolves; a looser tolerance takes no more steps.
+//
+// Reference: the same model with a fine fixed step of three stages (self). The whole set: doc/benchmarks/tolerance_tables.
+
+#include "motion.h"
+
+using namespace samara;
+
+namespace
+{
+  struct Problem
+  {
+    std::string              model;
+    std::vector<std::string> probes, overrides;
+    double                   length, fine_step;
+  };
+
+  struct Adaptive
+  {
+    unsigned int stages;
+    double       radius;
+  };
+
+  /** Errors over the tolerance between @p least and @p most, more steps for smaller tolerances. */
+  void
+  expect_what_it_says(const Problem               &problem,
+                      const std::vector<Adaptive> &members,
+                      const std::vector<double>   &tolerances,
+                      const double                 least,
+                      const double                 most)
+  {
+    const auto with = [&](std::vector<std::string> overrides) {
+      overrides.insert(overrides.end(), problem.overrides.begin(), problem.overrides.end());
+      return Motion(problem.model, overrides, problem.probes);
+    };
+    const std::vector<double> reference = with(integrator(3, 0.5, problem.fine_step, "1e-12")).values.back();
+    for (const Adaptive &member : members)
+      {
+        unsigned int n_before = 0;
+        for (const double tolerance : tolerances)
+          {
+            SCOPED_TRACE(problem.model + ", s = " + std::to_string(member.stages) + ", rho = " + text_of(member.radius) +
+                         ", tolerance " + text_of(tolerance));
+            auto overrides = integrator(member.stages, member.radius, 0.01, "1e-10");
+            overrides.push_back("Dynamic/Step control = adaptive");
+            overrides.push_back("Dynamic/Tolerance = " + text_of(tolerance));
+            const Motion motion = with(overrides);
+            double       error  = 0;
+            for (unsigned int i = 0; i < reference.size(); ++i)
+              error = std::max(error, std::abs(motion.values.back()[i] - reference[i]));
+            error /= problem.length * tolerance;
+            EXPECT_GT(error, least);
+            EXPECT_LT(error, most);
+            EXPECT_GE(motion.report.n_steps, n_before);
+            n_before = motion.report.n_steps;
+            // the sum of what the steps say is what the control aims at
+            EXPECT_LT(motion.report.error / motion.report.length, tolerance);
+          }
+      }
+  }
+
+  const std::vector<Adaptive> members = {{3, 1}, {3, 0.5}, {3, 0}, {2, 1}, {2, 0.5}, {2, 0}};
+} // namespace
+
+
+
+TEST(Tolerance, Pendulum)
+{
+  expect_what_it_says({"simple_pendulum", {"mass.position x", "mass.position y"}, {}, 2, 0.0125},
+                      members,
+                      {1e-2, 1e-3, 1e-4, 1e-5},
+                      0.01,
+                      10);
+}
+
+
+
+TEST(Tolerance, HeavyTop)
+{
+  expect_what_it_says({"heavy_top",
+                       {"top.position x", "top.position y", "top.position z"},
+                       {"Dynamic/End time = 0.5"},
+                       1,
+                       5e-4},
+                      {{3, 1}, {3, 0.5}, {2, 1}},
+                      {1e-2, 1e-3, 1e-4},
+                      0.02,
+                      10);
+}
+
+
+
+// Its rods would be turned by radians in a step with a loose tolerance: by energy alone, 1e-2 took twice the steps of 1e-4.
+TEST(Tolerance, Governor)
+{
+  expect_what_it_says({"governor",
+                       {"rod 1.position x", "rod 1.position y", "rod 1.position z", "slider.position z"},
+                       {"Dynamic/End time = 4"},
+                       1.1,
+                       2e-3},
+                      {{3, 1}, {3, 0.5}, {3, 0}, {2, 1}},
+                      {1e-2, 1e-3, 1e-4},
+                      0.005,
+                      10);
+}
+
+
+
+TEST(Tolerance, SliderCrankThroughItsDeadPoints)
+{
+  expect_what_it_says({"slider_crank", {"slider.position x"}, {"Dynamic/End time = 2"}, 0.24, 1.25e-3},
+                      {{3, 1}, {3, 0.5}, {2, 1}},
+                      {1e-2, 1e-3, 1e-4},
+                      0.002,
+                      30);
+}
+
+
+
+// Waves along the beam are a hundred times faster than its bending: they are not resolved, and do not decide.
+TEST(Tolerance, Elbow)
+{
+  expect_what_it_says({"elbow",
+                       {"first.end.position z", "second.end.position z"},
+                       {"Dynamic/End time = 10"},
+                       14.1,
+                       0.0125},
+                      {{3, 1}, {3, 0.5}, {2, 0}},
+                      {1e-2, 1e-3, 1e-4},
+                      0.005,
+                      10);
+}
+
+
+
+// The hub is driven: its rotation is exact, however long the steps are.
+TEST(Tolerance, SpinUp)
+{
+  expect_what_it_says({"spin_up",
+                       {"beam.end.position x", "beam.end.position y"},
+                       {"Bodies/beam/Elements = 2"},
+                       20,
+                       0.05},
+                      {{3, 0.5}, {2, 0}},
+                      {1e-2, 1e-3, 1e-4},
+                      0.01,
+                      30);
+}
+
+
+
+TEST(Tolerance, OfAPeriodThatRepeats)
+{
+  // allowed in a tenth of the run: ten times the error
+  const auto steps = [](const std::string &holds, const std::string &length) {
+    auto overrides = integrator(3, 0.5, 0.01, "1e-10");
+    overrides.insert(overrides.end(),
+                     {"Dynamic/Step control = adaptive",
+                      "Dynamic/Tolerance = 1e-4",
+                      "Dynamic/Tolerance holds for = " + holds,
+                      "Dynamic/Length = " + length});
+    return Motion("simple_pendulum", overrides, {}).report.n_steps;
+  };
+  EXPECT_LT(steps("1", "0"), steps("0", "0"));
+  EXPECT_EQ(steps("10", "0"), steps("0", "0"));
+  EXPECT_LT(steps("0", "50"), steps("0", "0"));
+}
