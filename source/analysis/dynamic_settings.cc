@@ -34,11 +34,12 @@ namespace samara
             "Of adaptive steps: time over which errors may add up to the tolerance, such as a period that repeats; 0: "
             "all of the run [s].",
             Double(0));
-    prm.add("Length",
-            length,
-            "Of adaptive steps: what the tolerance is a part of, if no displacement is larger; 0: the largest extension "
-            "of the model. For small vibration of something large: that of the vibration [m].",
-            Double(0));
+    prm.add(
+      "Length",
+      length,
+      "Of adaptive steps: what the tolerance is a part of, if no displacement is larger; 0: the largest extension "
+      "of the model. For small vibration of something large: that of the vibration [m].",
+      Double(0));
     prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
     prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
     prm.add(
@@ -119,9 +120,10 @@ namespace samara
     if (!(tolerance > 0 && tolerance < 1))
       complain("Tolerance", "the <Tolerance> of adaptive steps lies between 0 and 1");
     if (n_stages == 1 && spectral_radius < 1 && tolerance < 1e-2)
-      complain("Stages",
-               "one stage with a <Spectral radius> below 1 is of the first order: adaptive steps would be of the size of "
-               "the tolerance; take two <Stages> or more");
+      complain(
+        "Stages",
+        "one stage with a <Spectral radius> below 1 is of the first order: adaptive steps would be of the size of "
+        "the tolerance; take two <Stages> or more");
     if (!(smallest_step > 0))
       complain("Smallest step", "the <Smallest step> of adaptive steps must be positive");
     else if (largest_step > 0 && smallest_step > largest_step)

@@ -184,7 +184,8 @@ namespace samara
       {
         const Eigen::Map<const Vector3> x(&final_q[12 * node]), x_base(&base_q[12 * node]);
         const Eigen::Map<const Matrix3> D(&final_q[12 * node + 3]), D_base(&base_q[12 * node + 3]);
-        Eigen::Map<Vector6>             q(&difference.neighbour.displacement[6 * node - 6]), y(&difference.neighbour.rate[6 * node]);
+        Eigen::Map<Vector6>             q(&difference.neighbour.displacement[6 * node - 6]),
+          y(&difference.neighbour.rate[6 * node]);
         q << D_base.transpose() * (x - x_base) / epsilon, axial(D_base.transpose() * (D - D_base)) / epsilon;
         y = -of_start * h * u[node];
         for (unsigned int k = 0; k < s; ++k)
@@ -223,9 +224,9 @@ namespace samara
   StageIntegrator::resolved_part(const std::vector<double> &displacement)
   {
     // (M + (hμ)² K)⁻¹ M under the constraints, for the real eigenvalue (twice for one stage), and for the complex pair
-    const Layout      &layout = system.layout;
-    const unsigned int n      = displacement.size();
-    std::vector<double> part = displacement;
+    const Layout       &layout = system.layout;
+    const unsigned int  n      = displacement.size();
+    std::vector<double> part   = displacement;
     const auto          masses = [&](auto &x, const auto &of) {
       x.assign(system.size(), 0.);
       for (unsigned int node = 1; node < layout.n_nodes; ++node)

@@ -24,7 +24,7 @@ namespace samara
     make_exact();
     ++n_exact_steps;
     step_of_factors = 0; // no good here
-    previous_step = 0; // the extrapolated start did not help
+    previous_step   = 0; // the extrapolated start did not help
     predict(state, h);
     is_exact       = true;
     bool converged = false;

@@ -137,7 +137,7 @@ namespace samara
     });
     factored_step = step_of_factors = h;
     n_steps_with_factors            = 0;
-    extra_iterations     = 0;
+    extra_iterations                = 0;
     forget_columns();
   }
 

@@ -143,7 +143,7 @@ namespace samara
   double
   StepController::by_error(const double error, const double h, double &c) const
   {
-    c = std::max(2 * error * settings.duration / (settings.tolerance * size * h), 1e-12);
+    c            = std::max(2 * error * settings.duration / (settings.tolerance * size * h), 1e-12);
     double ratio = std::pow(c, -1. / order);
     if (c <= 2 && ratio > 0.97 && ratio < settings.worth_a_change)
       return 1; // the factorisation can be kept

@@ -129,8 +129,8 @@ namespace samara
     for (unsigned int node = 1; node < radius.size() && 6 * node < driven.size(); ++node)
       if (const Eigen::Map<const Vector3> spin(&driven[6 * node + 3]); spin.norm() > 0)
         drives.push_back(end.triad(node) * spin);
-    const unsigned int order  = 2 * tableau.s + 1;
-    const double       factor = relation.leading() / (4 * order);
+    const unsigned int order   = 2 * tableau.s + 1;
+    const double       factor  = relation.leading() / (4 * order);
     double             largest = 0;
     for (unsigned int node = 1; node < radius.size(); ++node)
       {
@@ -177,7 +177,7 @@ namespace samara
     };
     // displacements say it of what strains, rates of what only gravity or inertia brings back
     const double of_q = scale(to.q_squares, to.v_squares), of_v = scale(to.v_squares, to.a_squares);
-    to.tau            = std::max(of_q, std::min(of_v, scale(1, std::pow(field.frequency, 2))));
+    to.tau = std::max(of_q, std::min(of_v, scale(1, std::pow(field.frequency, 2))));
     // where the error of a motion passes through zero, the rest of its oscillation counts
     const double q_square = std::max(q * q, to.q_squares / to.weight),
                  v_square = std::max(v * v, to.v_squares / to.weight);
@@ -221,7 +221,8 @@ namespace samara
     std::vector<double> values;
     for (const Scale *const scale : {&all, &resolved})
       {
-        for (const double value : {scale->step, scale->weight, scale->q_squares, scale->v_squares, scale->a_squares, scale->tau})
+        for (const double value :
+             {scale->step, scale->weight, scale->q_squares, scale->v_squares, scale->a_squares, scale->tau})
           values.push_back(value);
         values.push_back(scale->last.size());
         values.insert(values.end(), scale->last.begin(), scale->last.end());
@@ -237,7 +238,8 @@ namespace samara
     auto next = memory.begin();
     for (Scale *const scale : {&all, &resolved})
       {
-        for (double *const value : {&scale->step, &scale->weight, &scale->q_squares, &scale->v_squares, &scale->a_squares, &scale->tau})
+        for (double *const value :
+             {&scale->step, &scale->weight, &scale->q_squares, &scale->v_squares, &scale->a_squares, &scale->tau})
           *value = *next++;
         const auto size = static_cast<std::ptrdiff_t>(*next++);
         scale->last.assign(next, next + size);

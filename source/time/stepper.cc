@@ -151,7 +151,7 @@ namespace samara
         if (controller)
           {
             controller->update(energy_of_change(trial), error->largest_displacement(trial));
-            estimate = error->of_step(trial, result.step.difference, h, controller->duration());
+            estimate            = error->of_step(trial, result.step.difference, h, controller->duration());
             const auto decision = controller->decide({estimate, result.step.indicator, result.step.work_defect}, h);
             if (!decision.accept)
               {

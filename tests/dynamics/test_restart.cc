@@ -146,7 +146,8 @@ TEST(Restart, KilledRunsGoOnToTheLastBit)
       {
         const std::vector<std::string> settings = {"Dynamic/Stages = " + stages,
                                                    "Dynamic/Step control = " + control,
-                                                   stages == "1" ? "Dynamic/Spectral radius = 1" : "Dynamic/Spectral radius = 0.5",
+                                                   stages == "1" ? "Dynamic/Spectral radius = 1" :
+                                                                   "Dynamic/Spectral radius = 0.5",
                                                    "Dynamic/Tolerance = 1e-3"};
         const ScratchFolder            scratch;
         const std::string              whole = scratch.path + "/whole";

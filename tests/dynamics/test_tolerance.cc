@@ -1,7 +1,9 @@
-// What the tolerance of adaptive steps means: the error of positions at the end of a run is in proportion to it, for rigid
-// mechanisms, a fast top, and elastic bodies with stiff parts that no step resolves; a looser tolerance takes no more steps.
+// What the tolerance of adaptive steps means: the error of positions at the end of a run is in proportion to it, for
+// rigid mechanisms, a fast top, and elastic bodies with stiff parts that no step resolves; a looser tolerance of these takes no
+// more steps.
 //
-// Reference: the same model with a fine fixed step of three stages (self). The whole set: doc/benchmarks/tolerance_tables.
+// Reference: the same model with a fine fixed step of three stages (self). The whole set:
+// doc/benchmarks/tolerance_tables.
 
 #include "motion.h"
 
@@ -40,8 +42,8 @@ namespace
         unsigned int n_before = 0;
         for (const double tolerance : tolerances)
           {
-            SCOPED_TRACE(problem.model + ", s = " + std::to_string(member.stages) + ", rho = " + text_of(member.radius) +
-                         ", tolerance " + text_of(tolerance));
+            SCOPED_TRACE(problem.model + ", s = " + std::to_string(member.stages) +
+                         ", rho = " + text_of(member.radius) + ", tolerance " + text_of(tolerance));
             auto overrides = integrator(member.stages, member.radius, 0.01, "1e-10");
             overrides.push_back("Dynamic/Step control = adaptive");
             overrides.push_back("Dynamic/Tolerance = " + text_of(tolerance));
@@ -78,20 +80,18 @@ TEST(Tolerance, Pendulum)
 
 TEST(Tolerance, HeavyTop)
 {
-  expect_what_it_says({"heavy_top",
-                       {"top.position x", "top.position y", "top.position z"},
-                       {"Dynamic/End time = 0.5"},
-                       1,
-                       5e-4},
-                      {{3, 1}, {3, 0.5}, {2, 1}},
-                      {1e-2, 1e-3, 1e-4},
-                      0.02,
-                      10);
+  expect_what_it_says(
+    {"heavy_top", {"top.position x", "top.position y", "top.position z"}, {"Dynamic/End time = 0.5"}, 1, 5e-4},
+    {{3, 1}, {3, 0.5}, {2, 1}},
+    {1e-2, 1e-3, 1e-4},
+    0.02,
+    10);
 }
 
 
 
-// Its rods would be turned by radians in a step with a loose tolerance: by energy alone, 1e-2 took twice the steps of 1e-4.
+// Its rods would be turned by radians in a step with a loose tolerance: by energy alone, 1e-2 took twice the steps of
+// 1e-4.
 TEST(Tolerance, Governor)
 {
   expect_what_it_says({"governor",
@@ -121,15 +121,12 @@ TEST(Tolerance, SliderCrankThroughItsDeadPoints)
 // Waves along the beam are a hundred times faster than its bending: they are not resolved, and do not decide.
 TEST(Tolerance, Elbow)
 {
-  expect_what_it_says({"elbow",
-                       {"first.end.position z", "second.end.position z"},
-                       {"Dynamic/End time = 10"},
-                       14.1,
-                       0.0125},
-                      {{3, 1}, {3, 0.5}, {2, 0}},
-                      {1e-2, 1e-3, 1e-4},
-                      0.005,
-                      10);
+  expect_what_it_says(
+    {"elbow", {"first.end.position z", "second.end.position z"}, {"Dynamic/End time = 10"}, 14.1, 0.0125},
+    {{3, 1}, {3, 0.5}, {2, 0}},
+    {1e-2, 1e-3, 1e-4},
+    0.005,
+    10);
 }
 
 
@@ -137,15 +134,12 @@ TEST(Tolerance, Elbow)
 // The hub is driven: its rotation is exact, however long the steps are.
 TEST(Tolerance, SpinUp)
 {
-  expect_what_it_says({"spin_up",
-                       {"beam.end.position x", "beam.end.position y"},
-                       {"Bodies/beam/Elements = 2"},
-                       20,
-                       0.05},
-                      {{3, 0.5}, {2, 0}},
-                      {1e-2, 1e-3, 1e-4},
-                      0.01,
-                      30);
+  expect_what_it_says(
+    {"spin_up", {"beam.end.position x", "beam.end.position y"}, {"Bodies/beam/Elements = 2"}, 20, 0.05},
+    {{3, 0.5}, {2, 0}},
+    {1e-2, 1e-3, 1e-4},
+    0.01,
+    30);
 }
 
 

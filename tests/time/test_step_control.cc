@@ -1,8 +1,8 @@
 // Step control: the dissipation relation of an oscillator, what a step says about its error, decisions, and errors in
 // proportion to the tolerance.
 //
-// References: the amplification R(z) = 1 + z bᵀ(I − z a_α)⁻¹ 1 of the tableau, its derivative by α, an oscillator that is
-// free or loaded from rest, and a pendulum that swings to x = 2 asin k, sin(x/2) = k sn t.
+// References: the amplification R(z) = 1 + z bᵀ(I − z a_α)⁻¹ 1 of the tableau, its derivative by α, an oscillator that
+// is free or loaded from rest, and a pendulum that swings to x = 2 asin k, sin(x/2) = k sn t.
 
 #include <samara/base/errors.h>
 #include <samara/time/stepper.h>
@@ -187,7 +187,7 @@ TEST(StepController, RejectsTwiceWhatItAimsAt)
       StepController control(Tableau(3, 0.5), settings);
       const auto     d = control.decide(of_error(share * allowed), 0.1);
       EXPECT_EQ(d.accept, share < 1) << share;
-      EXPECT_EQ(d.next_h < 0.1, share > 0.6) << share;
+      EXPECT_EQ(d.next_h<0.1, share> 0.6) << share;
       EXPECT_GE(d.next_h, 0.02);
       EXPECT_LE(d.next_h, 0.1 * (1 + M_PI / 2));
       EXPECT_EQ(control.n_rejections, share > 1 ? 1u : 0u);
@@ -332,19 +332,19 @@ namespace
 
   /** Distance of (x, v/ω) of the body from @p exact at @p T. */
   Result
-  integrate(const Scene         &scene,
-            State                state,
-            const Tableau       &t,
-            const double         tolerance,
-            const double         length,
-            const double         T,
+  integrate(const Scene                                &scene,
+            State                                       state,
+            const Tableau                              &t,
+            const double                                tolerance,
+            const double                                length,
+            const double                                T,
             const std::function<double(const State &)> &error)
   {
     StageIntegrator          integrator(scene.system, t, 1e-12);
     StepController::Settings settings;
-    settings.tolerance = tolerance;
-    settings.duration  = T;
-    settings.length    = length;
+    settings.tolerance    = tolerance;
+    settings.duration     = T;
+    settings.length       = length;
     settings.largest_step = T / 10;
     Stepper stepper(scene.system, integrator, 1e-2, settings);
     Result  result;
@@ -360,12 +360,12 @@ namespace
 
   /** Errors between @p least and @p most tolerances, more steps for smaller tolerances. */
   void
-  expect_proportional(const Scene  &scene,
-                      const State  &start,
-                      const double  length,
-                      const double  T,
-                      const double  least,
-                      const double  most,
+  expect_proportional(const Scene                                &scene,
+                      const State                                &start,
+                      const double                                length,
+                      const double                                T,
+                      const double                                least,
+                      const double                                most,
                       const std::function<double(const State &)> &error)
   {
     for (const auto &[s, rho] : {std::make_pair(2, 0.), {2, 0.5}, {2, 1.}, {3, 0.}, {3, 0.5}, {3, 1.}, {1, 1.}})
@@ -375,7 +375,8 @@ namespace
           {
             if (s == 1 && tolerance < 1e-4)
               continue;
-            SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho) + ", " + std::to_string(tolerance));
+            SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho) + ", " +
+                         std::to_string(tolerance));
             const Result result = integrate(scene, start, Tableau(s, rho), tolerance, length, T, error);
             EXPECT_GT(result.error, least * tolerance);
             EXPECT_LT(result.error, most * tolerance);

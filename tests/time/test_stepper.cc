@@ -106,7 +106,7 @@ TEST(Stops, BouncesOnAStop)
   const Scene  scene(bouncing());
   const double fall = std::sqrt(2 * 0.5 / g), v = g * fall, w = std::sqrt(2e3 / 2),
                contact = 2 / w * (M_PI - std::atan(w * v / g)), period = 2 * fall + contact;
-  const unsigned int n = 5;
+  const unsigned int n      = 5;
   double             coarse = 0;
   for (const double h : {0.004, 0.001})
     {
@@ -342,8 +342,8 @@ namespace
 
 
 
-// Halved until there is a solution, and back to the step that is wanted when that is possible again. (With one stage these
-// steps have a solution.)
+// Halved until there is a solution, and back to the step that is wanted when that is possible again. (With one stage
+// these steps have a solution.)
 TEST(Stepper, HalvesAndRecovers)
 {
   for (const double rho : {1., 0.5, 0.})
