@@ -226,7 +226,7 @@ TEST(MovingAxes, WhirlGrowsInTimeAsModesTell)
   Scene  scene(model({pylon("1e6, 88300, 88300"), rotor_and_blow}, 4) +
                 "subsection Dynamic\n set End time = 4\n set Step = 0.01\n set Stages = 3\n set Spectral radius = 1\n"
                  " set Newton tolerance = 1e-13\nend\n",
-              {"Modal/Hold rotations = false"});
+              {"Analyses = static, modal, dynamic", "Modal/Hold rotations = false"});
   double growth = 0;
   scene.equilibrium();
   for (const auto &mode : scene.modes())
