@@ -69,7 +69,7 @@ namespace samara
     check_mass(linearization);
     try
       {
-        const MovingAxes seen(system, state, axes);
+        const MovingAxes seen(system, state, linearization, axes);
         if (!seen.spins().empty())
           linearization = Linearization(system, state, seen.spins());
         find(context, linearization);

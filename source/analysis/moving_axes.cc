@@ -1,5 +1,6 @@
 #include <samara/analysis/moving_axes.h>
 #include <samara/analysis/steady_loads.h>
+#include <samara/base/disjoint_sets.h>
 #include <samara/base/text.h>
 #include <samara/solvers/frequency_scale.h>
 #include <samara/solvers/redundant_rows.h>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 namespace samara
 {
@@ -27,20 +27,14 @@ namespace samara
     std::vector<unsigned int>
     coupled_nodes(const System &system)
     {
-      const Pattern            &pattern = *system.layout.pattern;
-      std::vector<unsigned int> root(pattern.size());
-      std::iota(root.begin(), root.end(), 0);
-      const auto root_of = [&](unsigned int i) {
-        while (root[i] != i)
-          i = root[i] = root[root[i]];
-        return i;
-      };
+      const Pattern &pattern = *system.layout.pattern;
+      DisjointSets   groups(pattern.size());
       for (int j = 0; j < pattern.size(); ++j)
         for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-          root[root_of(pattern.rows[k])] = root_of(j);
+          groups.join(pattern.rows[k], j);
       std::vector<unsigned int> result(system.layout.n_nodes, pattern.size());
       for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-        result[node] = root_of(system.layout.of_node(node));
+        result[node] = groups.root_of(system.layout.of_node(node));
       return result;
     }
 
@@ -171,7 +165,7 @@ namespace samara
 
 
   bool
-  MovingAxes::need_no_proof(const State &state, const std::string &which) const
+  MovingAxes::need_no_proof(const State &state, const Linearization &motion, const std::string &which) const
   {
     const auto &ground  = state.motion[0];
     double      fastest = 0;
@@ -184,21 +178,23 @@ namespace samara
     if ((ground.spin - state.motion.back().spin).norm() <= 1e-9 * fastest)
       return true;
     const State later = moved_on(system, state, times_to_look(state)[0]);
-    return are_equal(Linearization(system, state), Linearization(system, later), state.multipliers);
+    return are_equal(motion, Linearization(system, later), state.multipliers);
   }
 
 
 
-  MovingAxes::MovingAxes(const System &system, const State &state, const std::string &which)
+  MovingAxes::MovingAxes(const System        &system,
+                         const State         &state,
+                         const Linearization &motion,
+                         const std::string   &which)
     : system(system)
   {
-    if (need_no_proof(state, which))
+    if (need_no_proof(state, motion, which))
       return;
     add_moments(state);
     add_kinds(which);
     add_pieces();
-    const Linearization motion(system, state);
-    ShiftInvert         op(motion);
+    ShiftInvert op(motion);
     set_by_lowest_frequency(motion, op, {});
     shift = op.shift();
     for (unsigned int kind = 0; kind < kinds.size(); ++kind)
@@ -416,14 +412,6 @@ namespace samara
     for (const auto &piece : pieces)
       for (const unsigned int node : piece.nodes)
         chosen[node] = kinds[piece.kind].spins[node];
-  }
-
-
-
-  bool
-  MovingAxes::are_proven() const
-  {
-    return std::all_of(pieces.begin(), pieces.end(), [](const Piece &piece) { return piece.is_proven(); });
   }
 
 

@@ -1,12 +1,13 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/near_redundancy.h>
+#include <samara/base/disjoint_sets.h>
 #include <samara/base/text.h>
 #include <samara/solvers/newton.h>
+#include <samara/solvers/redundant_rows.h>
 #include <samara/solvers/rigid_pieces.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace samara
 {
@@ -92,15 +93,6 @@ namespace samara
 
 
 
-    /** "joint foot" of "joint foot, displacement 3" */
-    std::string
-    owner_of(const std::string &row)
-    {
-      return row.substr(0, row.rfind(", "));
-    }
-
-
-
     /** Whether constraints close a loop of nodes that are not one rigid piece. Without one there is nothing to agree.
      */
     bool
@@ -109,13 +101,7 @@ namespace samara
       const RigidPieces         pieces(system, 1);
       const Layout             &layout  = system.layout;
       const Pattern            &pattern = *layout.pattern;
-      std::vector<unsigned int> root(layout.n_nodes);
-      std::iota(root.begin(), root.end(), 0);
-      const auto root_of = [&](unsigned int piece) {
-        while (root[piece] != piece)
-          piece = root[piece] = root[root[piece]];
-        return piece;
-      };
+      DisjointSets              groups(layout.n_nodes);
       std::vector<unsigned int> ends;
       for (unsigned int i = 0; i < layout.n_multipliers; ++i)
         {
@@ -124,7 +110,7 @@ namespace samara
             if (pattern.rows[k] < layout.of_coordinate(0))
               ends.push_back(pieces.column_of_node(1 + pattern.rows[k] / 6) / 6 + 1);
           if (i + 1 < layout.n_multipliers &&
-              owner_of(layout.multiplier_names[i]) == owner_of(layout.multiplier_names[i + 1]))
+              owner_and_row(layout.multiplier_names[i]).first == owner_and_row(layout.multiplier_names[i + 1]).first)
             continue;
           // all rows of one joint are known; of one piece alone the other end is the ground
           std::sort(ends.begin(), ends.end());
@@ -133,9 +119,9 @@ namespace samara
             ends.push_back(0);
           for (unsigned int k = 1; k < ends.size(); ++k)
             {
-              if (root_of(ends[0]) == root_of(ends[k]))
+              if (groups.root_of(ends[0]) == groups.root_of(ends[k]))
                 return true;
-              root[root_of(ends[k])] = root_of(ends[0]);
+              groups.join(ends[k], ends[0]);
             }
           ends.clear();
         }
@@ -228,7 +214,7 @@ namespace samara
     double                   largest = 0;
     unsigned int             count   = 0;
     const auto               add     = [&](const int j) {
-      const std::string name = owner_of(system.layout.multiplier_names[rows.rows[j]]);
+      const std::string name = owner_and_row(system.layout.multiplier_names[rows.rows[j]]).first;
       if (std::find(joints.begin(), joints.end(), name) == joints.end())
         joints.push_back(name);
     };

@@ -1,6 +1,5 @@
+#include <samara/base/disjoint_sets.h>
 #include <samara/solvers/rigid_pieces.h>
-
-#include <numeric>
 
 namespace samara
 {
@@ -10,25 +9,19 @@ namespace samara
     , piece(system.layout.n_nodes)
     , twist(system.layout.n_nodes, Matrix6::Zero())
   {
-    std::vector<unsigned int> root(system.layout.n_nodes);
-    std::iota(root.begin(), root.end(), 0);
-    const auto root_of = [&](unsigned int node) {
-      while (root[node] != node)
-        node = root[node] = root[root[node]];
-      return node;
-    };
+    DisjointSets groups(system.layout.n_nodes);
     for (const auto &c : system.model.contributions)
       if (const auto *const motions = dynamic_cast<const RelativeMotions *>(c.get()))
         {
           const auto nodes = motions->rigid_nodes();
           for (const auto node : nodes)
             {
-              const unsigned int a = root_of(nodes[0]), b = root_of(node);
-              root[std::max(a, b)] = std::min(a, b); // the ground stays a root
+              const unsigned int a = groups.root_of(nodes[0]), b = groups.root_of(node);
+              groups.join(std::max(a, b), std::min(a, b)); // the ground stays a root
             }
         }
     for (unsigned int node = 1; node < piece.size(); ++node)
-      piece[node] = root_of(node) == node ? n_pieces++ : piece[root_of(node)];
+      piece[node] = groups.root_of(node) == node ? n_pieces++ : piece[groups.root_of(node)];
   }
 
 

@@ -27,10 +27,11 @@ namespace samara
   public:
     /**
      * @param state with multipliers that balance it
+     * @param motion about this state, each node in its own axes
      * @param which "automatic", "turning" or "fixed": the latter two are taken whether proven or not
      * @throws SingularMatrix
      */
-    MovingAxes(const System &system, const State &state, const std::string &which);
+    MovingAxes(const System &system, const State &state, const Linearization &motion, const std::string &which);
 
     /** Of the axes of each node, in the inertial frame [rad/s]; empty: each turns with its node. */
     const std::vector<Vector3> &
@@ -45,9 +46,6 @@ namespace samara
     {
       return !moments.empty();
     }
-
-    /** Whether coefficients are constant in these axes. */
-    bool are_proven() const;
 
     /** In words which axes these are. */
     std::string text() const;
@@ -94,7 +92,7 @@ namespace samara
     std::vector<Vector3> chosen;
     double               shift = 0; ///< below the frequencies [1/s]
 
-    bool need_no_proof(const State &state, const std::string &which) const;
+    bool need_no_proof(const State &state, const Linearization &motion, const std::string &which) const;
     void add_moments(const State &state);
     void add_kinds(const std::string &which);
     void add_pieces();
