@@ -127,6 +127,7 @@ namespace samara
         set_steady_motion_vector(context.system, state, motion);
         const NewtonResult result = newton.solve(state);
         total.converged           = result.converged;
+        total.failure             = result.failure;
         total.reason              = result.reason;
         total.residual            = result.residual;
         total.worst               = result.worst;
@@ -134,8 +135,7 @@ namespace samara
       }
     if (!total.converged)
       return total;
-    total.converged = false;
-    total.reason    = "the steady motion does not settle";
+    total.fail(Failure::other, "the steady motion does not settle");
     return total;
   }
 
@@ -280,35 +280,33 @@ namespace samara
         }
       return point.tangent;
     }
-
-    /**
-     * The number of an angle that turns so far from one equilibrium to the next that this may be none of the same path;
-     * -1 if all is well. Angles that are unknown and not prescribed are looked at. If @p by_load, if nothing but the
-     * load grows, it is known in which sense they go on. The solver keeps the matrix of @p to, if any.
-     */
-    int
-    turned_too_far(const System &system, const State &from, const State &to, ArcLength &method, const bool by_load)
-    {
-      std::vector<unsigned int> suspects;
-      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        if (system.model.coordinate_units[i] == "rad" && system.model.prescribed.count(i) == 0)
-          {
-            const double turn = std::abs(to.coordinates[i] - from.coordinates[i]);
-            if (turn > largest_turn)
-              return i;
-            if (turn > largest_turn_back)
-              suspects.push_back(i);
-          }
-      if (suspects.empty() || !by_load)
-        return -1;
-      for (const State *const state : {&from, &to})
-        if (const auto growth = growth_with_load(system, *state, method); !growth.empty())
-          for (const unsigned int i : suspects)
-            if (growth[system.layout.of_coordinate(i)] * (to.coordinates[i] - from.coordinates[i]) < 0)
-              return i;
-      return -1;
-    }
   } // namespace
+
+
+
+  int
+  StaticAnalysis::turned_too_far(const System &system, const State &from, const State &to, const bool by_load) const
+  {
+    std::vector<unsigned int> suspects;
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      if (system.model.coordinate_units[i] == "rad" && system.model.prescribed.count(i) == 0)
+        {
+          const double turn = std::abs(to.coordinates[i] - from.coordinates[i]);
+          if (turn > largest_turn)
+            return i;
+          if (turn > largest_turn_back)
+            suspects.push_back(i);
+        }
+    if (suspects.empty() || !by_load)
+      return -1;
+    ArcLength method(system, *solver, load_weight, tolerance, max_iterations);
+    for (const State *const state : {&from, &to})
+      if (const auto growth = growth_with_load(system, *state, method); !growth.empty())
+        for (const unsigned int i : suspects)
+          if (growth[system.layout.of_coordinate(i)] * (to.coordinates[i] - from.coordinates[i]) < 0)
+            return i;
+    return -1;
+  }
 
 
 
@@ -347,7 +345,6 @@ namespace samara
     const bool is_between_speeds = context.is_equilibrium && !context.sweep.empty();
     const bool at_rest           = std::all_of(speeds.begin(), speeds.end(), [](const double w) { return w == 0.; });
     const bool may_jump          = stability_limits == "pass" || !at_rest;
-    ArcLength  method(system, *solver, load_weight, tolerance, max_iterations);
 
     double fraction = 0, step = 1. / initial_steps, least_step = smallest_step;
     while (fraction < 1.)
@@ -360,23 +357,20 @@ namespace samara
         if (!result.converged && next == 1. && start_speeds != speeds && start_factor == 1.)
           result = attempt(system.reference(), next, trial);
         if (result.converged && stability_limits == "stop" && is_beyond_limit(context, start, sign_at_start, trial))
-          {
-            result.converged = false;
-            result.reason    = "a stability limit (limit point or bifurcation) is passed";
-          }
+          result.fail(Failure::stability_limit, "a stability limit (limit point or bifurcation) is passed");
         const int turned = result.converged && !is_between_speeds ?
-                             turned_too_far(system, context.state, trial, method, at_rest && start_factor < 1) :
+                             turned_too_far(system, context.state, trial, at_rest && start_factor < 1) :
                              -1;
         if (turned >= 0 && (next - fraction > step_of_jumps || (fraction > 0 && !may_jump)))
           {
-            result.converged = false;
-            result.reason    = "<" + system.model.coordinates[turned] + "> turns by " +
-                            short_text(trial.coordinates[turned] - context.state.coordinates[turned]) + " rad";
-            if (next - fraction <= step_of_jumps)
-              result.reason += " at once, past a stability limit (limit point or bifurcation)";
+            const bool jumps = next - fraction <= step_of_jumps;
+            result.fail(jumps ? Failure::stability_limit : Failure::other,
+                        "<" + system.model.coordinates[turned] + "> turns by " +
+                          short_text(trial.coordinates[turned] - context.state.coordinates[turned]) + " rad" +
+                          (jumps ? " at once, past a stability limit (limit point or bifurcation)" : ""));
             least_step = 0.5 * step_of_jumps;
           }
-        if (result.reason.find("finite") != std::string::npos)
+        if (result.failure == Failure::not_finite)
           give_up(context, result, fraction); // no other step helps
         if (!result.converged)
           {
@@ -432,15 +426,15 @@ namespace samara
     const std::string place_on_path =
       path == "arc length" ? "load factor " + short_text(fraction) : short_text(100 * fraction) + " % of the load";
     std::string text = "static analysis: no equilibrium found beyond " + place_on_path + ": " + result.reason + ".\n";
-    if (result.reason.find("stability") != std::string::npos)
+    if (result.failure == Failure::stability_limit)
       text +=
         "  The equilibrium is stable up to there. Set Path = arc length in subsection Static to follow the path beyond, or "
         "Stability limits = pass to go on to whatever equilibrium is found there.";
-    else if (result.reason.find("contradict") != std::string::npos)
+    else if (result.failure == Failure::rows_left_out)
       ; // all is said
-    else if (result.reason.find("finite") != std::string::npos)
+    else if (result.failure == Failure::not_finite)
       text += "  Look at the functions of time, the tables and the values at: " + place;
-    else if (result.reason.find("singular") != std::string::npos)
+    else if (result.failure == Failure::singular)
       text +=
         "  No stiffness is found for: " + place +
         ".\n  Something can move freely there: clamp it, hold its joint by a spring or a prescribed motion, or remove "

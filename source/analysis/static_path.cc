@@ -68,8 +68,8 @@ namespace samara
     catch (const SingularMatrix &singular)
       {
         NewtonResult free;
-        free.reason = "the tangent matrix is singular";
-        free.worst  = std::max(0, singular.unknown);
+        free.fail(Failure::singular, "the tangent matrix is singular");
+        free.worst = std::max(0, singular.unknown);
         give_up(context, free, 0);
       }
     return point;
@@ -110,21 +110,12 @@ namespace samara
         NewtonResult result = method.step(here, step, next);
         if (result.converged && !next.state.left_out.empty())
           if (const auto objection = redundant.objection(next.state, redundant.gaps(next.state)); !objection.empty())
-            {
-              result.converged = false;
-              result.reason    = objection;
-            }
+            result.fail(Failure::rows_left_out, objection);
         if (result.converged && next.cosine < smallest_cosine)
-          {
-            result.converged = false;
-            result.reason    = "the path turns too much, or this is another one";
-          }
+          result.fail(Failure::other, "the path turns too much, or this is another one");
         // a limit point alone changes both signs; a bifurcation together with it hides in the determinant
         if (result.converged && next.slope * here.slope < 0 && next.sign == here.sign && step > 100 * shortest)
-          {
-            result.converged = false;
-            result.reason    = "a limit point and a bifurcation are close together";
-          }
+          result.fail(Failure::other, "a limit point and a bifurcation are close together");
         if (!result.converged)
           {
             step /= 2;

@@ -180,7 +180,7 @@ namespace samara
             if (!std::isfinite(result.last_step) || result.last_step > 10. ||
                 (result.iterations > 8 && result.last_step > 1e3 * smallest))
               {
-                result.reason = "the iterations diverge";
+                result.fail(Failure::no_convergence, "the iterations diverge");
                 return result;
               }
             smallest = std::min(smallest, result.last_step);
@@ -196,12 +196,12 @@ namespace samara
                 return result;
               }
           }
-        result.reason = "no convergence in " + std::to_string(max_iterations) + " iterations";
+        result.fail(Failure::no_convergence, "no convergence in " + std::to_string(max_iterations) + " iterations");
       }
     catch (const SingularMatrix &singular)
       {
-        result.reason = "the tangent matrix is singular";
-        result.worst  = std::max(0, singular.unknown);
+        result.fail(Failure::singular, "the tangent matrix is singular");
+        result.worst = std::max(0, singular.unknown);
       }
     return result;
   }

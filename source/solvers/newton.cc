@@ -94,9 +94,8 @@ namespace samara
     const std::string objection = redundant->objection(state, gaps);
     if (objection.empty())
       return;
-    result.converged = false;
-    result.reason    = objection;
-    result.worst     = system.layout.of_multiplier(gaps.worst);
+    result.fail(Failure::rows_left_out, objection);
+    result.worst = system.layout.of_multiplier(gaps.worst);
   }
 
 
@@ -122,8 +121,8 @@ namespace samara
                                           [](const double r) { return !std::isfinite(r); });
             result.iterations == 0 && bad != residual.begin() + system.size())
           {
-            result.reason = "what acts there is not a finite number";
-            result.worst  = bad - residual.begin();
+            result.fail(Failure::not_finite, "what acts there is not a finite number");
+            result.worst = bad - residual.begin();
             return result;
           }
         system.tangent(state, K);
@@ -133,8 +132,8 @@ namespace samara
           }
         catch (const SingularMatrix &singular)
           {
-            result.reason = "the tangent matrix is singular";
-            result.worst  = std::max(0, singular.unknown);
+            result.fail(Failure::singular, "the tangent matrix is singular");
+            result.worst = std::max(0, singular.unknown);
             return result;
           }
         step.assign(residual.begin(), residual.begin() + system.size());
@@ -147,7 +146,7 @@ namespace samara
         result.last_step = size_of_step(system, step, length);
         if (!std::isfinite(result.last_step) || result.last_step > 100.)
           {
-            result.reason = "the iterations diverge";
+            result.fail(Failure::no_convergence, "the iterations diverge");
             find_worst(result);
             return result;
           }
@@ -163,12 +162,12 @@ namespace samara
           }
         if (result.iterations > 8 && result.last_step > 1e3 * smallest)
           {
-            result.reason = "the iterations diverge";
+            result.fail(Failure::no_convergence, "the iterations diverge");
             find_worst(result);
             return result;
           }
       }
-    result.reason = "no convergence in " + std::to_string(max_iterations) + " iterations";
+    result.fail(Failure::no_convergence, "no convergence in " + std::to_string(max_iterations) + " iterations");
     find_worst(result);
     return result;
   }

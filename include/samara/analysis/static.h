@@ -66,6 +66,12 @@ namespace samara
                          const State        &start,
                          std::optional<int> &sign_at_start,
                          const State        &found) const;
+    /**
+     * The number of an angle that turns so far from one equilibrium to the next that this may be none of the same path;
+     * -1 if all is well. Angles that are unknown and not prescribed are looked at. If @p by_load, if nothing but the
+     * load grows, it is known in which sense they go on. The solver keeps the matrix of @p to, if any.
+     */
+    int  turned_too_far(const System &system, const State &from, const State &to, bool by_load) const;
     void follow_load(Context &context);
 
     /** @name Along the arc, in static_path.cc @{ */

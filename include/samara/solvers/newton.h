@@ -7,6 +7,18 @@
 
 namespace samara
 {
+  /** Why there is no equilibrium, as far as advice depends on it. */
+  enum class Failure
+  {
+    none,
+    no_convergence,
+    not_finite,      ///< what acts is no number
+    singular,        ///< the matrix
+    rows_left_out,   ///< redundant constraints do not agree
+    stability_limit, ///< passed, found by who asks for equilibria
+    other
+  };
+
   struct NewtonResult
   {
     bool         converged  = false;
@@ -14,7 +26,17 @@ namespace samara
     double       last_step  = 0; ///< largest displacement relative to the size of the model, or rotation
     double       residual   = 0; ///< largest force left [N] or [N m]
     unsigned int worst      = 0; ///< the unknown where it is
-    std::string  reason;         ///< in words, if not converged
+    Failure      failure = Failure::none;
+    std::string  reason; ///< in words, if not converged
+
+    /** It has not converged; why, by kind and in words. */
+    void
+    fail(const Failure kind, const std::string &words)
+    {
+      converged = false;
+      failure   = kind;
+      reason    = words;
+    }
   };
 
 
