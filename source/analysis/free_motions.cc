@@ -2,11 +2,10 @@
 // six unknowns, however fine its mesh.
 
 #include <samara/analysis/check.h>
+#include <samara/solvers/from_eigen.h>
 #include <samara/solvers/linear.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/rigid_pieces.h>
-
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -175,12 +174,8 @@ namespace samara
     {
       Eigen::SparseMatrix<double> I(A.rows(), A.cols());
       I.setIdentity();
-      const Eigen::SparseMatrix<double> At = A.transpose(), all = A + 0. * At + 0. * I;
-      auto                              pattern = std::make_shared<Pattern>();
-      pattern->column_start.assign(all.outerIndexPtr(), all.outerIndexPtr() + all.outerSize() + 1);
-      pattern->rows.assign(all.innerIndexPtr(), all.innerIndexPtr() + all.nonZeros());
-      reduced = std::make_unique<SparseMatrix>(pattern);
-      std::copy_n(all.valuePtr(), all.nonZeros(), reduced->values.begin());
+      const Eigen::SparseMatrix<double> At = A.transpose();
+      reduced                              = from_eigen(A + 0. * At + 0. * I);
     }
 
 

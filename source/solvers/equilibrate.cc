@@ -5,32 +5,47 @@
 
 namespace samara
 {
+  double
+  power_of_two(const double x)
+  {
+    return std::ldexp(1., std::ilogb(x));
+  }
+
+
+
+  std::vector<double>
+  equilibrating_factors(const SparseMatrix &A, const unsigned int n_passes)
+  {
+    const Pattern      &pattern = *A.pattern;
+    const int           n       = pattern.size();
+    std::vector<double> factor(n, 1.), largest(n);
+    for (unsigned int pass = 0; pass < n_passes; ++pass)
+      {
+        std::fill(largest.begin(), largest.end(), 0.);
+        for (int j = 0; j < n; ++j)
+          for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+            {
+              const int    i    = pattern.rows[k];
+              const double size = std::abs(A.values[k]) * factor[i] * factor[j];
+              largest[i]        = std::max(largest[i], size);
+              largest[j]        = std::max(largest[j], size);
+            }
+        for (int i = 0; i < n; ++i)
+          if (largest[i] > 0 && std::isfinite(largest[i]))
+            factor[i] /= power_of_two(std::sqrt(largest[i]));
+      }
+    return factor;
+  }
+
+
+
   void
   equilibrate(SparseMatrix &A)
   {
-    const Pattern &pattern  = *A.pattern;
-    const int      n        = pattern.size();
-    const auto     for_each = [&](const auto &f) {
-      for (int j = 0; j < n; ++j)
-        for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-          f(pattern.rows[k], j, A.values[k]);
-    };
-    std::vector<double> factor(n, 1.), largest(n);
-    // each pass takes the root of what is amiss: twelve leave of 1e24 one per cent
-    for (unsigned int pass = 0; pass < 12; ++pass)
-      {
-        std::fill(largest.begin(), largest.end(), 0.);
-        for_each([&](const int i, const int j, const double a) {
-          const double size = std::abs(a) * factor[i] * factor[j];
-          largest[i]        = std::max(largest[i], size);
-          largest[j]        = std::max(largest[j], size);
-        });
-        for (int i = 0; i < n; ++i)
-          if (largest[i] > 0 && std::isfinite(largest[i]))
-            factor[i] /= std::sqrt(largest[i]);
-      }
-    for (double &f : factor)
-      f = std::exp2(std::round(std::log2(f)));
-    for_each([&](const int i, const int j, double &a) { a *= factor[i] * factor[j]; });
+    const Pattern            &pattern = *A.pattern;
+    const std::vector<double> factor  = equilibrating_factors(A, 12);
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        A.values[k] *= factor[pattern.rows[k]] * factor[j];
   }
 } // namespace samara

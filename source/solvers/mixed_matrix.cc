@@ -1,6 +1,6 @@
+#include <samara/solvers/equilibrate.h>
+#include <samara/solvers/from_eigen.h>
 #include <samara/solvers/mixed_matrix.h>
-
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,6 @@ namespace samara
 {
   namespace
   {
-    /** The next power of two: scaling by it rounds nothing. */
-    double
-    power_of_two(const double x)
-    {
-      return std::ldexp(1., std::ilogb(x));
-    }
-
-
-
     /** Entries of a matrix in any order; those of one place are added. */
     class Triplets
     {
@@ -34,12 +25,7 @@ namespace samara
       {
         Eigen::SparseMatrix<double> sum(n, n);
         sum.setFromTriplets(entries.begin(), entries.end());
-        auto pattern = std::make_shared<Pattern>();
-        pattern->column_start.assign(sum.outerIndexPtr(), sum.outerIndexPtr() + n + 1);
-        pattern->rows.assign(sum.innerIndexPtr(), sum.innerIndexPtr() + sum.nonZeros());
-        auto result = std::make_unique<SparseMatrix>(pattern);
-        std::copy_n(sum.valuePtr(), sum.nonZeros(), result->values.begin());
-        return result;
+        return from_eigen(sum);
       }
 
     private:
@@ -62,7 +48,7 @@ namespace samara
     sigma = shift;
     reduce_points();
     assemble();
-    equilibrate();
+    scale = equilibrating_factors(*A, 6);
     const Pattern &pattern = *A->pattern;
     SparseMatrix   scaled(A->pattern);
     for (int j = 0; j < pattern.size(); ++j)
@@ -208,31 +194,6 @@ namespace samara
 
 
   // Rows and columns alike, until the largest entry of each is about 1 (Ruiz 2001): pivots do not depend on units.
-  void
-  MixedMatrix::equilibrate()
-  {
-    const Pattern &pattern = *A->pattern;
-    scale.assign(size(), 1.);
-    std::vector<double> largest(size());
-    for (unsigned int round = 0; round < 6; ++round)
-      {
-        std::fill(largest.begin(), largest.end(), 0.);
-        for (int j = 0; j < pattern.size(); ++j)
-          for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-            {
-              const int    i = pattern.rows[k];
-              const double a = std::abs(A->values[k]) * scale[i] * scale[j];
-              largest[i]     = std::max(largest[i], a);
-              largest[j]     = std::max(largest[j], a);
-            }
-        for (unsigned int i = 0; i < size(); ++i)
-          if (largest[i] > 0.)
-            scale[i] /= power_of_two(std::sqrt(largest[i]));
-      }
-  }
-
-
-
   void
   MixedMatrix::add_viscous_part(const double *zeta, double *b) const
   {

@@ -102,7 +102,6 @@ namespace samara
     Point reduced(const StrainRows::Point &p) const;
     void  add_rows(const StrainRows::Point &p, const Point &reduced);
     void  assemble();
-    void  equilibrate();
     void  solve_scaled(double *b) const;
   };
 } // namespace samara
