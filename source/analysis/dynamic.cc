@@ -38,125 +38,6 @@ namespace samara
 
 
 
-  namespace
-  {
-    /** The contribution that these velocities strain, at rates above @p bound [1/s]; nothing if there is none. */
-    const Contribution *
-    strained(const System &system, const State &state, const double bound)
-    {
-      std::vector<double> e;
-      for (const auto &c : system.model.contributions)
-        {
-          e.assign(c->n_strains(), 0.);
-          c->strain_rates(state.point(), e.data());
-          if (c->strain_energy(e.data()) > 0 &&
-              std::any_of(e.begin(), e.end(), [=](double r) { return std::abs(r) > bound; }))
-            return c.get();
-        }
-      return nullptr;
-    }
-  } // namespace
-
-
-
-  void
-  DynamicAnalysis::refuse_turning_ground(const Context &context,
-                                         const State   &given,
-                                         const State   &projected,
-                                         const double   change) const
-  {
-    const System &system    = context.system;
-    const auto   &rotations = system.model.rotations;
-    unsigned int  i         = 0;
-    while (i < rotations.size() && (rotations[i].coordinate >= 0 || context.speeds[i] == 0.))
-      ++i;
-    if (i == rotations.size())
-      return;
-    std::string where;
-    if (change > 1e-6)
-      {
-        std::vector<double> rates(system.layout.n_multipliers, 0.);
-        for (const auto *c : system.layout.constraining)
-          c->constraint_rates(given.point(), rates.data());
-        const auto worst =
-          std::max_element(rates.begin(), rates.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-        where = system.layout.multiplier_names[worst - rates.begin()];
-      }
-    else if (const auto *const c = strained(system, projected, 1e-6 * std::abs(context.speeds[i])))
-      where = "<" + c->name + ">, which would be strained";
-    else
-      return;
-    throw InputError(
-      parameters.where() + ": steady rotation <" + rotations[i].name +
-      "> turns the whole model; in the dynamic analysis the ground stands still, and what is fixed to it cannot go on "
-      "turning: " +
-      where + ".\n  Put a revolute between the ground and what turns, and let the steady rotation turn that <Joint>.");
-  }
-
-
-
-  void
-  DynamicAnalysis::prepare(Context &context, State &state) const
-  {
-    const System &system = context.system;
-    state.held           = false;
-    state.factor         = 1;
-    state.time           = start_time;
-    if (!context.is_equilibrium)
-      set_steady_motion(system, state, context.speeds);
-    // of a model that turns as a whole the ground stops, and nothing else
-    std::fill_n(state.y.begin(), 6, 0.);
-    for (const auto &c : system.model.contributions)
-      c->add_initial_velocities(state);
-
-    // other rows are redundant when rotations are no longer held
-    if (integrator == "family" && !system.released_multipliers().empty())
-      state.left_out = RedundantRows(system).find(state);
-
-    // the constraints at the start: positions must obey them, velocities are made to
-    std::vector<double> r(system.size() + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->residual(state.point(), r.data());
-    for (const auto i : system.released_multipliers())
-      r[system.layout.of_multiplier(i)] = 0;
-    const double length = model_length(system.model);
-    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-      if (const double gap = std::abs(r[system.layout.of_multiplier(i)]); gap > 1e-6 * std::max(1., length))
-        throw InputError(
-          system.layout.multiplier_names[i] + ": the constraint is violated by " + number_to_text("%.3g", gap) +
-          " at the start; let a static analysis find a position that obeys it: <Analyses = static, dynamic>");
-    Projection  projection(system);
-    const State given  = state;
-    double      change = 0;
-    try
-      {
-        change = projection.velocities(state);
-      }
-    catch (const SingularMatrix &problem)
-      {
-        throw InputError("something without mass can move freely" +
-                         (problem.unknown >= 0 ? ": " + system.layout.name_of(problem.unknown) : std::string()) +
-                         "; the dynamic analysis needs a mass or an inertia there");
-      }
-    refuse_turning_ground(context, given, state, change);
-    if (change > 1e-6)
-      {
-        unsigned int worst = 6;
-        for (unsigned int i = 6; i < state.y.size(); ++i)
-          if (std::abs(state.y[i] - given.y[i]) > std::abs(state.y[worst] - given.y[worst]))
-            worst = i;
-        const std::string text =
-          "the velocities at the start do not obey the constraints: those that do are different by " +
-          number_to_text("%.3g", 100 * change) + " % of the largest, most at " + system.layout.name_of(worst - 6);
-        if (inconsistent == "refuse")
-          throw InputError(text);
-        context.log.warning("", text + "; they are used");
-      }
-    system.stresses(state, state.stress);
-  }
-
-
-
   void
   DynamicAnalysis::record(const Context &context, const State &state, Projection &projection, Output &output)
   {
@@ -385,8 +266,8 @@ namespace samara
             if (!std::isfinite(budget.kinetic + budget.strain + budget.potential))
               require_finite_state(system, state);
             judge(context, advance, from, before_step);
-            if (!can_be_exact)
-              require_rows_left_out(system, state);
+            if (machinery.redundant)
+              require_rows_left_out(*machinery.redundant, state);
             const Integrator &integrator = *machinery.integrator;
             report.n_steps               = before_machinery.n_steps + integrator.n_steps;
             report.n_iterations          = before_machinery.n_iterations + integrator.n_iterations;

@@ -70,12 +70,11 @@ namespace samara
 
 
   void
-  require_rows_left_out(const System &system, const State &state)
+  require_rows_left_out(RedundantRows &rows, const State &state)
   {
     if (state.left_out.empty())
       return;
-    RedundantRows rows(system);
-    State         there = state;
+    State there = state;
     rows.choose(there);
     if (const std::string objection = rows.objection(state, rows.gaps(state)); !objection.empty())
       throw NotConverged("t = " + number_to_text("%.6g", state.time) + " s: " + objection);

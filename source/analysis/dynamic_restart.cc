@@ -189,8 +189,11 @@ namespace samara
   {
     Machinery machinery;
     machinery.integrator = make_integrator(system, newton_tolerance);
-    machinery.halves     = make_integrator(system, newton_tolerance);
     machinery.projection = std::make_unique<Projection>(system);
+    if (second_estimate)
+      machinery.halves = make_integrator(system, newton_tolerance);
+    if (machinery.integrator->family() == nullptr)
+      machinery.redundant = std::make_unique<RedundantRows>(system);
     if (control == "adaptive")
       {
         StepController::Settings settings;

@@ -100,19 +100,41 @@ namespace samara
 
 
 
+  double
+  RedundantRows::round_off_of(const Gaps &gaps) const
+  {
+    return round_off * length + amplification * gaps.kept;
+  }
+
+
+
+  double
+  RedundantRows::allowed(const Gaps &gaps) const
+  {
+    return std::min(most * length, round_off_of(gaps) + gap_by_distance * rounding.independence * length);
+  }
+
+
+
+  bool
+  RedundantRows::are_explained(const Gaps &gaps) const
+  {
+    // what rounded places made when it was looked at last need not be looked at again
+    return gaps.left_out <= std::min(allowed(gaps), std::max(round_off_of(gaps), 2 * rounding.gap));
+  }
+
+
+
   std::string
   RedundantRows::objection(const State &state, const Gaps &gaps)
   {
-    const double small   = round_off * length + amplification * gaps.kept,
-                 allowed = std::min(most * length, small + gap_by_distance * rounding.independence * length);
-    // what rounded places made when it was looked at last need not be looked at again
-    if (gaps.left_out <= std::min(allowed, std::max(small, 2 * rounding.gap)))
+    if (are_explained(gaps))
       return "";
     const Eigen::MatrixXd of_rows = combinations(state);
     const int    j       = std::find(state.left_out.begin(), state.left_out.end(), gaps.worst) - state.left_out.begin();
     const double largest = X.col(j).lpNorm<Eigen::Infinity>(), distance = independence[j] / std::max(1., largest);
     const bool   repeats = distance <= std::max(exact, change_of_distance * rounding.independence);
-    if (gaps.left_out <= allowed && (repeats || !(largest < singular)))
+    if (gaps.left_out <= allowed(gaps) && (repeats || !(largest < singular)))
       {
         rounding.gap = gaps.left_out;
         return "";

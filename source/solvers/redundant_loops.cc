@@ -44,18 +44,14 @@ namespace samara
 
 
 
-  namespace
+  std::pair<std::string, std::string>
+  owner_and_row(const std::string &name)
   {
-    /** "joint foot, displacement 3": "joint foot" and "displacement 3"; a joint's own name may begin with that word. */
-    std::pair<std::string, std::string>
-    owner_and_row(const std::string &name)
-    {
-      const auto        comma = name.rfind(", ");
-      const std::string owner = name.substr(0, comma), twice = "joint joint";
-      const bool        is_two = owner.compare(0, twice.size(), twice) == 0;
-      return {is_two ? owner.substr(6) : owner, comma == std::string::npos ? "" : name.substr(comma + 2)};
-    }
-  } // namespace
+    const auto        comma = name.rfind(", ");
+    const std::string owner = name.substr(0, comma), twice = "joint joint";
+    const bool        is_two = owner.compare(0, twice.size(), twice) == 0;
+    return {is_two ? owner.substr(6) : owner, comma == std::string::npos ? "" : name.substr(comma + 2)};
+  }
 
 
 

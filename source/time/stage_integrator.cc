@@ -207,15 +207,26 @@ namespace samara
         largest_gap_left_out = gaps.left_out;
         worst_left_out       = gaps.worst;
       }
-    State end       = state; // but for the velocities, which say nothing here
-    end.q           = final_q;
-    end.coordinates = final_coordinates;
-    if (const std::string objection = redundant->objection(end, gaps); !objection.empty())
+    if (redundant->are_explained(gaps))
+      return;
+    if (const std::string objection = redundant->objection(at_end(state, state.time), gaps); !objection.empty())
       {
         std::ostringstream text;
         text << "t = " << state.time << " s: " << objection;
         throw NotConverged(text.str());
       }
+  }
+
+
+
+  State
+  StageIntegrator::at_end(const State &state, const double time) const
+  {
+    State end       = state;
+    end.q           = final_q;
+    end.coordinates = final_coordinates;
+    end.time        = time;
+    return end;
   }
 
 

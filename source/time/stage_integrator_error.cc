@@ -9,6 +9,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace samara
@@ -200,10 +201,7 @@ namespace samara
   void
   StageIntegrator::project_neighbour(const State &state, const double h, StepDifference &difference)
   {
-    State end       = state;
-    end.q           = final_q;
-    end.coordinates = final_coordinates;
-    end.time        = state.time + h;
+    const State end = at_end(state, state.time + h);
     if (!projection)
       projection = std::make_unique<Projection>(system);
     try
@@ -269,10 +267,7 @@ namespace samara
   StageIntegrator::find_frequency(const State &state, const double h, StepDifference::Field &field)
   {
     // strains and kinetic energy of the rates, where the step ends
-    State end       = state;
-    end.q           = final_q;
-    end.coordinates = final_coordinates;
-    end.time        = state.time + h;
+    State end = at_end(state, state.time + h);
     std::fill(end.rates.begin(), end.rates.end(), 0.);
     std::copy(field.rate.begin(), field.rate.end(), end.y.begin() + 6);
     double strain = 0, kinetic = 0;
@@ -316,10 +311,8 @@ namespace samara
   bool
   StageIntegrator::find_load_defect(const State &state, const double h)
   {
-    bool any = false;
-    for (const auto &c : system.model.contributions)
-      any = any || c->has_loads();
-    if (!any)
+    const auto &all = system.model.contributions;
+    if (std::none_of(all.begin(), all.end(), [](const auto &c) { return c->has_loads(); }))
       return false;
     static const std::array<dealii::QGauss<1>, 3> finer = {
       {dealii::QGauss<1>(3), dealii::QGauss<1>(5), dealii::QGauss<1>(7)}};

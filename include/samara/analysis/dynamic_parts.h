@@ -43,16 +43,14 @@ namespace samara
   /** All that computes steps and remembers something from one to the next. */
   struct DynamicAnalysis::Machinery
   {
-    std::unique_ptr<Integrator> integrator, halves; ///< of the steps, and of the second estimate
-    std::unique_ptr<Stepper>    stepper;
-    std::unique_ptr<Projection> projection;
+    std::unique_ptr<Integrator>    integrator, halves; ///< of the steps, and of the second estimate if there is one
+    std::unique_ptr<Stepper>       stepper;
+    std::unique_ptr<Projection>    projection;
+    std::unique_ptr<RedundantRows> redundant; ///< of integrators that do not watch rows left out by themselves
   };
 
-  /**
-   * Of integrators that do not watch them by themselves.
-   * @throws NotConverged if rows left out do not hold
-   */
-  void require_rows_left_out(const System &system, const State &state);
+  /** @throws NotConverged if rows left out do not hold */
+  void require_rows_left_out(RedundantRows &rows, const State &state);
 
   /** Of a run into this folder. */
   std::string checkpoint_file(const Context &context);

@@ -67,6 +67,9 @@ namespace samara
      */
     std::string objection(const State &state, const Gaps &gaps);
 
+    /** Whether objection() has none, seen by the gaps alone: by far most states. */
+    bool are_explained(const Gaps &gaps) const;
+
     /** The columns of X that prescribed motions cannot obey. */
     std::vector<int> contradictions(const State &state);
 
@@ -126,7 +129,10 @@ namespace samara
     };
     Rounding rounding;
 
-    void measure_rounding(const State &state);
+    /** Gaps that Newton's method leaves; and those that rounded geometry may make beside. */
+    double round_off_of(const Gaps &gaps) const;
+    double allowed(const Gaps &gaps) const;
+    void   measure_rounding(const State &state);
     void assemble(const State &state);
     void factorize(const std::vector<unsigned int> &left_out);
     void find_combinations(const std::vector<unsigned int> &left_out);
@@ -148,6 +154,14 @@ namespace samara
     bool                      has_moved(const State &state) const;
     void                      keep_forces(State &state, const std::vector<unsigned int> &left_out) const;
   };
+
+
+
+  /**
+   * The two parts of a multiplier's name: "joint foot" and "displacement 3" of "joint foot, displacement 3"; a joint's own
+   * name may begin with that word.
+   */
+  std::pair<std::string, std::string> owner_and_row(const std::string &name);
 } // namespace samara
 
 #endif

@@ -257,6 +257,8 @@ namespace samara
     bool has_sources(const StepResult &result, double h) const;
     /** Of everything, at this speed. */
     double energy_of_moving(double speed) const;
+    /** Where the step ends; velocities, multipliers and stresses are those of its start. */
+    State at_end(const State &state, double time) const;
     /** Choose the rows to leave out in this step. */
     void choose_rows(State &state);
     /** @throws NotConverged if the step leads to where rows left out are violated: they contradict the others. */
