@@ -117,7 +117,9 @@ namespace samara
     bool          is_ladder = false;
 
     // source/study.cc
-    void                     read_methods(const Outline &outline, Complaints &complaints);
+    void read_methods(const Outline &outline, Complaints &complaints);
+
+    // source/study_members.cc
     void                     make_members(const StudyMethod &method, unsigned int index, Complaints &complaints);
     void                     add_reference(Complaints &complaints);
     void                     name_folders();

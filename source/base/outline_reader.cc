@@ -284,7 +284,7 @@ namespace samara
   {
     if (text.empty())
       return complaints.add(place, "this 'include' names no file.");
-    const std::string included = (fs::path(filename).parent_path() / text).lexically_normal().string();
+    const std::string included = file_beside(filename, text);
     if (files.size() >= deepest_include)
       return complaints.add(place, "files include each other more than " + std::to_string(deepest_include) + " deep.");
     if (std::any_of(files.begin(), files.end(), [&](const std::string &f) { return same_file(f, included); }))

@@ -140,7 +140,8 @@ namespace samara
     add(wanted, variable, documentation);
     // what is printed holds wherever it is read
     entries.back().read = [&variable](const std::string &text, const Quantities &, const Entry &self) {
-      variable = text.empty() ? "" : file_beside(self.where, text);
+      // "file:line"; "--set" has no folder
+      variable = text.empty() ? "" : file_beside(self.where.substr(0, self.where.rfind(':')), text);
       std::error_code ignored;
       const auto      absolute = std::filesystem::absolute(variable, ignored);
       return variable.empty() || ignored ? variable : absolute.string();

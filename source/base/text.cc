@@ -81,10 +81,9 @@ namespace samara
 
 
   std::string
-  file_beside(const std::string &where, const std::string &name)
+  file_beside(const std::string &file, const std::string &name)
   {
-    const std::filesystem::path file(where.substr(0, where.rfind(':')));
-    return (file.parent_path() / name).lexically_normal().string();
+    return (std::filesystem::path(file).parent_path() / name).lexically_normal().string();
   }
 
 

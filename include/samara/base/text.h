@@ -34,8 +34,8 @@ namespace samara
    */
   std::string readable(const std::string &text);
 
-  /** The name of a file that was written at the place "file:line", which it is relative to; "--set" has no folder. */
-  std::string file_beside(const std::string &where, const std::string &name);
+  /** The name of a file that is written in another one, and relative to its folder. */
+  std::string file_beside(const std::string &file, const std::string &name);
 
   /** Whether did_you_mean() still looks for names: of ten thousand mistakes only the first hundreds need advice. */
   bool may_suggest();
