@@ -3,6 +3,7 @@
 
 #include "../scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace samara
@@ -31,6 +32,20 @@ namespace samara
           break;
       }
     return b;
+  }
+
+
+
+  /** Of all modes of the model's equilibrium, in order [rad/s]. */
+  inline std::vector<double>
+  frequencies(Scene &scene)
+  {
+    scene.equilibrium();
+    std::vector<double> result;
+    for (const auto &mode : scene.modes())
+      result.push_back(mode.frequency());
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <map>
 
+#include "modes.h"
+
 using namespace samara;
 
 namespace
@@ -92,16 +94,6 @@ namespace
            " set I2 = 1e-4\n set I3 = 1e-3\n end\nend\nsubsection Bodies\n" +
            sum.bodies + "end\nsubsection Joints\n" + sum.joints + "end\nsubsection Loads\n" + sum.loads +
            "end\nsubsection Modal\n set Modes = " + std::to_string(n_modes) + "\n set Hold rotations = true\nend\n";
-  }
-
-  std::vector<double>
-  frequencies(Scene &scene)
-  {
-    scene.equilibrium();
-    std::vector<double> result;
-    for (const auto &mode : scene.modes())
-      result.push_back(mode.frequency());
-    return result;
   }
 
   /** Why modes of this model are refused; empty if they are not. */

@@ -5,25 +5,10 @@
 #include "../scene.h"
 #include <gtest/gtest.h>
 
+#include "modes.h"
 #include "rotors.h"
 
 using namespace samara;
-
-namespace
-{
-  std::vector<double>
-  frequencies(Scene &scene)
-  {
-    scene.equilibrium();
-    std::vector<double> result;
-    for (const auto &mode : scene.modes())
-      result.push_back(mode.frequency());
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-} // namespace
-
-
 
 TEST(Rotors, ByJointAsByTheWholeModel)
 {

@@ -235,6 +235,20 @@ namespace samara
         0.2,
         true};
     }
+
+
+
+    /** 2 kg on a spring, ω = 5, and a force along z. */
+    inline std::string
+    pushed(const std::string &force)
+    {
+      return model(rigid_body("a", "set Mass = 2\n set Inertia = 1, 1, 1\n"),
+                   joint("slide",
+                         "prismatic",
+                         "set Body A = ground\n set Body B = a.centre\n" + motion("displacement", spring("50", "0"))),
+                   "  subsection push\n set Type = point load\n set At = a.centre\n set Force = 0, 0, " + force +
+                     "\n end\n");
+    }
   } // namespace systems
 
 

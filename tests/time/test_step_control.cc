@@ -275,18 +275,6 @@ TEST(StepController, RefusesSettings)
 
 namespace
 {
-  /** 2 kg on a spring, ω = 5, pulled by a force along z. */
-  std::string
-  oscillator(const std::string &force)
-  {
-    return model(rigid_body("a", "set Mass = 2\n set Inertia = 1, 1, 1\n"),
-                 joint("slide",
-                       "prismatic",
-                       "set Body A = ground\n set Body B = a.centre\n" + motion("displacement", spring("50", "0"))),
-                 "  subsection push\n set Type = point load\n set At = a.centre\n set Force = 0, 0, " + force +
-                   "\n end\n");
-  }
-
   State
   displaced(const System &system, const double by)
   {
@@ -303,7 +291,7 @@ namespace
 // |∂Y_f/∂α| = ½ ζ |Y_i| for an oscillator, exactly, for every s, α and step.
 TEST(Neighbour, OfAnOscillatorIsHalfOfWhatIsLost)
 {
-  const Scene scene(oscillator("0"));
+  const Scene scene(pushed("0"));
   for_wide_members([&](const Tableau &t) {
     for (const double angle : {0.1, 1., 5., 40.})
       {
@@ -393,7 +381,7 @@ namespace
 TEST(ErrorOverTolerance, Oscillator)
 {
   // three periods
-  const Scene  scene(oscillator("0"));
+  const Scene  scene(pushed("0"));
   const double w = 5, T = 6 * M_PI / w;
   expect_proportional(scene, displaced(scene.system, 0.1), 0.1, T, 0.1, 2, [&](const State &state) {
     return std::hypot(state.coordinates[0] - 0.1, state.rates[0] / w);
@@ -404,7 +392,7 @@ TEST(ErrorOverTolerance, Oscillator)
 
 TEST(ErrorOverTolerance, LoadedFromRest)
 {
-  const Scene  scene(oscillator("5"));
+  const Scene  scene(pushed("5"));
   const double w = 5, T = 5 * M_PI / w;
   expect_proportional(scene, scene.system.reference(), 0.2, T, 0.05, 2, [&](const State &state) {
     return std::hypot(state.coordinates[0] - 0.2, state.rates[0] / w);
@@ -416,7 +404,7 @@ TEST(ErrorOverTolerance, LoadedFromRest)
 TEST(ErrorOverTolerance, LoadsBetweenTheStages)
 {
   // a blow of a tenth of a second without corners, when everything is at rest; 2 N s
-  const Scene  scene(oscillator("2/(0.03*sqrt(pi))*exp(-((t - 0.5)/0.03)^2)"));
+  const Scene  scene(pushed("2/(0.03*sqrt(pi))*exp(-((t - 0.5)/0.03)^2)"));
   const double w = 5, T = 0.5 + 2 * M_PI / w, push = std::exp(-std::pow(0.03 * w / 2, 2));
   expect_proportional(scene, scene.system.reference(), 0.2, T, 1e-4, 2, [&](const State &state) {
     return std::hypot(state.coordinates[0], state.rates[0] / w - 2 / (2 * w) * push);

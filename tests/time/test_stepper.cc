@@ -193,18 +193,6 @@ TEST(Stops, TwoAtATime)
 
 namespace
 {
-  /** 2 kg on a spring, ω = 5, and a force. */
-  std::string
-  pushed(const std::string &force)
-  {
-    return model(rigid_body("a", "set Mass = 2\n set Inertia = 1, 1, 1\n"),
-                 joint("slide",
-                       "prismatic",
-                       "set Body A = ground\n set Body B = a.centre\n" + motion("displacement", spring("50", "0"))),
-                 "  subsection push\n set Type = point load\n set At = a.centre\n set Force = 0, 0, " + force +
-                   "\n end\n");
-  }
-
   /** v/ω + ix at t, from rest: the integral of exp(iω(t − τ)) f(τ)/(m ω), by Gauss' rule between corners. */
   std::complex<double>
   response(const std::function<double(double)> &f, const std::vector<double> &corners, const double t)

@@ -1,0 +1,129 @@
+// The entries of analyses, of the model itself and of studies; see test_entries.cc.
+
+#include "catalogued.h"
+
+using namespace samara;
+
+
+
+TEST_F(Catalogued, Statics)
+{
+  // a weight of 60 N goes beyond the limit point of the arch, 20 N does not
+  const std::string arc = "Static/Path = arc length", heavy = "Bodies/top/Mass = 60";
+  // springs hold an inverted pendulum up to 550 N: a bifurcation
+  const std::vector<std::string> pendulum = {"Joints/slide/Type = revolute",
+                                             "Joints/slide/Axis = 0, 1, 0",
+                                             "Joints/slide/Position = 0, 0, 0",
+                                             "Bodies/top/Mass = 600"};
+  check("static",
+        models::arch(20),
+        "Static",
+        {{"Load steps", "7"},
+         {"Smallest step", "0.1", {heavy}},
+         {"Stability limits", "pass", pendulum},
+         {"Time", "2", {"Loads/weight/Acceleration = 0, 0, -1 + 0.1*t"}},
+         {"Tolerance", "1e-3"},
+         {"Iterations", "2"},
+         {"Path", "arc length"},
+         {"Largest arc", "0.02", {arc}},
+         {"Weight of the load", "1", {arc}},
+         {"End load factor", "0.5", {arc}},
+         {"Passages", "2", {arc, heavy}},
+         {"Largest load factor", "0.3", {arc}},
+         {"Most steps", "2", {arc}}});
+}
+
+
+
+TEST_F(Catalogued, Modes)
+{
+  check("modal",
+        models::rotor,
+        "Modal",
+        {{"Modes", "3"},
+         {"Shift", "40", {"Modal/Modes = 2"}},
+         {"Hold rotations", "true"},
+         {"Axes", "fixed"},
+         {"Animations", "1"}},
+        {{"Unsteady motion", "only where parts do not turn steadily: tests/modes/test_rotors.cc"}});
+}
+
+
+
+TEST_F(Catalogued, Dynamics)
+{
+  const std::string adaptive = "Dynamic/Step control = adaptive", fast = "Dynamic/Step = 0.2";
+  check("dynamic",
+        models::oscillator,
+        "Dynamic",
+        {{"Start time", "0.1"},
+         {"End time", "0.3"},
+         {"Step", "0.02"},
+         {"Step control", "adaptive"},
+         {"Tolerance", "1e-8", {adaptive}},
+         {"Tolerance holds for", "0.05", {adaptive, "Dynamic/Tolerance = 1e-8"}},
+         {"Length", "1000", {adaptive, "Dynamic/Tolerance = 1e-8"}},
+         {"Smallest step", "0.01", {"Dynamic/Iterations = 2", "Dynamic/Newton tolerance = 1e-15"}},
+         {"Largest step", "0.011", {adaptive}},
+         {"Integrator", "trapezoidal"},
+         {"Stages", "2"},
+         {"Spectral radius", "1"},
+         {"Newton tolerance", "1e-3"},
+         {"Iterations", "2"},
+         {"Inconsistent velocities", "refuse", {"Bodies/b/Velocity = 1, 0, 0"}, true},
+         {"Output every", "2"},
+         {"Pictures", "2"},
+         {"Second estimate", "true"}},
+        {{"Checkpoint interval", "only what is on disk before the end depends on it: tests/output/test_resume.cc"},
+         {"Energy balance", "only a run whose account misses depends on it: tests/input/energy_balance*.prm"}});
+}
+
+
+
+TEST_F(Catalogued, Model)
+{
+  check("model",
+        models::oscillator,
+        "",
+        {{"Title", "Another"},
+         {"Analyses", "static"},
+         {"Output / Probes", "h.rotation, b.position x"},
+         {"Output / Pictures", "false", {"Dynamic/Pictures = 1"}},
+         {"Rotor speeds", "1, 2", {}, true}},
+        {{"Linear solver", "numbers do not depend on it: tests/solvers/test_libraries.cc"},
+         {"Threads", "numbers do not depend on it: tests/cosserat"},
+         {"Redundant constraints", "no effect any more, which the run says"}});
+}
+
+
+
+TEST_F(Catalogued, Studies)
+{
+  const std::string load = "set Type = point load\n set At = blade.end\n set Force = 1, 2, 3\n";
+  files["inner.prm"]     = models::blade(load);
+  files["other.prm"]     = models::blade("set Type = point load\n set At = blade.end\n set Force = 1, 2, 4\n");
+  const std::string study =
+    "set Analyses = study\nset Model = inner.prm\nsubsection Study\n set Quantity = static: blade.end.displacement z\n"
+    " set Vary = Bodies/blade/Elements\n set Values = 2\n set Reference = 0.1\nend\nsubsection Methods\n subsection it\n end\nend\n";
+  check("study",
+        study,
+        "Study",
+        {{"Quantity", "static: blade.end.displacement x"},
+         {"Norm", "RMS"},
+         {"Error", "absolute"},
+         {"Reference", "0.2"},
+         {"Reference overrides", "Bodies/blade/Elements = 4", {}, false, {"Study/Reference = finest"}},
+         {"Overrides", "Loads/it/Force = 1, 2, 5"},
+         {"Vary", "Bodies/blade/Degree"},
+         {"Values", "3"},
+         {"Tolerance", "0.1"},
+         {"Cost", "unknowns", {"Study/Tolerance = 0.1"}},
+         {"Time limit", "0.001"}});
+  check("method",
+        study,
+        "Methods/it",
+        {{"Overrides", "Loads/it/Force = 1, 2, 5"},
+         {"Vary", "Bodies/blade/Degree"},
+         {"Values", "3"},
+         {"Model", "other.prm"}});
+}
