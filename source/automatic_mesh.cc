@@ -46,7 +46,7 @@ namespace samara
     beams_of(const Model &model)
     {
       std::vector<const Beam *> beams;
-      for (const auto &c : model.contributions)
+      for (const auto &c : model.items)
         if (const auto *const beam = dynamic_cast<const Beam *>(c.get()))
           beams.push_back(beam);
       return beams;
@@ -170,8 +170,7 @@ namespace samara
         point.y             = y.data();
         point.rates         = rates.data();
         std::vector<double> e(system.layout.n_strains, 0.);
-        for (const auto &c : system.model.contributions)
-          c->strain_rates(point, e.data() + c->first_strain);
+        system.strain_rates(point, e.data());
         return e;
       }
     };

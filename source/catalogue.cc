@@ -9,23 +9,24 @@
 #include <samara/joints/other_joints.h>
 #include <samara/joints/rolling.h>
 #include <samara/loads/loads.h>
+#include <samara/states/first_order.h>
 
 namespace samara
 {
   Catalogue::Catalogue()
   {
-    Registry<Contribution> sections;
+    Registry<Item> sections;
     sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
     sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
     sections.add<TableSection>("table", "properties that vary along the beam");
     sections.add<RectangularSection>("rectangle", "solid rectangle of isotropic material");
     sections.add<TubularSection>("tube", "circular tube or rod of isotropic material");
 
-    Registry<Contribution> bodies;
+    Registry<Item> bodies;
     bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
     bodies.add<Beam>("beam", "geometrically exact composite beam");
 
-    Registry<Contribution> joints;
+    Registry<Item> joints;
     joints.add<Revolute>("revolute", "hinge about axis 3");
     joints.add<Prismatic>("prismatic", "slide along axis 3");
     joints.add<Screw>("screw", "rotation about axis 3 with proportional displacement");
@@ -41,13 +42,17 @@ namespace samara
     joints.add<RollingBall>("rolling ball", "ball that rolls on a plane without slipping");
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
 
-    Registry<Contribution> loads;
+    Registry<Item> loads;
     loads.add<Gravity>("gravity", "weight of everything");
     loads.add<ConcentratedLoad>("point load", "force and moment at a point of a body");
     loads.add<LineLoad>("line load", "force and moment per length of a beam");
     loads.add<SteadyRotation>("steady rotation", "rotation of the model, or of a joint with what it carries along");
 
+    Registry<Item> states;
+    states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
+
     groups = {{"Sections", "section", sections},
+              {"States", "state", states, "first order"},
               {"Bodies", "body", bodies},
               {"Joints", "joint", joints},
               {"Loads", "load", loads}};

@@ -70,8 +70,8 @@ namespace samara
                   continue;
                 const auto is_unknown = [&](const Outline &alone, const std::string &name, const std::string &what) {
                   Parameters parameters(object.name);
-                  const auto contribution = group.kinds.make(type->value);
-                  contribution->add_parameters(parameters);
+                  const auto item = group.kinds.make(type->value);
+                  item->add_parameters(parameters);
                   Complaints found;
                   parameters.parse(alone, Quantities(), found);
                   return !found.empty() && found.all()[0].find("<" + name + "> is not a " + what + " ") == 0;
@@ -109,9 +109,9 @@ namespace samara
       for (const auto &probe : probes)
         if (const auto dot = probe.find('.'); dot != std::string::npos)
           paths.emplace(trim(probe.substr(0, dot)), trim(probe.substr(dot + 1)));
-      for (unsigned int i = 0; i < model.contributions.size() && !paths.empty(); ++i)
+      for (unsigned int i = 0; i < model.items.size() && !paths.empty(); ++i)
         {
-          Contribution &c            = *model.contributions[i];
+          Item &c            = *model.items[i];
           const auto [first, beyond] = paths.equal_range(c.name);
           if (first == beyond || c.is_faulty)
             continue;
@@ -175,6 +175,13 @@ namespace samara
       root.ignore_subsection(group.subsection);
     for (const auto &kind : catalogue.analyses.kinds())
       root.ignore_subsection(subsection_of_analysis(kind));
+    for (const std::string group : {"Bodies", "Joints"})
+      if (const auto *const section = outline.section(group))
+        for (const auto &object : section->sections)
+          quantities.signals.add_object(object.name);
+    if (const auto *const section = outline.section("States"))
+      for (const auto &object : section->sections)
+        quantities.signals.add_state(object.name, object.value("Unit"));
     root.parse(outline, quantities, complaints);
     says_redundant = !redundant.empty();
     use_library(library_by_name(linear_solver));
@@ -187,7 +194,7 @@ namespace samara
     outlines.clear();
     const auto turns = [](const auto &c) { return c->kind == "steady rotation"; };
     if (!rotor_speeds.empty() && model.unmade.empty() &&
-        std::none_of(model.contributions.begin(), model.contributions.end(), turns))
+        std::none_of(model.items.begin(), model.items.end(), turns))
       model.complaints.add(root.where("Rotor speeds"),
                            "<Rotor speeds> need a load of type <steady rotation> that says what turns");
     complaints.add_all(model.complaints.all());
@@ -226,7 +233,7 @@ namespace samara
             else if (entry.name == "Section")
               model.find<Section>(entry.value, "section");
             else if (joints.count(entry.name) > 0)
-              model.find<Contribution>(trim(entry.value.substr(0, entry.value.find('.'))), "joint");
+              model.find<Item>(trim(entry.value.substr(0, entry.value.find('.'))), "joint");
           }
         catch (const std::invalid_argument &problem)
           {
@@ -241,16 +248,30 @@ namespace samara
   Input::initialize_objects()
   {
     // in the order of the catalogue, so that what is referred to comes before what refers to it
-    for (unsigned int i = 0; i < model.contributions.size(); ++i)
+    for (unsigned int i = 0; i < model.items.size(); ++i)
       {
-        Contribution &contribution = *model.contributions[i];
+        Item &item = *model.items[i];
         const auto    before       = model.complaints.count();
-        if (contribution.is_faulty)
+        if (item.is_faulty)
           check_references(*outlines[i], model);
         else
-          contribution.initialize(model);
-        contribution.is_faulty = contribution.is_faulty || model.complaints.count() != before;
+          item.initialize(model);
+        item.is_faulty = item.is_faulty || model.complaints.count() != before;
       }
+    for (const auto &item : model.items)
+      if (!item->is_faulty)
+        {
+          const auto before = model.complaints.count();
+          try
+            {
+              item->find_signals(model);
+            }
+          catch (const FollowUp &)
+            {
+              item->is_faulty = true;
+            }
+          item->is_faulty = item->is_faulty || model.complaints.count() != before;
+        }
   }
 
 
@@ -259,10 +280,10 @@ namespace samara
   Input::find_more_mistakes(Complaints &complaints)
   {
     const auto is_right     = [](const auto &c) { return !c->is_faulty; };
-    const auto first_faulty = std::stable_partition(model.contributions.begin(), model.contributions.end(), is_right);
-    const std::vector<std::unique_ptr<Contribution>> faulty(std::make_move_iterator(first_faulty),
-                                                            std::make_move_iterator(model.contributions.end()));
-    model.contributions.erase(first_faulty, model.contributions.end());
+    const auto first_faulty = std::stable_partition(model.items.begin(), model.items.end(), is_right);
+    const std::vector<std::unique_ptr<Item>> faulty(std::make_move_iterator(first_faulty),
+                                                            std::make_move_iterator(model.items.end()));
+    model.items.erase(first_faulty, model.items.end());
     try
       {
         const Layout layout(model);
@@ -291,7 +312,8 @@ namespace samara
           complaints.add(entry.where, "<" + entry.name + "> stands outside of a named " + group.noun);
         for (const auto &object : section->sections)
           {
-            const std::string kind = object.value("Type");
+            const auto *const type = object.entry("Type");
+            const std::string kind = type == nullptr && object.entry("Copy of") == nullptr ? group.usual_kind : object.value("Type");
             if (kind.empty() && object.entry("Copy of") != nullptr)
               {
                 // there is a complaint about the original, or that there is none
@@ -310,15 +332,15 @@ namespace samara
               }
             if (object.name.find('.') != std::string::npos)
               complaints.add(object.where, "a name must not contain a dot: it separates a body from its points");
-            auto contribution        = group.kinds.make(kind);
-            contribution->name       = object.name;
-            contribution->kind       = kind;
-            contribution->parameters = Parameters(object.name, kind);
-            contribution->add_parameters(contribution->parameters);
+            auto item        = group.kinds.make(kind);
+            item->name       = object.name;
+            item->kind       = kind;
+            item->parameters = Parameters(object.name, kind);
+            item->add_parameters(item->parameters);
             const auto before = complaints.count();
-            contribution->parameters.parse(object, quantities, complaints);
-            contribution->is_faulty = complaints.count() != before;
-            model.contributions.push_back(std::move(contribution));
+            item->parameters.parse(object, quantities, complaints);
+            item->is_faulty = complaints.count() != before;
+            model.items.push_back(std::move(item));
             subsections.push_back(group.subsection);
             outlines.push_back(&object);
           }
@@ -418,7 +440,7 @@ namespace samara
   {
     std::ostringstream text;
     print(text);
-    for (const auto &c : model.contributions)
+    for (const auto &c : model.items)
       if (const auto *const table = dynamic_cast<const TableSection *>(c.get()))
         {
           // as entries, a line each
@@ -439,7 +461,7 @@ namespace samara
     root.print(out);
     for (unsigned int i = 0; i < subsections.size(); ++i)
       {
-        const Contribution &object = *model.contributions[i];
+        const Item &object = *model.items[i];
         if (i == 0 || subsections[i] != subsections[i - 1])
           out << "subsection " << subsections[i] << '\n';
         out << "  subsection " << object.name << "\n    set Type = " << object.kind << '\n';

@@ -165,7 +165,7 @@ namespace samara
     {
       if (system.size() > 0)
         return;
-      const auto &all  = input.model.contributions;
+      const auto &all  = input.model.items;
       const auto  weld = std::find_if(all.begin(), all.end(), [](const auto &c) { return c->kind == "rigid"; });
       throw InputError((weld == all.end() ? input.where("Title") : (*weld)->parameters.where()) +
                        ": every body is welded to the ground: nothing can move, and there is nothing to compute. Leave "
@@ -217,6 +217,7 @@ namespace samara
     log.line((input.title.empty() ? options.model : input.title) + ": " + std::to_string(system.size()) +
              " unknowns (" + std::to_string(system.layout.n_nodes - 1) + " nodes, " +
              std::to_string(system.layout.n_coordinates) + " joint coordinates, " +
+             (system.layout.n_states > 0 ? std::to_string(system.layout.n_states) + " states of first order, " : "") +
              std::to_string(system.layout.n_multipliers) + " multipliers)");
     if (input.says_redundant)
       log.warning("", "<Redundant constraints> has no effect any more: redundant constraints need no entry");

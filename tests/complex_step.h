@@ -15,8 +15,14 @@ namespace samara
   class ComplexStep
   {
   public:
-    /** Triads are not @p orthonormal unless wanted: tangents must not rely on that. Stops act if @p with_stops. */
-    explicit ComplexStep(const System &system, const bool orthonormal = false, const bool with_stops = false)
+    /**
+     * Triads are not @p orthonormal unless wanted: tangents must not rely on that. Stops act if @p with_stops. Nodes and
+     * coordinates move if @p moves: what depends on velocities is looked at where they are not zero.
+     */
+    explicit ComplexStep(const System &system,
+                         const bool    orthonormal = false,
+                         const bool    with_stops  = false,
+                         const bool    moves       = false)
       : system(system)
       , n(system.size())
       , state(system.reference())
@@ -30,6 +36,12 @@ namespace samara
         state.q[i] += 0.2 * number(random);
       for (auto &lambda : state.multipliers)
         lambda = 5 * number(random);
+      for (auto &z : state.states)
+        z = number(random);
+      for (unsigned int i = 6; i < state.y.size() && moves; ++i)
+        state.y[i] = number(random);
+      for (unsigned int i = 0; i < state.rates.size() && moves; ++i)
+        state.rates[i] = number(random);
       state.stops  = with_stops;
       state.time   = 0.4;
       state.factor = 0.8;
@@ -79,8 +91,7 @@ namespace samara
     error(const bool velocities) const
     {
       SparseMatrix A(system.layout.pattern);
-      for (const auto &c : system.model.contributions)
-        velocities ? c->damping(state.point(), A) : c->tangent(state.point(), A);
+      velocities ? system.add_damping(state.point(), A) : system.add_tangent(state.point(), A);
       const Layout         &layout    = system.layout;
       const Eigen::MatrixXd dense     = A.dense();
       const unsigned int    n_columns = velocities ? layout.of_multiplier(0) : n;
@@ -110,11 +121,8 @@ namespace samara
       Point<double> point = state.point();
       point.y             = y.data();
       point.rates         = y.data() + 6 + layout.of_coordinate(0);
-      for (const auto *c : layout.constraining)
-        {
-          c->constraint_rates(point, rates.data());
-          c->constraint_time_rates(point, time_rates.data());
-        }
+      system.constraint_rates(point, rates.data());
+      system.constraint_time_rates(point, time_rates.data());
       for (unsigned int i = 0; i < rates.size(); ++i)
         rates[i] -= time_rates[i];
       return rates;
@@ -131,13 +139,21 @@ namespace samara
         q.assign(state.q.begin(), state.q.end());
         coordinates.assign(state.coordinates.begin(), state.coordinates.end());
         multipliers.assign(state.multipliers.begin(), state.multipliers.end());
-        y.resize(6 * layout.n_nodes);
-        rates.resize(layout.n_coordinates);
+        states.assign(state.states.begin(), state.states.end());
+        y.assign(state.y.begin(), state.y.end());
+        rates.assign(state.rates.begin(), state.rates.end());
         for (auto *const values : {&e, &e_rates, &stress})
           values->resize(layout.n_strains);
         residual.resize(system.size() + 6);
         if (!velocities)
           move(here, z);
+        else
+          {
+            for (unsigned int i = 6; i < y.size(); ++i)
+              y[i] += Complex(0, step * z(i - 6));
+            for (unsigned int i = 0; i < rates.size(); ++i)
+              rates[i] += Complex(0, step * z(layout.of_coordinate(i)));
+          }
 
         std::vector<double> twists(6 * layout.n_nodes, 0.), real_rates(layout.n_strains);
         std::copy_n(z.data(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
@@ -149,22 +165,20 @@ namespace samara
                                    coordinates.data(),
                                    y.data(),
                                    rates.data(),
+                                   states.data(),
+                                   nullptr,
                                    multipliers.data(),
                                    stress.data(),
                                    state.time,
                                    state.factor,
                                    state.held,
                                    state.stops};
-        for (const auto &c : system.model.contributions)
-          {
-            const unsigned int first = c->first_strain;
-            c->strains(moved, e.data() + first);
-            c->strain_rates(moving, real_rates.data() + first);
-            for (unsigned int i = first; velocities && i < first + c->n_strains(); ++i)
-              e_rates[i] = Complex(0, step * real_rates[i]);
-            c->stresses(e.data() + first, e_rates.data() + first, stress.data() + first);
-            c->residual(moved, residual.data());
-          }
+        system.strains(moved, e.data());
+        system.strain_rates(moving, real_rates.data());
+        for (unsigned int i = 0; velocities && i < layout.n_strains; ++i)
+          e_rates[i] = Complex(0, step * real_rates[i]);
+        system.stresses(e.data(), e_rates.data(), stress.data());
+        system.add_terms(moved, residual.data());
       }
 
       void
@@ -177,14 +191,19 @@ namespace samara
             const Matrix3 D  = here.state.triad(node);
             Eigen::Map<Vec3<Complex>>(&q[12 * node]) += Complex(0, step) * (D * zn.head<3>());
             Eigen::Map<Mat3<Complex>>(&q[12 * node + 3]) += Complex(0, step) * (D * skew(zn.tail<3>()));
+            // δy = ζ̇ + ad_y ζ, in axes that turn with the node
+            const Eigen::Map<const Vector6> y_n(&here.state.y[6 * node]);
+            Eigen::Map<Vec6<Complex>>(&y[6 * node]) += Complex(0, step) * (ad(y_n) * zn);
           }
         for (unsigned int i = 0; i < layout.n_coordinates; ++i)
           coordinates[i] += Complex(0, step * z(layout.of_coordinate(i)));
+        for (unsigned int i = 0; i < layout.n_states; ++i)
+          states[i] += Complex(0, step * z(layout.of_state(i)));
         for (unsigned int i = 0; i < layout.n_multipliers; ++i)
           multipliers[i] += Complex(0, step * z(layout.of_multiplier(i)));
       }
 
-      std::vector<Complex> q, coordinates, multipliers, y, rates, e, e_rates, stress, residual;
+      std::vector<Complex> q, coordinates, states, multipliers, y, rates, e, e_rates, stress, residual;
     };
   };
 } // namespace samara

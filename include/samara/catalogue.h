@@ -3,15 +3,16 @@
 
 #include <samara/analysis/analysis.h>
 #include <samara/base/registry.h>
-#include <samara/model/contribution.h>
+#include <samara/model/item.h>
 
 namespace samara
 {
-  /** Contributions of one subsection of the input file ("Bodies") with all kinds that can be named there. */
+  /** Items of one subsection of the input file ("Bodies") with all kinds that can be named there. */
   struct Group
   {
-    std::string            subsection, noun;
-    Registry<Contribution> kinds;
+    std::string    subsection, noun;
+    Registry<Item> kinds;
+    std::string    usual_kind = ""; ///< of items that do not say their type; empty: they must
   };
 
   /** Every kind of everything that can be named in a .prm file, in the order in which a model is built. */
@@ -19,7 +20,7 @@ namespace samara
   {
     Catalogue();
 
-    std::vector<Group>   groups;
+    std::vector<Group> groups;
     Registry<Analysis> analyses;
   };
 } // namespace samara

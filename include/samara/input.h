@@ -77,11 +77,11 @@ namespace samara
   private:
     Parameters               root;
     std::vector<std::string> analysis_names;
-    std::vector<std::string> subsections; ///< of each contribution: "Bodies", ...
+    std::vector<std::string> subsections; ///< of each item: "Bodies", ...
     std::string              redundant, linear_solver = "KLU";
     unsigned int             threads = 0;
 
-    std::vector<const Outline *> outlines; ///< of each contribution, while it is read
+    std::vector<const Outline *> outlines; ///< of each item, while it is read
 
     void               read_objects(const Catalogue  &catalogue,
                                     const Outline    &outline,

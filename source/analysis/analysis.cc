@@ -37,7 +37,7 @@ namespace samara
   void
   CoarseMeshes::check(const Context &context, const State &state, const std::string &when)
   {
-    for (const auto &c : context.system.model.contributions)
+    for (const auto &c : context.system.model.items)
       if (warned.count(c.get()) == 0)
         if (const std::string place = c->coarse_place(state); !place.empty())
           {
@@ -64,12 +64,12 @@ namespace samara
         }
     for (unsigned int i = 0; i < layout.n_coordinates; ++i)
       check(state.coordinates[i], layout.of_coordinate(i));
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      check(state.states[i], layout.of_state(i));
     for (unsigned int i = 0; i < layout.n_multipliers; ++i)
       check(state.multipliers[i], layout.of_multiplier(i));
-    for (const auto &c : system.model.contributions)
-      for (unsigned int i = 0; i < c->n_strains(); ++i)
-        require_finite(state.stress[c->first_strain + i],
-                       [&]() { return c->name + ", stress " + std::to_string(i + 1); });
+    for (unsigned int i = 0; i < layout.n_strains; ++i)
+      require_finite(state.stress[i], [&]() { return layout.item_of_strain(i).name + ", stresses"; });
   }
 
 

@@ -16,7 +16,7 @@ namespace samara
     {
       for (const auto &[coordinate, row] : system.model.prescribed)
         if (std::abs(combination(row)) > 1e-6 * combination.cwiseAbs().maxCoeff())
-          for (const auto *c : system.layout.constraining)
+          for (const auto *c : system.layout.joints)
             if (system.layout.multiplier_names[row].find("joint " + c->name + ", ") == 0)
               return c->parameters.where() + ": ";
       return "";
@@ -40,8 +40,7 @@ namespace samara
   {
     State state = system.reference();
     state.left_out.clear();
-    for (const auto &c : system.model.contributions)
-      c->add_initial_velocities(state);
+    system.add_initial_velocities(state);
     RedundantRows rows(system);
     check.redundant_multipliers = rows.find(state);
     if (check.redundant_multipliers.empty())
@@ -98,7 +97,8 @@ namespace samara
     std::ostringstream    out;
     out << file << ": no mistakes found\n"
         << "  unknowns          " << layout.n_unknowns() << ": 6 for each of " << layout.n_nodes - 1 << " nodes, "
-        << layout.n_coordinates << " joint coordinates, " << layout.n_multipliers << " multipliers (constraints)\n"
+        << layout.n_coordinates << " joint coordinates, "
+        << (layout.n_states > 0 ? std::to_string(layout.n_states) + " states of first order, " : "") << layout.n_multipliers << " multipliers (constraints)\n"
         << "  total mass        " << mass.mass << " kg\n"
         << "  centre of mass    " << mass.centre.transpose().format(vector) << " m\n"
         << "  inertia about it  " << mass.inertia.format(rows) << " kg m^2\n"

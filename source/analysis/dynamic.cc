@@ -16,15 +16,6 @@ namespace samara
 {
   namespace
   {
-    double
-    potential_energy(const System &system, const State &state)
-    {
-      double sum = 0;
-      for (const auto &c : system.model.contributions)
-        sum += c->potential_energy(state.point());
-      return sum;
-    }
-
     /** Of all bodies [rad/s]. */
     double
     largest_spin(const State &state)
@@ -91,10 +82,7 @@ namespace samara
       }
     if (is_picture)
       {
-        Drawing drawing;
-        for (const auto &c : context.system.model.contributions)
-          c->draw(reported, drawing);
-        output.pictures->add(std::move(drawing), state.time);
+        output.pictures->add(context.system.draw(reported), state.time);
         output.next_picture += (end_time - start_time) / n_pictures;
       }
   }
@@ -106,7 +94,7 @@ namespace samara
   {
     // loads with a potential do the work that it loses
     const auto   energy    = context.system.energy(state);
-    const double potential = potential_energy(context.system, state);
+    const double potential = context.system.potential_energy(state.point());
     budget.loads += step.work_of_loads + potential - budget.potential;
     budget.drives += step.work_of_drives;
     budget.viscous += step.viscous_loss;
@@ -185,7 +173,7 @@ namespace samara
     const auto   energy       = system.energy(state);
     budget.kinetic            = energy.kinetic;
     budget.strain             = energy.strain;
-    budget.potential          = potential_energy(system, state);
+    budget.potential          = system.potential_energy(state.point());
     if (!context.restart)
       budget.start = budget.kinetic + budget.strain + budget.potential;
     else if (!can_be_exact)

@@ -11,27 +11,6 @@
 
 namespace samara
 {
-  namespace
-  {
-    /** The contribution that these velocities strain, at rates above @p bound [1/s]; nothing if there is none. */
-    const Contribution *
-    strained(const System &system, const State &state, const double bound)
-    {
-      std::vector<double> e;
-      for (const auto &c : system.model.contributions)
-        {
-          e.assign(c->n_strains(), 0.);
-          c->strain_rates(state.point(), e.data());
-          if (c->strain_energy(e.data()) > 0 &&
-              std::any_of(e.begin(), e.end(), [=](double r) { return std::abs(r) > bound; }))
-            return c.get();
-        }
-      return nullptr;
-    }
-  } // namespace
-
-
-
   void
   DynamicAnalysis::refuse_turning_ground(const Context &context,
                                          const State   &given,
@@ -48,14 +27,13 @@ namespace samara
     std::string where;
     if (change > 1e-6)
       {
-        std::vector<double> rates(system.layout.n_multipliers, 0.);
-        for (const auto *c : system.layout.constraining)
-          c->constraint_rates(given.point(), rates.data());
+        std::vector<double> rates(system.layout.n_multipliers);
+        system.constraint_rates(given.point(), rates.data());
         const auto worst =
           std::max_element(rates.begin(), rates.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
         where = system.layout.multiplier_names[worst - rates.begin()];
       }
-    else if (const auto *const c = strained(system, projected, 1e-6 * std::abs(context.speeds[i])))
+    else if (const auto *const c = system.strained(projected.point(), 1e-6 * std::abs(context.speeds[i])))
       where = "<" + c->name + ">, which would be strained";
     else
       return;
@@ -79,8 +57,7 @@ namespace samara
       set_steady_motion(system, state, context.speeds);
     // of a model that turns as a whole the ground stops, and nothing else
     std::fill_n(state.y.begin(), 6, 0.);
-    for (const auto &c : system.model.contributions)
-      c->add_initial_velocities(state);
+    system.add_initial_velocities(state);
 
     // other rows are redundant when rotations are no longer held
     if (integrator == "family" && !system.released_multipliers().empty())
@@ -88,8 +65,7 @@ namespace samara
 
     // the constraints at the start: positions must obey them, velocities are made to
     std::vector<double> r(system.size() + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->residual(state.point(), r.data());
+    system.add_gaps(state.point(), r.data());
     for (const auto i : system.released_multipliers())
       r[system.layout.of_multiplier(i)] = 0;
     const double length = model_length(system.model);

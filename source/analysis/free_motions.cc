@@ -62,11 +62,10 @@ namespace samara
       }
 
     private:
-      const System                     &system;
-      State                             state;
-      RigidPieces                       pieces;
-      std::vector<const Contribution *> straining; // all but the beams
-      std::unique_ptr<SparseMatrix>     reduced;
+      const System                 &system;
+      State                         state;
+      RigidPieces                   pieces;
+      std::unique_ptr<SparseMatrix> reduced;
 
       using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -87,16 +86,8 @@ namespace samara
       state.held   = false;
       state.factor = 0;
       pieces.renew(state);
-      for (const auto &c : system.model.contributions)
-        {
-          // beams have no strain where their nodes move as one rigid body, and some wherever they do not
-          const auto *const motions = dynamic_cast<const RelativeMotions *>(c.get());
-          if (motions == nullptr || motions->rigid_nodes().empty())
-            straining.push_back(c.get());
-        }
       SparseMatrix K(system.layout.pattern);
-      for (const auto *c : straining)
-        c->tangent(state.point(), K);
+      system.add_tangent(state.point(), K, System::Part::between_pieces);
       reduce(K);
     }
 
@@ -111,13 +102,8 @@ namespace samara
       Point<double> point = state.point();
       point.y             = y.data();
       point.rates         = velocity.data() + system.layout.of_coordinate(0);
-      double energy       = 0;
-      for (const auto *c : straining)
-        {
-          c->strain_rates(point, rates.data() + c->first_strain);
-          energy += c->strain_energy(rates.data() + c->first_strain);
-        }
-      return energy;
+      system.strain_rates(point, rates.data());
+      return system.strain_energy(rates.data(), System::Part::between_pieces);
     }
 
 
@@ -129,6 +115,8 @@ namespace samara
       const int n_twists = system.layout.of_coordinate(0), n_kinematic = system.layout.of_multiplier(0);
       if (j >= n_kinematic)
         entries.emplace_back(j, n + j - n_kinematic, 1.);
+      else if (j >= system.layout.of_state(0))
+        return; // states are no motion
       else if (j >= n_twists)
         entries.emplace_back(j, pieces.column_of_coordinate(j - n_twists), pieces.coordinate_unit(j - n_twists));
       else if (const int column = pieces.column_of_node(1 + j / 6); column >= 0)
@@ -184,7 +172,7 @@ namespace samara
     std::vector<std::string>
     moving_joints(const System &system, const Eigen::VectorXd &z)
     {
-      if (system.layout.constraining.size() > few_joints)
+      if (system.layout.joints.size() > few_joints)
         return {};
       const State         start = system.reference();
       State               moved = start;
@@ -194,7 +182,7 @@ namespace samara
       std::vector<std::string> names;
       double                   largest = 0;
       std::vector<double>      changes;
-      for (const auto *c : system.layout.constraining)
+      for (const auto *c : system.layout.joints)
         for (const auto &name : c->probe_names())
           if (const auto probe = c->probe(name); probe && (probe->unit == "deg" || probe->unit == "m"))
             {

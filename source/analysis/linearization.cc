@@ -83,6 +83,8 @@ namespace samara
       for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
         if (system.model.coordinate_units[i] == "m")
           units[system.layout.of_coordinate(i)] = length;
+      for (unsigned int i = 0; i < system.layout.n_states; ++i)
+        units[system.layout.of_state(i)] = system.model.states[i].scale;
       return units;
     }
   } // namespace
@@ -183,7 +185,7 @@ namespace samara
       std::vector<double> r;
       std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
       system.residual(state, std::vector<double>(system.layout.n_strains, 0.), r);
-      return std::any_of(r.begin(), r.begin() + system.layout.of_multiplier(0), [](const double f) { return f != 0.; });
+      return std::any_of(r.begin(), r.begin() + system.layout.n_kinematic(), [](const double f) { return f != 0.; });
     }
   } // namespace
 
@@ -214,7 +216,7 @@ namespace samara
 
 
 
-    /** The contribution whose stresses change most, by their energy. */
+    /** The item whose stresses change most, by their energy. */
     std::string
     most_changed(const System &system, const MixedStep &step)
     {
@@ -230,9 +232,7 @@ namespace samara
           if (energy <= most)
             continue;
           most = energy;
-          for (const auto &c : system.model.contributions)
-            if (p.first_strain >= c->first_strain && p.first_strain < c->first_strain + c->n_strains())
-              name = c->name;
+          name = system.layout.item_of_strain(p.first_strain).name;
         }
       return name;
     }

@@ -362,11 +362,8 @@ namespace samara
           z[i] = (shape(i) * turn).real();
         State state = context.state;
         system.update(state, z);
-        Drawing drawing;
-        for (const auto &c : system.model.contributions)
-          c->draw(state, drawing);
         const double period = modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.;
-        pictures.add(std::move(drawing), period * frame / n_frames);
+        pictures.add(system.draw(state), period * frame / n_frames);
       }
     pictures.finish();
   }

@@ -23,7 +23,7 @@ namespace samara
 
 
 
-    /** For each node a number that is the same for those that any contribution couples, the ground apart. */
+    /** For each node a number that is the same for those that terms couple, the ground apart. */
     std::vector<unsigned int>
     coupled_nodes(const System &system)
     {

@@ -43,7 +43,7 @@ namespace samara
           for (int k = K.pattern->column_start[layout.of_multiplier(row)];
                k < K.pattern->column_start[layout.of_multiplier(row) + 1];
                ++k)
-            if (const int i = K.pattern->rows[k]; i < layout.of_multiplier(0) && number[i] < 0)
+            if (const int i = K.pattern->rows[k]; i < layout.n_kinematic() && number[i] < 0)
               {
                 number[i] = unknowns.size();
                 unknowns.push_back(i);
@@ -59,15 +59,14 @@ namespace samara
       transposed(const State &state)
       {
         K.clear();
-        for (const auto *c : system.layout.constraining)
-          c->tangent(state.point(), K);
+        system.add_constraint_tangent(state.point(), K);
         Eigen::MatrixXd Gt = Eigen::MatrixXd::Zero(unknowns.size(), rows.size());
         scale              = Eigen::VectorXd::Zero(rows.size());
         for (unsigned int j = 0; j < rows.size(); ++j)
           {
             const int column = system.layout.of_multiplier(rows[j]);
             for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
-              if (K.pattern->rows[k] < system.layout.of_multiplier(0))
+              if (K.pattern->rows[k] < system.layout.n_kinematic())
                 {
                   const int i = number[K.pattern->rows[k]];
                   Gt(i, j)    = K.values[k] / unit[i];
@@ -168,8 +167,7 @@ namespace samara
             {
               // back to where the rows hold
               std::vector<double> r(system.size() + 6, 0.);
-              for (const auto *c : system.layout.constraining)
-                c->constraints(result.point(), r.data());
+              system.add_gaps(result.point(), r.data());
               Eigen::VectorXd g(far.size());
               for (unsigned int j = 0; j < far.size(); ++j)
                 g(j) = r[system.layout.of_multiplier(rows.rows[far[j]])] * rows.scale(far[j]);
@@ -200,8 +198,7 @@ namespace samara
     ScaledRows rows(system, left_out);
     State      state = system.reference();
     state.left_out.clear();
-    for (const auto &c : system.model.contributions)
-      c->add_initial_velocities(state);
+    system.add_initial_velocities(state);
     const auto [far, near] = far_and_near(rows.transposed(state));
     if (near.empty())
       return "";

@@ -409,12 +409,7 @@ namespace samara
       history->add(values_of(context, reported, state.factor));
     // of a sweep one at each speed
     if (pictures && (context.sweep.empty() || progress == 1.))
-      {
-        Drawing drawing;
-        for (const auto &c : context.system.model.contributions)
-          c->draw(state, drawing);
-        pictures->add(std::move(drawing), context.sweep.empty() ? progress : context.speeds[0]);
-      }
+      pictures->add(context.system.draw(state), context.sweep.empty() ? progress : context.speeds[0]);
   }
 
 

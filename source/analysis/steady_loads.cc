@@ -26,23 +26,10 @@ namespace samara
         , r(system.size() + 6, 0.)
       {}
 
-      /** Add the loads of a contribution: what it does without stresses and multipliers. */
-      void
-      add_loads(const Contribution &c, const State &state)
-      {
-        const std::vector<double> no_stress(state.stress.size(), 0.), no_multipliers(state.multipliers.size(), 0.);
-        Point<double>             point = state.point();
-        point.stress                    = no_stress.data();
-        point.multipliers               = no_multipliers.data();
-        c.residual(point, r.data());
-      }
-
       void
       add_all_loads(const State &state)
       {
-        for (const auto &c : system.model.contributions)
-          if (c->has_loads())
-            add_loads(*c, state);
+        system.add_loads(state.point(), r.data());
       }
 
       void
@@ -106,20 +93,19 @@ namespace samara
       result.body = at_node ? system.model.nodes[row / 6 + 1].name : system.model.coordinates[row - coordinate];
       double most = 0;
       if (result.share > 1e-6)
-        for (const auto &c : system.model.contributions)
-          if (c->has_loads())
-            {
-              Forces own(system), own_before(system);
-              own.add_loads(*c, to);
-              own_before.add_loads(*c, from);
-              own.subtract(own_before);
-              const double part = at_node ? Eigen::Map<const Vector3>(&own.r[row]).norm() : std::abs(own.r[row]);
-              if (part > most)
-                {
-                  most        = part;
-                  result.load = c->name;
-                }
-            }
+        for (unsigned int i = 0; i < system.n_loads(); ++i)
+          {
+            Forces own(system), own_before(system);
+            system.add_load(i, to.point(), own.r.data());
+            system.add_load(i, from.point(), own_before.r.data());
+            own.subtract(own_before);
+            const double part = at_node ? Eigen::Map<const Vector3>(&own.r[row]).norm() : std::abs(own.r[row]);
+            if (part > most)
+              {
+                most        = part;
+                result.load = system.item_of_load(i).name;
+              }
+          }
     }
 
 

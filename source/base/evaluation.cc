@@ -12,17 +12,6 @@ namespace samara
 {
   namespace
   {
-    /** The unit in which a variable counts. */
-    Dimension
-    natural_dimension(const std::string &variable)
-    {
-      if (variable == "t")
-        return {{0, 0, 1, 0, 0}};
-      if (variable == "s")
-        return {{1, 0, 0, 0, 0}};
-      return {{0, 0, 0, 0, 0}};
-    }
-
     std::string
     reason(const mu::Parser::exception_type &e)
     {
@@ -39,19 +28,13 @@ namespace samara
             return "this is not an expression";
         }
     }
-
-    bool
-    contains(const std::vector<std::string> &names, const std::string &name)
-    {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    }
   } // namespace
 
 
 
-  Evaluation::Evaluation(const std::string                    &text,
-                         const std::map<std::string, Meaning> &words,
-                         const std::vector<std::string>       &variables)
+  Evaluation::Evaluation(const std::string                      &text,
+                         const std::map<std::string, Meaning>   &words,
+                         const std::map<std::string, Dimension> &variables)
     : text(text)
     , tokens(tokens_of(text))
     , parser(std::make_unique<mu::Parser>())
@@ -67,7 +50,8 @@ namespace samara
 
 
   void
-  Evaluation::collect_words(const std::map<std::string, Meaning> &words, const std::vector<std::string> &variables)
+  Evaluation::collect_words(const std::map<std::string, Meaning>   &words,
+                            const std::map<std::string, Dimension> &variables)
   {
     for (const auto &token : tokens)
       {
@@ -77,16 +61,17 @@ namespace samara
           continue;
 
         const auto word = words.find(token.text);
-        if (contains(variables, token.text))
-          used.push_back({token.text, Meaning(), true});
+        if (const auto variable = variables.find(token.text); variable != variables.end())
+          used.push_back({token.text, Meaning(), true, variable->second});
         else if (word != words.end() && word->second.is_faulty)
           throw FollowUp();
         else if (word != words.end())
-          used.push_back({token.text, word->second, false});
+          used.push_back({token.text, word->second, false, {}});
         else
           {
             auto candidates = function_names();
-            candidates.insert(candidates.end(), variables.begin(), variables.end());
+            for (const auto &variable : variables)
+              candidates.push_back(variable.first);
             if (may_suggest())
               for (const auto &known : words)
                 candidates.push_back(known.first);
@@ -142,7 +127,7 @@ namespace samara
   {
     for (auto &u : used)
       if (u.is_variable)
-        u.seen = variable * (natural_units ? std::pow(scale, natural_dimension(u.name)[base]) : 1);
+        u.seen = variable * (natural_units ? std::pow(scale, u.natural[base]) : 1);
       else
         u.seen = u.meaning.readings[reading].si * std::pow(scale, u.meaning.readings[reading].dimension[base]);
     return parser->Eval();

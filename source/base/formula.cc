@@ -13,9 +13,9 @@ namespace samara
   class Formula::Compiler
   {
   public:
-    Compiler(const std::string &text, const std::string &variable)
+    Compiler(const std::string &text, const std::vector<std::string> &variables)
       : text(text)
-      , variable(variable)
+      , variables(variables)
       , tokens(tokens_of(text))
     {}
 
@@ -117,10 +117,8 @@ namespace samara
         append_number(token.text);
       else if (token.kind == Token::function)
         function_call(token.text);
-      else if (token.kind == Token::word && token.text == variable)
-        append_variable();
       else if (token.kind == Token::word)
-        fail("<" + token.text + "> is not known; the variable is <" + variable + ">");
+        append_variable(token.text);
       else if (token.text == "(")
         {
           choice();
@@ -186,10 +184,14 @@ namespace samara
     }
 
     void
-    append_variable()
+    append_variable(const std::string &name)
     {
+      const auto found = std::find(variables.begin(), variables.end(), name);
+      if (found == variables.end())
+        fail("<" + name + "> is not known; the variable is <" + variables[0] + ">");
       grow();
       program.push_back({Instruction::variable});
+      program.back().index = found - variables.begin();
     }
 
     /** What is skipped is not known yet. The number on top goes: a condition, or the other branch has its own. */
@@ -236,9 +238,9 @@ namespace samara
 
     static constexpr unsigned int power_precedence = 6;
 
-    const std::string        text;
-    const std::string        variable;
-    const std::vector<Token> tokens;
+    const std::string              text;
+    const std::vector<std::string> variables;
+    const std::vector<Token>       tokens;
     std::size_t              position = 0;
     unsigned int             depth    = 0;
     std::vector<Instruction> program;
@@ -253,8 +255,8 @@ namespace samara
 
 
 
-  Formula::Formula(const std::string &text, const std::string &variable)
-    : program(Compiler(text, variable).compile())
+  Formula::Formula(const std::string &text, const std::vector<std::string> &variables)
+    : program(Compiler(text, variables).compile())
   {
     find_switches();
   }
@@ -263,7 +265,7 @@ namespace samara
 
   template <typename Visit>
   Jet
-  Formula::run(const double x, const Visit &visit) const
+  Formula::run(const double *const variables, const unsigned int i, const Visit &visit) const
   {
     std::array<Jet, stack_size + 1> stack;
     Jet                            *top = stack.data();
@@ -274,7 +276,7 @@ namespace samara
             *top++ = {instruction->value, 0, 0};
             break;
           case Instruction::variable:
-            *top++ = {x, 1, 0};
+            *top++ = {variables[instruction->index], instruction->index == i ? 1. : 0., 0};
             break;
           case Instruction::operation:
             top -= instruction->n_arguments;
@@ -296,9 +298,9 @@ namespace samara
 
 
   Jet
-  Formula::operator()(const double x) const
+  Formula::at(const double *const variables, const unsigned int i) const
   {
-    return run(x, [](const Instruction &, const Jet *) {});
+    return run(variables, i, [](const Instruction &, const Jet *) {});
   }
 
 
@@ -314,10 +316,10 @@ namespace samara
 
 
   void
-  Formula::pieces(const double x, std::vector<double> &result) const
+  Formula::pieces(const double *const variables, std::vector<double> &result) const
   {
     result.clear();
-    run(x, [&](const Instruction &instruction, const Jet *const arguments) {
+    run(variables, 0, [&](const Instruction &instruction, const Jet *const arguments) {
       if (instruction.piece != nullptr)
         result.push_back(instruction.piece(arguments, instruction.n_arguments));
     });
@@ -334,9 +336,9 @@ namespace samara
                         })))
       return none;
     std::vector<double> here, there;
-    pieces(from, here);
+    pieces(&from, here);
     const auto is_here = [&](const double x) {
-      pieces(x, there);
+      pieces(&x, there);
       return there == here;
     };
 

@@ -141,8 +141,10 @@ namespace samara
           stack.back() = either(stack.back(), first_branches.back().second);
         if (instruction.kind == Instruction::number)
           stack.push_back({{instruction.value, 0, std::abs(instruction.value), 0}});
-        else if (instruction.kind == Instruction::variable)
+        else if (instruction.kind == Instruction::variable && instruction.index == 0)
           stack.push_back({{0, 1, 0, 1}});
+        else if (instruction.kind == Instruction::variable)
+          stack.push_back({}); // of another variable: anything
         else if (instruction.kind == Instruction::skip_if_zero)
           stack.pop_back();
         else if (instruction.kind == Instruction::skip)

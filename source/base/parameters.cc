@@ -135,6 +135,16 @@ namespace samara
 
 
   void
+  Parameters::take_unit(const std::string &name, const std::function<std::string(const Quantities &)> &unit)
+  {
+    for (auto &entry : entries)
+      if (entry.name == name)
+        entry.unit_when_read = unit;
+  }
+
+
+
+  void
   Parameters::add_file(const std::string &wanted, std::string &variable, const std::string &documentation)
   {
     add(wanted, variable, documentation);

@@ -189,10 +189,119 @@ namespace samara
     if (trimmed.compare(0, prefix.size(), prefix) == 0)
       return expression_of_table(trimmed.substr(prefix.size()), unit, variables.empty() ? "" : variables[0]);
 
-    const Evaluation evaluation(trimmed, words, variables);
+    const Dimension                  a_number = {{0, 0, 0, 0, 0}}, a_length = {{1, 0, 0, 0, 0}}, a_time = {{0, 0, 1, 0, 0}};
+    std::map<std::string, Dimension> dimensions;
+    for (const auto &name : variables)
+      dimensions[name] = name == "t" ? a_time : name == "s" ? a_length : a_number;
+    const Evaluation evaluation(trimmed, words, dimensions);
     if (!evaluation.has_variables())
       return number_to_text(number(trimmed, unit));
     return evaluation.si_text(fitting_reading(trimmed, evaluation, unit));
+  }
+
+
+
+  namespace
+  {
+    /** Parentheses about each number and the units behind it: "a / 2 m/s" becomes "a / (2 m/s)". */
+    std::string
+    with_units_tied(const std::string &text, const Words &words)
+    {
+      const auto  tokens = tokens_of(text);
+      const auto  is_unit = [&](const Token &token) {
+        const auto word = words.find(token.text);
+        return token.kind == Token::word && word != words.end() && word->second.is_unit;
+      };
+      std::string result;
+      for (std::size_t i = 0; i < tokens.size(); ++i)
+        {
+          std::size_t end = i + 1;
+          // number * unit, and then * / ^ with units and numbers as powers, as long as units follow
+          if (tokens[i].kind == Token::number && i + 2 < tokens.size() && tokens[i + 1].text == "*" &&
+              is_unit(tokens[i + 2]))
+            {
+              end = i + 3;
+              for (;;)
+                if (end + 1 < tokens.size() && (tokens[end].text == "*" || tokens[end].text == "/") &&
+                    is_unit(tokens[end + 1]))
+                  end += 2;
+                else if (end + 1 < tokens.size() && tokens[end].text == "^" && tokens[end + 1].kind == Token::number)
+                  end += 2;
+                else
+                  break;
+            }
+          const bool ties = end > i + 1;
+          result += ties ? "(" : "";
+          for (; i < end; ++i)
+            result += tokens[i].text + (tokens[i].kind == Token::function ? "" : " ");
+          result += ties ? ") " : "";
+          --i;
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  Law
+  Quantities::law(const std::string &text, const std::string &unit) const
+  {
+    const auto found = signals.find(text);
+    if (found.empty())
+      return Law(FunctionOfTime(expression(text, unit, {"t"})));
+
+    // a word in place of each signal
+    std::vector<std::string>         paths;
+    std::map<std::string, Dimension> dimensions = {{"t", {{0, 0, 1, 0, 0}}}};
+    std::string                      with_words;
+    std::size_t                      from = 0;
+    for (const auto &signal : found)
+      {
+        const auto         known = std::find(paths.begin(), paths.end(), signal.path);
+        const unsigned int i     = known - paths.begin();
+        if (known == paths.end())
+          {
+            paths.push_back(signal.path);
+            dimensions[Law::word(i)] = Evaluation(signal.unit.empty() ? "1" : signal.unit, known_to_all()).measure(0).dimension;
+          }
+        with_words += text.substr(from, signal.begin - from) + Law::word(i);
+        from = signal.end;
+      }
+    with_words += text.substr(from);
+
+    const auto with_paths = [&](std::string message) {
+      for (unsigned int i = paths.size(); i-- > 0;)
+        for (std::size_t at; (at = message.find(Law::word(i))) != std::string::npos;)
+          message.replace(at, Law::word(i).size(), paths[i]);
+      return message;
+    };
+    const auto law_of = [&](const std::string &candidate) {
+      const Evaluation evaluation(trim(candidate), words, dimensions);
+      return Law(evaluation.si_text(fitting_reading(trim(candidate), evaluation, unit)), paths);
+    };
+    try
+      {
+        try
+          {
+            return law_of(with_words);
+          }
+        catch (const std::invalid_argument &)
+          {
+            return law_of(with_units_tied(with_words, words));
+          }
+      }
+    catch (const std::invalid_argument &)
+      {
+        try
+          {
+            law_of(with_words); // for its message, of what was written
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            throw std::invalid_argument(with_paths(problem.what()));
+          }
+        throw;
+      }
   }
 
 

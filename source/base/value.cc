@@ -274,6 +274,30 @@ namespace samara
 
 
 
+  Law
+  Value<Law>::read(const std::string &text, const std::string &unit, const Quantities &quantities)
+  {
+    return quantities.law(text, unit);
+  }
+
+
+
+  std::string
+  Value<Law>::write(const Law &value)
+  {
+    return value.text();
+  }
+
+
+
+  PatternPointer
+  Value<Law>::pattern()
+  {
+    return std::make_unique<Patterns::Anything>();
+  }
+
+
+
   Expression
   Value<Expression>::read(const std::string &text, const std::string &unit, const Quantities &quantities)
   {

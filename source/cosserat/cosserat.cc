@@ -72,9 +72,11 @@ namespace samara
           layout.couple(element.block, element.frames);
       }
     make_batches();
-    is_viscous = std::any_of(materials.begin(), materials.end(), [](const Material &material) {
+    has_viscous_material = std::any_of(materials.begin(), materials.end(), [](const Material &material) {
       return !material.viscosity.isZero(0.);
     });
+    if (n_elements() > 0)
+      layout.add(*this, *this);
   }
 
 
@@ -242,7 +244,7 @@ namespace samara
           const Material    &material = materials[points[g].material];
           Eigen::Map<Vector> s(stress + n * g);
           s.noalias() = material.stiffness.template cast<Number>() * Eigen::Map<const Vector>(e + n * g);
-          if (is_viscous)
+          if (has_viscous_material)
             s.noalias() += material.viscosity.template cast<Number>() * Eigen::Map<const Vector>(rates + n * g);
         }
     });
@@ -252,9 +254,9 @@ namespace samara
 
   template <int dim>
   bool
-  Cosserat<dim>::has_damping() const
+  Cosserat<dim>::is_viscous() const
   {
-    return is_viscous && !is_rigid;
+    return has_viscous_material;
   }
 
 
@@ -299,6 +301,8 @@ namespace samara
 
   template class Cosserat<1>;
   template class Cosserat<2>;
-  template class Evaluated<Cosserat<1>, Body>;
-  template class Evaluated<Cosserat<2>, Body>;
+  template class Evaluated<Cosserat<1>, Deformation>;
+  template class EvaluatedDeformation<Cosserat<1>>;
+  template class Evaluated<Cosserat<2>, Deformation>;
+  template class EvaluatedDeformation<Cosserat<2>>;
 } // namespace samara

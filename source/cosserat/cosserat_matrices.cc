@@ -208,7 +208,7 @@ namespace samara
   void
   Cosserat<dim>::damping(const Point<double> &point, SparseMatrix &C) const
   {
-    if (!has_damping() || !point.material)
+    if (!is_viscous() || !point.material)
       return;
     add_matrices(
       C,

@@ -17,7 +17,7 @@ namespace samara
 
 
   void
-  InitialVelocity::check(const std::vector<Frame> &frames, const Contribution &body, Complaints &complaints) const
+  InitialVelocity::check(const std::vector<Frame> &frames, const Item &body, Complaints &complaints) const
   {
     const auto on_ground = [](const Frame &frame) { return frame.node == 0; };
     if (!velocity.isZero(0.) && on_ground(frames[0]))
@@ -31,7 +31,7 @@ namespace samara
 
 
   void
-  InitialVelocity::assign(const std::vector<Frame> &frames, const Contribution &body, State &state) const
+  InitialVelocity::assign(const std::vector<Frame> &frames, const Item &body, State &state) const
   {
     if (!body.parameters.is_set("Velocity") && !body.parameters.is_set("Angular velocity"))
       return;

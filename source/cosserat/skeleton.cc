@@ -54,6 +54,7 @@ namespace samara
     frame_a = layout.model.resolved(frame_a);
     frame_b = layout.model.resolved(frame_b);
     layout.couple(block, {frame_a, frame_b});
+    layout.add(*this, *this); // the strut is its own term
   }
 
 
@@ -189,5 +190,6 @@ namespace samara
 
 
 
-  template class Evaluated<Strut>;
+  template class Evaluated<Strut, Deformation>;
+  template class EvaluatedDeformation<Strut>;
 } // namespace samara

@@ -78,8 +78,10 @@ namespace samara
   {
     frame_a = layout.model.resolved(frame_a);
     frame_b = layout.model.resolved(frame_b);
-    if (check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
-      layout.couple(block, {{frame_a.node}, {frame_b.node}}); // derivatives are in the twists of the nodes
+    if (!check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
+      return;
+    layout.couple(block, {{frame_a.node}, {frame_b.node}}); // derivatives are in the twists of the nodes
+    layout.add(*this, *this);
   }
 
 
@@ -201,7 +203,7 @@ namespace samara
   void
   FlexibleJoint::damping(const Point<double> &point, SparseMatrix &matrix) const
   {
-    if (has_damping() && point.material)
+    if (is_viscous() && point.material)
       add(point, C_d, false, matrix);
   }
 
@@ -269,5 +271,6 @@ namespace samara
 
 
 
-  template class Evaluated<FlexibleJoint>;
+  template class Evaluated<FlexibleJoint, Deformation>;
+  template class EvaluatedDeformation<FlexibleJoint>;
 } // namespace samara

@@ -18,6 +18,43 @@ namespace samara
 
 
 
+  /** The constraints of a joint. */
+  class Joint::Constraints : public Evaluated<Joint::Constraints, Constraint>
+  {
+  public:
+    explicit Constraints(const Joint &joint)
+      : joint(joint)
+    {}
+
+    template <typename Number>
+    void
+    residual_at(const Point<Number> &point, Number *r) const
+    {
+      evaluate<true>(point, r);
+    }
+    void
+    constraints(const Point<double> &point, double *r) const override
+    {
+      evaluate<false>(point, r);
+    }
+    void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void   rates(const Point<double> &point, double *rates) const override;
+    void   time_rates(const Point<double> &point, double *rates) const override;
+    void   follow_angles(State &state) const override;
+    double next_corner(double from, double to) const override;
+
+  private:
+    const Joint &joint;
+
+    /** The residual, or only those of its rows that hold constraints. */
+    template <bool with_forces, typename Number>
+    void evaluate(const Point<Number> &point, Number *r) const;
+    template <typename Number>
+    void add_no_slip_forces(const PairValues<Number> &pair, const Number *lambda, Number *r) const;
+  };
+
+
+
   void
   Joint::connect(Layout &layout)
   {
@@ -25,26 +62,53 @@ namespace samara
     frame_b = layout.model.resolved(frame_b);
     if (!check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
       return;
-    rows.clear();
     used.clear();
-    stops.clear();
-    for (const auto &l : locked)
-      rows.push_back("joint " + name + ", " + l.name);
-    std::vector<unsigned int> coordinates;
     for (auto &motion : free)
       if (motion.coordinate >= 0)
-        {
-          used.push_back(&motion);
-          coordinates.push_back(motion.coordinate);
-          rows.push_back("joint " + name + ", measure of the " + motion.name);
-        }
+        used.push_back(&motion);
+    number_rows(layout);
+    add_stops(layout);
+    if (!rows.empty())
+      add_constraints(layout);
+    add_springs(layout);
+  }
+
+
+
+  void
+  Joint::number_rows(Layout &layout)
+  {
+    const std::string prefix = "joint " + name + ", ";
+    rows.clear();
+    for (const auto &l : locked)
+      rows.push_back(prefix + l.name);
+    for (const auto *motion : used)
+      rows.push_back(prefix + "measure of the " + motion->name);
     for (const auto *motion : used)
       if (motion->is_prescribed)
-        rows.push_back("joint " + name + ", prescribed " + motion->name);
+        rows.push_back(prefix + "prescribed " + motion->name);
     if (is_screw)
-      rows.push_back("joint " + name + ", pitch");
+      rows.push_back(prefix + "pitch");
     for (const auto &s : no_slip)
-      rows.push_back("joint " + name + ", " + s.name);
+      rows.push_back(prefix + s.name);
+
+    first_multiplier = layout.add_multipliers(rows);
+    first_row        = layout.of_multiplier(first_multiplier);
+    std::vector<unsigned int> coordinates, multipliers(rows.size());
+    for (const auto *motion : used)
+      coordinates.push_back(motion->coordinate);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      multipliers[i] = first_multiplier + i;
+    // derivatives are in the twists of the nodes themselves
+    layout.couple(block, {{frame_a.node}, {frame_b.node}}, coordinates, multipliers);
+  }
+
+
+
+  void
+  Joint::add_stops(Layout &layout)
+  {
+    stops.clear();
     for (unsigned int i = 0; i < used.size(); ++i)
       {
         if (used[i]->has_lower_stop)
@@ -62,22 +126,25 @@ namespace samara
                                 m.stop_damping,
                                 "joint " + name + (s.side > 0 ? ", upper" : ", lower") + " stop of the " + m.name});
       }
+  }
 
-    first_multiplier = layout.add_multipliers(rows);
-    first_row        = layout.of_multiplier(first_multiplier);
-    std::vector<unsigned int> multipliers(rows.size());
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      multipliers[i] = first_multiplier + i;
+
+
+  void
+  Joint::add_constraints(Layout &layout)
+  {
     with_axes_of_b = !no_slip.empty() || std::any_of(used.begin(), used.end(), [](auto *m) { return m->is_angle(); }) ||
                      std::any_of(locked.begin(), locked.end(), [](const Locked &l) {
                        return l.function.kind == PairFunction::cosine;
                      });
-    // derivatives are in the twists of the nodes themselves
-    layout.couple(block, {{frame_a.node}, {frame_b.node}}, coordinates, multipliers);
     unsigned int row = first_multiplier + locked.size() + used.size();
-    for (const auto *motion : used)
+    for (auto *motion : used)
       if (motion->is_prescribed)
-        model->prescribed[motion->coordinate] = row++;
+        {
+          if (motion->drive)
+            motion->drive->connect(layout, {{}, {}, {}, {row}});
+          model->prescribed[motion->coordinate] = row++;
+        }
     for (unsigned int i = 0; i < used.size(); ++i)
       if (used[i]->is_angle())
         {
@@ -87,17 +154,19 @@ namespace samara
             layout.corrections.push_back({multiplier, static_cast<unsigned int>(used[i]->coordinate)});
         }
     for (unsigned int i = rows.size() - no_slip.size(); i < rows.size(); ++i)
-      layout.nonholonomic.push_back(multipliers[i]);
+      layout.nonholonomic.push_back(first_multiplier + i);
+    constraints = std::make_unique<Constraints>(*this);
+    layout.add(*this, *constraints);
   }
 
 
 
   double
-  Joint::next_corner(const double from, const double to) const
+  Joint::Constraints::next_corner(const double from, const double to) const
   {
     double corner = std::numeric_limits<double>::infinity();
-    for (const auto *m : used)
-      corner = std::min({corner, m->force.next_corner(from, to), m->prescribed.next_corner(from, to)});
+    for (const auto *m : joint.used)
+      corner = std::min(corner, m->prescribed.next_corner(from, to));
     return corner;
   }
 
@@ -105,15 +174,17 @@ namespace samara
 
   template <bool with_forces, typename Number>
   void
-  Joint::evaluate(const Point<Number> &point, Number *r) const
+  Joint::Constraints::evaluate(const Point<Number> &point, Number *r) const
   {
-    const PairValues<Number> pair(frame_a, frame_b, point.q, with_axes_of_b);
+    const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
     PairForces<Number>       forces;
-    const Number *const lambda = point.multipliers + first_multiplier, *const stress = point.stress + first_strain;
-    Number *const g   = r + first_row;
-    unsigned int  row = 0;
+    const Number *const      lambda = point.multipliers + joint.first_multiplier;
+    Number *const            g      = r + joint.first_row;
+    const auto              &used   = joint.used;
+    const Block             &block  = joint.block;
+    unsigned int             row    = 0;
 
-    for (const auto &l : locked)
+    for (const auto &l : joint.locked)
       {
         g[row] += l.function.value(pair) - l.value;
         if constexpr (with_forces)
@@ -128,7 +199,7 @@ namespace samara
         if constexpr (with_forces)
           {
             const auto of = m.derivatives(pair, coordinate);
-            r[block.row(12 + i)] += stress[i] - point.factor * m.force(point.time) + lambda[row] * of.slope;
+            r[block.row(12 + i)] += lambda[row] * of.slope;
             forces.add(m.first, pair, lambda[row] * of.first);
             if (m.is_angle())
               forces.add(m.second, pair, lambda[row] * of.second);
@@ -138,27 +209,23 @@ namespace samara
       if (used[i]->is_prescribed)
         {
           const FreeMotion &m = *used[i];
-          g[row] += point.coordinates[m.coordinate] + m.reference - point.factor * m.prescribed(point.time);
+          g[row] += point.coordinates[m.coordinate] + m.reference - m.prescribed_at(point);
           if constexpr (with_forces)
             r[block.row(12 + i)] += lambda[row];
           ++row;
         }
-    if (is_screw)
+    if (joint.is_screw)
       {
-        g[row] += point.coordinates[used[0]->coordinate] - pitch * point.coordinates[used[1]->coordinate];
+        g[row] += point.coordinates[used[0]->coordinate] - joint.pitch * point.coordinates[used[1]->coordinate];
         if constexpr (with_forces)
           {
             r[block.row(12)] += lambda[row];
-            r[block.row(13)] -= pitch * lambda[row];
+            r[block.row(13)] -= joint.pitch * lambda[row];
           }
         ++row;
       }
     if constexpr (with_forces)
       {
-        // a damper that would pull is cut
-        for (unsigned int i = 0; i < stops.size(); ++i)
-          if (stops[i].side * std::real(stress[used.size() + i]) > 0)
-            r[block.row(12 + stops[i].motion)] += touches(point, i) * stress[used.size() + i];
         add_no_slip_forces(pair, lambda + row, r);
         forces.add_to_nodes(pair, r + block.row(0), r + block.row(6));
       }
@@ -168,51 +235,36 @@ namespace samara
 
   template <typename Number>
   void
-  Joint::add_no_slip_forces(const PairValues<Number> &pair, const Number *lambda, Number *r) const
+  Joint::Constraints::add_no_slip_forces(const PairValues<Number> &pair, const Number *lambda, Number *r) const
   {
-    if (no_slip.empty())
+    if (joint.no_slip.empty())
       return;
     using Twists = Eigen::Matrix<Number, 12, 1>;
     Twists force = Twists::Zero();
-    for (const auto &s : no_slip)
+    for (const auto &s : joint.no_slip)
       s.velocity.add_coefficients(pair, *lambda++, force);
-    Eigen::Map<Vec6<Number>>(r + block.row(0)) += force.template head<6>();
-    Eigen::Map<Vec6<Number>>(r + block.row(6)) += force.template tail<6>();
-  }
-
-
-
-  template <typename Number>
-  void
-  Joint::residual_at(const Point<Number> &point, Number *r) const
-  {
-    evaluate<true>(point, r);
+    Eigen::Map<Vec6<Number>>(r + joint.block.row(0)) += force.template head<6>();
+    Eigen::Map<Vec6<Number>>(r + joint.block.row(6)) += force.template tail<6>();
   }
 
 
 
   void
-  Joint::constraints(const Point<double> &point, double *r) const
+  Joint::Constraints::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    evaluate<false>(point, r);
-  }
-
-
-
-  void
-  Joint::tangent(const Point<double> &point, SparseMatrix &K) const
-  {
-    const PairValues<double> pair(frame_a, frame_b, point.q, with_axes_of_b);
+    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
     PairTangent              twists(pair);
     Matrix12                 H             = Matrix12::Zero();
-    const double            *lambda        = point.multipliers + first_multiplier;
+    const auto              &used          = joint.used;
+    const Block             &block         = joint.block;
+    const double            *lambda        = point.multipliers + joint.first_multiplier;
     unsigned int             row           = 12 + used.size();
     const auto               add_symmetric = [&](const unsigned int i, const unsigned int j, const double value) {
       block.add_entry(i, j, value, K);
       block.add_entry(j, i, value, K);
     };
 
-    for (const auto &l : locked)
+    for (const auto &l : joint.locked)
       {
         twists.add(l.function, *lambda++);
         block.add_border(row++, gradient(l.function, pair), K);
@@ -223,7 +275,7 @@ namespace samara
         const auto        of    = m.derivatives(pair, point.coordinates[m.coordinate]);
         const Vector12    first = gradient(m.first, pair);
         Vector12          g     = of.first * first;
-        block.add_entry(i, i, (point.material ? m.spring : 0.) + *lambda * of.curvature, K);
+        block.add_entry(i, i, *lambda * of.curvature, K);
         add_symmetric(i, row, of.slope);
         twists.add(m.first, *lambda * of.first);
         if (m.is_angle())
@@ -239,26 +291,23 @@ namespace samara
     for (unsigned int i = 0; i < used.size(); ++i)
       if (used[i]->is_prescribed)
         {
+          if (used[i]->drive)
+            used[i]->drive->add_tangent(point, Eigen::VectorXd::Constant(1, -point.factor), K);
           add_symmetric(12 + i, row++, 1.);
           ++lambda;
         }
-    if (is_screw)
+    if (joint.is_screw)
       {
         add_symmetric(12, row, 1.);
-        add_symmetric(13, row++, -pitch);
+        add_symmetric(13, row++, -joint.pitch);
         ++lambda;
       }
-    for (const auto &s : no_slip)
+    for (const auto &s : joint.no_slip)
       {
         Vector12 coefficients = Vector12::Zero();
         s.velocity.add_coefficients(pair, 1., coefficients);
         s.velocity.add_derivative(pair, *lambda++, H);
         block.add_border(row++, coefficients, K);
-      }
-    for (unsigned int i = 0; i < stops.size() && point.material; ++i)
-      {
-        const unsigned int k = 12 + stops[i].motion;
-        block.add_entry(k, k, touches(point, i) * used[stops[i].motion]->stop_stiffness, K);
       }
     twists.add_to(H);
     block.add_twists(H, K);
@@ -267,12 +316,13 @@ namespace samara
 
 
   void
-  Joint::constraint_rates(const Point<double> &point, double *rates) const
+  Joint::Constraints::rates(const Point<double> &point, double *rates) const
   {
-    const PairValues<double> pair(frame_a, frame_b, point.q, with_axes_of_b);
+    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
     const PairRates          change(pair, point.y);
-    double                  *g = rates + first_multiplier;
-    for (const auto &l : locked)
+    const auto              &used = joint.used;
+    double                  *g    = rates + joint.first_multiplier;
+    for (const auto &l : joint.locked)
       *g++ = l.function.rate(pair, change);
     for (const auto *m : used)
       {
@@ -284,37 +334,38 @@ namespace samara
       }
     for (const auto *m : used)
       if (m->is_prescribed)
-        *g++ = point.rates[m->coordinate] - point.factor * m->prescribed.derivative(point.time);
-    if (is_screw)
-      *g++ = point.rates[used[0]->coordinate] - pitch * point.rates[used[1]->coordinate];
-    for (const auto &s : no_slip)
+        *g++ = point.rates[m->coordinate] - m->prescribed_rate(point);
+    if (joint.is_screw)
+      *g++ = point.rates[used[0]->coordinate] - joint.pitch * point.rates[used[1]->coordinate];
+    for (const auto &s : joint.no_slip)
       {
         Vector12 b = Vector12::Zero();
         s.velocity.add_coefficients(pair, 1., b);
-        *g++ = b.head<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * frame_a.node)) +
-               b.tail<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * frame_b.node));
+        *g++ = b.head<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * joint.frame_a.node)) +
+               b.tail<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * joint.frame_b.node));
       }
   }
 
 
 
   void
-  Joint::constraint_time_rates(const Point<double> &point, double *rates) const
+  Joint::Constraints::time_rates(const Point<double> &point, double *rates) const
   {
-    unsigned int row = first_multiplier + locked.size() + used.size();
-    for (const auto *m : used)
+    unsigned int row = joint.first_multiplier + joint.locked.size() + joint.used.size();
+    for (const auto *m : joint.used)
       if (m->is_prescribed)
-        rates[row++] = -point.factor * m->prescribed.derivative(point.time);
+        rates[row++] = -m->prescribed_rate(point);
   }
 
 
 
   void
-  Joint::follow_angles(State &state) const
+  Joint::Constraints::follow_angles(State &state) const
   {
+    const auto &used = joint.used;
     if (std::none_of(used.begin(), used.end(), [](const FreeMotion *m) { return m->is_angle(); }))
       return;
-    const PairValues<double> pair(frame_a, frame_b, state.q.data());
+    const PairValues<double> pair(joint.frame_a, joint.frame_b, state.q.data());
     for (const auto *m : used)
       if (m->is_angle())
         {
@@ -322,18 +373,4 @@ namespace samara
           angle         = in_turn_of(m->angle(pair), angle);
         }
   }
-
-
-
-  bool
-  Joint::has_loads() const
-  {
-    return std::any_of(used.begin(), used.end(), [](const FreeMotion *m) { return !m->force.is_zero(); });
-  }
-
-
-
-  template class Evaluated<Joint>;
-  template void Joint::residual_at(const Point<double> &, double *) const;
-  template void Joint::residual_at(const Point<std::complex<double>> &, std::complex<double> *) const;
 } // namespace samara

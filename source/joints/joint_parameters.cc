@@ -30,18 +30,18 @@ namespace samara
     prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched " + damping + ".", Double(0));
     if (turns)
       {
-        prm.add("Moment", force, "Moment on body B, its reaction on body A; a function of time t [N*m].");
-        prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; a function of time t [rad].");
+        prm.add("Moment", force, "Moment on body B, its reaction on body A; an expression of time t and signals [N*m].");
+        prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; an expression of time t and of states [rad].");
       }
     else if (is_length())
       {
-        prm.add("Force", force, "Force that pushes the two points apart; a function of time t [N].");
-        prm.add("Prescribed", prescribed, "Prescribed length; a function of time t [m].");
+        prm.add("Force", force, "Force that pushes the two points apart; an expression of time t and signals [N].");
+        prm.add("Prescribed", prescribed, "Prescribed length; an expression of time t and of states [m].");
       }
     else
       {
-        prm.add("Force", force, "Force on body B, its reaction on body A; a function of time t [N].");
-        prm.add("Prescribed", prescribed, "Prescribed displacement of B seen from A; a function of time t [m].");
+        prm.add("Force", force, "Force on body B, its reaction on body A; an expression of time t and signals [N].");
+        prm.add("Prescribed", prescribed, "Prescribed displacement of B seen from A; an expression of time t and of states [m].");
       }
   }
 
@@ -73,7 +73,7 @@ namespace samara
 
 
   std::optional<std::array<Frame, 2>>
-  ends_of_joint(Model &model, const Contribution &joint, const std::string &body_a, const std::string &body_b)
+  ends_of_joint(Model &model, const Item &joint, const std::string &body_a, const std::string &body_b)
   {
     std::array<Frame, 2> ends;
     bool                 are_known = true;
@@ -129,7 +129,7 @@ namespace samara
 
   void
   check_gap(Model                      &model,
-            const Contribution         &joint,
+            const Item         &joint,
             const std::array<Frame, 2> &ends,
             const std::string          &body_a,
             const std::string          &body_b,
@@ -161,7 +161,7 @@ namespace samara
 
 
   bool
-  check_ends(Model &model, const Contribution &joint, const Frame &a, const Frame &b, const std::string &between)
+  check_ends(Model &model, const Item &joint, const Frame &a, const Frame &b, const std::string &between)
   {
     if (a.node != b.node)
       return true;
@@ -323,6 +323,51 @@ namespace samara
         if (motion.is_used() || is_screw)
           use_coordinate(m, motion.name);
       }
+  }
+
+
+
+  void
+  Joint::find_signals(Model &model)
+  {
+    const auto find = [&](const FreeMotion &motion, const std::string &entry, const Law &law) -> std::unique_ptr<Response> {
+      if (law.depends_on_state())
+        try
+          {
+            return std::make_unique<Response>(law, model);
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            model.complaints.add(parameters.subsection(motion.name).where(entry), problem.what());
+          }
+      return nullptr;
+    };
+    for (auto &motion : free)
+      {
+        motion.response = find(motion, motion.is_angle() ? "Moment" : "Force", motion.force);
+        motion.drive    = find(motion, "Prescribed", motion.prescribed);
+        if (motion.drive && !motion.drive->is_of_states())
+          model.complaints.add(parameters.subsection(motion.name).where("Prescribed"),
+                               "what is prescribed may depend on time and on states of first order only; let a state follow the "
+                               "motion, or a force");
+      }
+  }
+
+
+
+  std::shared_ptr<Signal>
+  Joint::signal(Model &model, const std::string &path)
+  {
+    const std::string rate = " rate";
+    const bool        is_rate = path.size() > rate.size() && path.compare(path.size() - rate.size(), rate.size(), rate) == 0;
+    const std::string wanted  = is_rate ? path.substr(0, path.size() - rate.size()) : path;
+    for (const auto &motion : free)
+      if (motion.name == wanted)
+        {
+          const unsigned int i = *use_coordinate(model, wanted);
+          return is_rate ? rate_signal(i) : coordinate_signal(i, motion.reference);
+        }
+    return nullptr;
   }
 
 

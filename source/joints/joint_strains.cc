@@ -1,4 +1,4 @@
-// Springs, dampers and stops of a joint: the strains of its coordinates.
+// Springs, dampers and stops of a joint, and the forces along its motions: terms of its coordinates.
 
 #include <samara/joints/joint.h>
 #include <samara/model/strain_rows.h>
@@ -8,54 +8,71 @@
 
 namespace samara
 {
-  unsigned int
-  Joint::n_strains() const
-  {
-    return used.size() + stops.size();
-  }
-
-
-
-  template <typename Number>
-  double
-  Joint::touches(const Point<Number> &point, const unsigned int i) const
-  {
-    const Stop  &s   = stops[i];
-    const double gap = s.side * (std::real(point.coordinates[used[s.motion]->coordinate]) - s.place);
-    return point.stops && gap > 0 ? 1. : 0.;
-  }
-
-
-
-  template <typename Number>
-  void
-  Joint::strains_at(const Point<Number> &point, Number *e) const
-  {
-    for (unsigned int i = 0; i < used.size(); ++i)
-      e[i] = point.coordinates[used[i]->coordinate] - used[i]->rest;
-    for (unsigned int i = 0; i < stops.size(); ++i)
-      e[used.size() + i] = touches(point, i) * (point.coordinates[used[stops[i].motion]->coordinate] - stops[i].place);
-  }
-
-
-
-  void
-  Joint::strain_rates(const Point<double> &point, double *rates) const
-  {
-    for (unsigned int i = 0; i < used.size(); ++i)
-      rates[i] = point.rates[used[i]->coordinate];
-    for (unsigned int i = 0; i < stops.size(); ++i)
-      rates[used.size() + i] = touches(point, i) * point.rates[used[stops[i].motion]->coordinate];
-  }
-
-
-
-  /** B of a joint: the rates of its coordinates, once more for each stop that is touched. */
-  class Joint::Strains : public LinearStrains
+  /** The springs, dampers and stops of the motions in use. */
+  class Joint::Springs : public EvaluatedDeformation<Joint::Springs>
   {
   public:
-    explicit Strains(const Joint &joint)
-      : joint(joint)
+    explicit Springs(const Joint &joint)
+      : used(joint.used)
+      , stops(joint.stops)
+      , block(joint.block)
+    {}
+
+    unsigned int
+    n_strains() const override
+    {
+      return used.size() + stops.size();
+    }
+    void   strain_rates(const Point<double> &point, double *rates) const override;
+    double strain_energy(const double *e) const override;
+    bool   is_viscous() const override;
+    void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void   damping(const Point<double> &point, SparseMatrix &C) const override;
+    void   strain_rows(const Point<double> &point, StrainRows &rows) const override;
+
+    std::unique_ptr<LinearStrains> linear_strains() const override;
+
+    template <typename Number>
+    void strains_at(const Point<Number> &point, Number *e) const;
+    template <typename Number>
+    void stresses_of(const Number *e, const Number *rates, Number *stress) const;
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+
+    /** Whether there is any. */
+    bool are_any() const;
+
+  private:
+    const std::vector<FreeMotion *> &used;
+    const std::vector<Stop>         &stops;
+    const Block                     &block;
+
+    class Linear;
+
+    const FreeMotion &
+    motion_of(const Stop &stop) const
+    {
+      return *used[stop.motion];
+    }
+
+    /** Whether the stop is touched, as a factor. */
+    template <typename Number>
+    double
+    touches(const Point<Number> &point, const Stop &stop) const
+    {
+      const double gap = stop.side * (std::real(point.coordinates[motion_of(stop).coordinate]) - stop.place);
+      return point.stops && gap > 0 ? 1. : 0.;
+    }
+  };
+
+
+
+  /** B of them: the rates of the coordinates, once more for each stop that is touched. */
+  class Joint::Springs::Linear : public LinearStrains
+  {
+  public:
+    explicit Linear(const Springs &springs)
+      : springs(springs)
     {}
 
     void
@@ -69,101 +86,155 @@ namespace samara
     {
       Point<double> at = point;
       at.rates         = rates;
-      joint.strain_rates(at, e);
+      springs.strain_rates(at, e);
     }
 
     void
     add_forces(const double *stress, double *r) const override
     {
-      for (unsigned int i = 0; i < joint.used.size(); ++i)
-        r[joint.block.row(12 + i)] += stress[i];
-      for (unsigned int i = 0; i < joint.stops.size(); ++i)
-        r[joint.block.row(12 + joint.stops[i].motion)] += joint.touches(point, i) * stress[joint.used.size() + i];
+      for (unsigned int i = 0; i < springs.used.size(); ++i)
+        r[springs.block.row(12 + i)] += *stress++;
+      for (const auto &stop : springs.stops)
+        r[springs.block.row(12 + stop.motion)] += springs.touches(point, stop) * *stress++;
     }
 
   private:
-    const Joint  &joint;
-    Point<double> point;
+    const Springs &springs;
+    Point<double>  point;
   };
 
 
 
   std::unique_ptr<LinearStrains>
-  Joint::linear_strains() const
+  Joint::Springs::linear_strains() const
   {
-    return std::make_unique<Strains>(*this);
+    return std::make_unique<Linear>(*this);
+  }
+
+
+
+  bool
+  Joint::Springs::are_any() const
+  {
+    return !stops.empty() || std::any_of(used.begin(), used.end(), [](const FreeMotion *m) {
+      return m->spring != 0 || m->damper != 0;
+    });
   }
 
 
 
   template <typename Number>
   void
-  Joint::stresses_of(const Number *e, const Number *rates, Number *stress) const
+  Joint::Springs::strains_at(const Point<Number> &point, Number *e) const
   {
+    for (const auto *m : used)
+      *e++ = point.coordinates[m->coordinate] - m->rest;
+    for (const auto &s : stops)
+      *e++ = touches(point, s) * (point.coordinates[motion_of(s).coordinate] - s.place);
+  }
+
+
+
+  void
+  Joint::Springs::strain_rates(const Point<double> &point, double *rates) const
+  {
+    for (const auto *m : used)
+      *rates++ = point.rates[m->coordinate];
+    for (const auto &s : stops)
+      *rates++ = touches(point, s) * point.rates[motion_of(s).coordinate];
+  }
+
+
+
+  template <typename Number>
+  void
+  Joint::Springs::stresses_of(const Number *e, const Number *rates, Number *stress) const
+  {
+    for (const auto *m : used)
+      *stress++ = m->spring * *e++ + m->damper * *rates++;
+    for (const auto &s : stops)
+      *stress++ = motion_of(s).stop_stiffness * *e++ + motion_of(s).stop_damping * *rates++;
+  }
+
+
+
+  template <typename Number>
+  void
+  Joint::Springs::residual_at(const Point<Number> &point, Number *r) const
+  {
+    const Number *stress = point.stress + first_strain;
     for (unsigned int i = 0; i < used.size(); ++i)
-      stress[i] = used[i]->spring * e[i] + used[i]->damper * rates[i];
-    for (unsigned int i = 0; i < stops.size(); ++i)
+      r[block.row(12 + i)] += *stress++;
+    for (const auto &s : stops)
       {
-        const FreeMotion  &m = *used[stops[i].motion];
-        const unsigned int k = used.size() + i;
-        stress[k]            = m.stop_stiffness * e[k] + m.stop_damping * rates[k];
+        // a damper that would pull is cut
+        if (s.side * std::real(*stress) > 0)
+          r[block.row(12 + s.motion)] += touches(point, s) * *stress;
+        ++stress;
       }
   }
 
 
 
   double
-  Joint::strain_energy(const double *e) const
+  Joint::Springs::strain_energy(const double *e) const
   {
-    double energy = 0;
-    for (unsigned int i = 0; i < used.size(); ++i)
-      energy += 0.5 * used[i]->spring * e[i] * e[i];
-    for (unsigned int i = 0; i < stops.size(); ++i)
-      energy += 0.5 * used[stops[i].motion]->stop_stiffness * std::pow(e[used.size() + i], 2);
-    return energy;
+    double twice = 0;
+    for (const auto *m : used)
+      twice += m->spring * std::pow(*e++, 2);
+    for (const auto &s : stops)
+      twice += motion_of(s).stop_stiffness * std::pow(*e++, 2);
+    return 0.5 * twice;
   }
 
 
 
   void
-  Joint::strain_rows(const Point<double> &point, StrainRows &strain_rows) const
+  Joint::Springs::strain_rows(const Point<double> &point, StrainRows &strain_rows) const
   {
-    using One = Eigen::Matrix<double, 1, 1>;
-    const auto add =
-      [&](const unsigned int i, const unsigned int motion, const double k, const double c, const double on) {
-        strain_rows.add_point(first_strain + i, 1., One(k), One(c));
-        strain_rows.begin_row();
-        strain_rows.add_entry(block.row(12 + motion), on);
-      };
+    using One          = Eigen::Matrix<double, 1, 1>;
+    unsigned int strain = first_strain;
+    const auto   add    = [&](const unsigned int motion, const double k, const double c, const double on) {
+      strain_rows.add_point(strain++, 1., One(k), One(c));
+      strain_rows.begin_row();
+      strain_rows.add_entry(block.row(12 + motion), on);
+    };
     for (unsigned int i = 0; i < used.size(); ++i)
-      add(i, i, used[i]->spring, used[i]->damper, 1.);
-    for (unsigned int i = 0; i < stops.size(); ++i)
-      {
-        const FreeMotion &m = *used[stops[i].motion];
-        add(used.size() + i, stops[i].motion, m.stop_stiffness, m.stop_damping, touches(point, i));
-      }
+      add(i, used[i]->spring, used[i]->damper, 1.);
+    for (const auto &s : stops)
+      add(s.motion, motion_of(s).stop_stiffness, motion_of(s).stop_damping, touches(point, s));
   }
 
 
 
   void
-  Joint::damping(const Point<double> &point, SparseMatrix &C) const
+  Joint::Springs::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    if (!point.material)
+      return;
+    for (unsigned int i = 0; i < used.size(); ++i)
+      block.add_entry(12 + i, 12 + i, used[i]->spring, K);
+    for (const auto &s : stops)
+      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_stiffness, K);
+  }
+
+
+
+  void
+  Joint::Springs::damping(const Point<double> &point, SparseMatrix &C) const
   {
     if (!point.material)
       return;
     for (unsigned int i = 0; i < used.size(); ++i)
       block.add_entry(12 + i, 12 + i, used[i]->damper, C);
-    for (unsigned int i = 0; i < stops.size(); ++i)
-      {
-        const unsigned int k = 12 + stops[i].motion;
-        block.add_entry(k, k, touches(point, i) * used[stops[i].motion]->stop_damping, C);
-      }
+    for (const auto &s : stops)
+      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_damping, C);
   }
 
 
 
   bool
-  Joint::has_damping() const
+  Joint::Springs::is_viscous() const
   {
     return std::any_of(used.begin(), used.end(), [](const FreeMotion *m) {
       return m->damper != 0 || ((m->has_lower_stop || m->has_upper_stop) && m->stop_damping != 0);
@@ -172,11 +243,79 @@ namespace samara
 
 
 
-  template double Joint::touches(const Point<double> &, unsigned int) const;
-  template double Joint::touches(const Point<std::complex<double>> &, unsigned int) const;
-  template void   Joint::strains_at(const Point<double> &, double *) const;
-  template void   Joint::strains_at(const Point<std::complex<double>> &, std::complex<double> *) const;
-  template void   Joint::stresses_of(const double *, const double *, double *) const;
-  template void
-  Joint::stresses_of(const std::complex<double> *, const std::complex<double> *, std::complex<double> *) const;
+  /** Forces and moments along and about the motions in use. */
+  class Joint::Actuators : public Evaluated<Joint::Actuators, Force>
+  {
+  public:
+    explicit Actuators(const Joint &joint)
+      : used(joint.used)
+      , block(joint.block)
+    {}
+
+    template <typename Number>
+    void
+    residual_at(const Point<Number> &point, Number *r) const
+    {
+      for (unsigned int i = 0; i < used.size(); ++i)
+        r[block.row(12 + i)] -=
+          point.factor * (used[i]->response ? (*used[i]->response)(point) : Number(used[i]->force.of_time()(point.time)));
+    }
+
+    void
+    tangent(const Point<double> &point, SparseMatrix &K) const override
+    {
+      for (const auto *m : used)
+        if (m->response)
+          m->response->add_tangent(point, Eigen::VectorXd::Constant(1, -point.factor), K);
+    }
+
+    void
+    damping(const Point<double> &point, SparseMatrix &C) const override
+    {
+      for (const auto *m : used)
+        if (m->response)
+          m->response->add_damping(point, Eigen::VectorXd::Constant(1, -point.factor), C);
+    }
+
+    void
+    pieces(const Point<double> &point, std::vector<double> &result) const override
+    {
+      for (const auto *m : used)
+        if (m->response)
+          m->response->pieces(point, result);
+    }
+
+    double
+    next_corner(const double from, const double to) const override
+    {
+      double corner = std::numeric_limits<double>::infinity();
+      for (const auto *m : used)
+        corner = std::min(corner, m->force.next_corner(from, to));
+      return corner;
+    }
+
+  private:
+    const std::vector<FreeMotion *> &used;
+    const Block                     &block;
+  };
+
+
+
+  void
+  Joint::add_springs(Layout &layout)
+  {
+    if (auto given = std::make_unique<Springs>(*this); given->are_any())
+      {
+        layout.add(*this, *given);
+        springs = std::move(given);
+      }
+    if (std::any_of(used.begin(), used.end(), [](const FreeMotion *m) { return !m->force.is_zero(); }))
+      {
+        for (auto *m : used)
+          if (m->response)
+            m->response->connect(layout, {{}, {static_cast<unsigned int>(m->coordinate)}, {}, {}});
+        actuators = std::make_unique<Actuators>(*this);
+        layout.add(*this, *actuators);
+      }
+  }
 } // namespace samara

@@ -79,47 +79,7 @@ namespace samara
       Joint::connect(layout);
   }
 
-  void
-  Rigid::residual(const Point<double> &point, double *r) const
-  {
-    if (reaction_wanted)
-      Joint::residual(point, r);
-  }
 
-  void
-  Rigid::residual(const Point<std::complex<double>> &point, std::complex<double> *r) const
-  {
-    if (reaction_wanted)
-      Joint::residual(point, r);
-  }
-
-  void
-  Rigid::constraints(const Point<double> &point, double *r) const
-  {
-    if (reaction_wanted)
-      Joint::constraints(point, r);
-  }
-
-  void
-  Rigid::tangent(const Point<double> &point, SparseMatrix &K) const
-  {
-    if (reaction_wanted)
-      Joint::tangent(point, K);
-  }
-
-  void
-  Rigid::damping(const Point<double> &point, SparseMatrix &C) const
-  {
-    if (reaction_wanted)
-      Joint::damping(point, C);
-  }
-
-  void
-  Rigid::constraint_rates(const Point<double> &point, double *rates) const
-  {
-    if (reaction_wanted)
-      Joint::constraint_rates(point, rates);
-  }
 
   std::optional<Probe>
   Rigid::probe(const std::string &path) const
@@ -302,6 +262,7 @@ namespace samara
   {
     multiplier = layout.add_multipliers({"gear " + name});
     layout.couple(block, {}, {coordinates[0], coordinates[1]}, {multiplier});
+    layout.add(*this, *this);
   }
 
 
@@ -330,7 +291,7 @@ namespace samara
 
 
   void
-  Gear::constraint_rates(const Point<double> &point, double *rates) const
+  Gear::rates(const Point<double> &point, double *rates) const
   {
     rates[multiplier] = point.rates[coordinates[1]] - ratio * point.rates[coordinates[0]];
   }
@@ -355,5 +316,5 @@ namespace samara
 
 
 
-  template class Evaluated<Gear>;
+  template class Evaluated<Gear, Constraint>;
 } // namespace samara

@@ -15,8 +15,9 @@ namespace samara
       return point.factor * Vector3(f[0](point.time), f[1](point.time), f[2](point.time));
     }
 
+    template <typename Functions>
     double
-    first_corner(const VectorOfTime &f, const double from, const double to)
+    first_corner(const Functions &f, const double from, const double to)
     {
       return std::min({f[0].next_corner(from, to), f[1].next_corner(from, to), f[2].next_corner(from, to)});
     }
@@ -69,6 +70,7 @@ namespace samara
     blocks.resize(layout.n_nodes);
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       layout.couple(blocks[node], {Frame{node}});
+    layout.add(*this, *this);
   }
 
 
@@ -105,11 +107,17 @@ namespace samara
 
 
 
+  bool
+  Gravity::has_potential() const
+  {
+    return is_constant(acceleration);
+  }
+
+
+
   double
   Gravity::potential_energy(const Point<double> &point) const
   {
-    if (!is_constant(acceleration))
-      return 0;
     double        energy = 0;
     const Vector3 a      = value(acceleration, point);
     for (unsigned int node = 1; node < blocks.size(); ++node)
@@ -146,18 +154,99 @@ namespace samara
 
 
   void
+  WrenchLoad::find_signals(Model &model)
+  {
+    const auto find = [&](Responses &responses) {
+      for (unsigned int i = 0; i < 6; ++i)
+        if (const Law &law = i < 3 ? force[i] : moment[i - 3]; law.depends_on_state())
+          responses[i] = std::make_unique<Response>(law, model);
+    };
+    const auto any = [](const std::array<Law, 3> &laws) {
+      return std::any_of(laws.begin(), laws.end(), [](const Law &law) { return law.depends_on_state(); });
+    };
+    depends_on_state = any(force) || any(moment);
+    try
+      {
+        for (auto &load : points)
+          find(load.responses);
+        for (auto &span : spans)
+          find(span.responses);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where(any(force) ? "Force" : "Moment"), problem.what());
+      }
+  }
+
+
+
+  void
   WrenchLoad::connect(Layout &layout)
   {
+    const auto connect_to = [&](const std::vector<Frame> &frames, Block &block, Responses &responses) {
+      layout.couple(block, frames);
+      for (auto &response : responses)
+        if (response)
+          response->connect(layout, {frames, {}, {}, {}});
+    };
     for (auto &load : points)
       {
         load.frame = layout.model.resolved(load.frame);
-        layout.couple(load.block, {load.frame});
+        connect_to({load.frame}, load.block, load.responses);
       }
     for (auto &span : spans)
       {
         for (auto &frame : span.frames)
           frame = layout.model.resolved(frame);
-        layout.couple(span.block, span.frames);
+        connect_to(span.frames, span.block, span.responses);
+      }
+    layout.add(*this, *this);
+  }
+
+
+
+  template <typename Number>
+  Vec6<Number>
+  WrenchLoad::wrench(const Responses &responses, const Point<Number> &point) const
+  {
+    Vec6<Number> result;
+    for (unsigned int i = 0; i < 6; ++i)
+      result(i) = point.factor * (responses[i] ? (*responses[i])(point) :
+                                                 Number((i < 3 ? force[i] : moment[i - 3]).of_time()(point.time)));
+    return result;
+  }
+
+
+
+  template <typename Number>
+  void
+  WrenchLoad::local_residual(const AtPoint &load, const Vec6<Number> &wrench, const Number *q, Local<Number> &r) const
+  {
+    const Vec3<Number> f = -load.weight * wrench.template head<3>(), m = -load.weight * wrench.template tail<3>();
+    r.resize(6);
+    if (is_follower())
+      r << f, m;
+    else
+      {
+        const Mat3<Number> D = load.frame.triad(q);
+        r << D.transpose() * f, D.transpose() * m;
+      }
+  }
+
+
+
+  template <typename Number>
+  void
+  WrenchLoad::local_residual(const AlongSpan &span, const Vec6<Number> &wrench, const Number *q, Local<Number> &r) const
+  {
+    r.resize(6 * span.frames.size());
+    for (unsigned int a = 0; a < span.frames.size(); ++a)
+      {
+        Mat3<Number> d = Mat3<Number>::Zero(); // ∫ N_a p d ds
+        for (unsigned int b = 0; b < span.frames.size(); ++b)
+          d += span.products(a, b) * span.frames[b].triad(q);
+        const Mat3<Number> seen = -span.frames[a].triad(q).transpose() * d;
+        r.template segment<6>(6 * a) << seen * wrench.template head<3>(), seen * wrench.template tail<3>();
       }
   }
 
@@ -167,34 +256,35 @@ namespace samara
   void
   WrenchLoad::residual_at(const Point<Number> &point, Number *r) const
   {
-    auto         &local = local_residual<Number>();
-    const Vector3 f = value(force, point), m = value(moment, point);
-    for (const auto &load : points)
-      {
-        if (is_follower())
-          local << (-load.weight * f).template cast<Number>(), (-load.weight * m).template cast<Number>();
-        else
-          {
-            const Mat3<Number> D = load.frame.triad(point.q);
-            local << -load.weight * (D.transpose() * f), -load.weight * (D.transpose() * m);
-          }
-        load.block.add(local, r);
-      }
+    // Block::add() changes it; memory is not asked for again
+    static thread_local Local<Number> local;
+    const auto                        add = [&](const auto &parts) {
+      for (const auto &part : parts)
+        {
+          local_residual(part, wrench(part.responses, point), point.q, local);
+          part.block.add(local, r);
+        }
+    };
+    add(points);
+    add(spans);
+  }
 
-    static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> of_span;
-    for (const auto &span : spans)
-      {
-        of_span.resize(6 * span.frames.size());
-        for (unsigned int a = 0; a < span.frames.size(); ++a)
-          {
-            Mat3<Number> d = Mat3<Number>::Zero(); // ∫ N_a p d ds
-            for (unsigned int b = 0; b < span.frames.size(); ++b)
-              d += span.products(a, b) * span.frames[b].triad(point.q);
-            const Mat3<Number> seen = -span.frames[a].triad(point.q).transpose() * d;
-            of_span.template segment<6>(6 * a) << seen * f, seen * m;
-          }
-        span.block.add(of_span, r);
-      }
+
+
+  template <typename Part>
+  void
+  WrenchLoad::add_responses(const Part &part, const Point<double> &point, const bool by_velocity, SparseMatrix &A) const
+  {
+    Local<double> coefficients;
+    for (unsigned int i = 0; i < 6; ++i)
+      if (part.responses[i])
+        {
+          local_residual(part, Vector6(point.factor * Vector6::Unit(i)), point.q, coefficients);
+          if (by_velocity)
+            part.responses[i]->add_damping(point, coefficients, A);
+          else
+            part.responses[i]->add_tangent(point, coefficients, A);
+        }
   }
 
 
@@ -202,19 +292,50 @@ namespace samara
   void
   WrenchLoad::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    const Vector3 f = value(force, point), m = value(moment, point);
     for (const auto &span : spans)
-      add_tangent(span, f, m, point.q, K);
-    if (is_follower())
-      return;
+      {
+        const Vector6 w = wrench(span.responses, point);
+        add_tangent(span, w.head<3>(), w.tail<3>(), point.q, K);
+        add_responses(span, point, false, K);
+      }
     for (const auto &load : points)
       {
-        const Matrix3 D                 = load.frame.triad(point.q);
-        auto         &local             = local_tangent();
-        local.topRightCorner<3, 3>()    = -load.weight * skew((D.transpose() * f).eval());
-        local.bottomRightCorner<3, 3>() = -load.weight * skew((D.transpose() * m).eval());
-        load.block.add(local, K);
+        if (!is_follower())
+          {
+            const Matrix3 D                 = load.frame.triad(point.q);
+            const Vector6 w                 = wrench(load.responses, point);
+            auto         &local             = local_tangent();
+            local.topRightCorner<3, 3>()    = -load.weight * skew((D.transpose() * w.head<3>()).eval());
+            local.bottomRightCorner<3, 3>() = -load.weight * skew((D.transpose() * w.tail<3>()).eval());
+            load.block.add(local, K);
+          }
+        add_responses(load, point, false, K);
       }
+  }
+
+
+
+  void
+  WrenchLoad::damping(const Point<double> &point, SparseMatrix &C) const
+  {
+    if (!depends_on_state)
+      return;
+    for (const auto &span : spans)
+      add_responses(span, point, true, C);
+    for (const auto &load : points)
+      add_responses(load, point, true, C);
+  }
+
+
+
+  void
+  WrenchLoad::pieces(const Point<double> &point, std::vector<double> &result) const
+  {
+    // the laws are the same at all points
+    const Responses *const responses = !points.empty() ? &points[0].responses : !spans.empty() ? &spans[0].responses : nullptr;
+    for (unsigned int i = 0; i < 6 && responses != nullptr; ++i)
+      if ((*responses)[i])
+        (*responses)[i]->pieces(point, result);
   }
 
 
@@ -255,8 +376,8 @@ namespace samara
   ConcentratedLoad::add_parameters(Parameters &prm)
   {
     prm.add("At", at, "Where it acts: body.point.");
-    prm.add("Force", force, "Components, functions of time t [N].");
-    prm.add("Moment", moment, "Components, functions of time t [N*m].");
+    prm.add("Force", force, "Components, expressions of time t and signals [N].");
+    prm.add("Moment", moment, "Components, expressions of time t and signals [N*m].");
     add_axes_parameter(prm);
   }
 
@@ -268,7 +389,7 @@ namespace samara
     try
       {
         if (parameters.require("At", model.complaints))
-          points.push_back({model.frame(at), 1., {}});
+          points.push_back({model.frame(at), 1.});
       }
     catch (const std::invalid_argument &problem)
       {
@@ -282,8 +403,8 @@ namespace samara
   LineLoad::add_parameters(Parameters &prm)
   {
     prm.add("Body", body, "Beam along which it acts.");
-    prm.add("Force", force, "Components per length, functions of time t [N/m].");
-    prm.add("Moment", moment, "Components per length, functions of time t [N].");
+    prm.add("Force", force, "Components per length, expressions of time t and signals [N/m].");
+    prm.add("Moment", moment, "Components per length, expressions of time t and signals [N].");
     prm.add("Variation", variation, "Factor along the beam, a function of the arc length s in metres [1].");
     add_axes_parameter(prm);
   }
@@ -384,10 +505,10 @@ namespace samara
         products += variation(s) * ds * N * N.transpose();
       }
     if (is_follower())
-      spans.push_back({span.frames, products, {}});
+      spans.push_back({span.frames, products});
     else
       for (unsigned int a = 0; a < n; ++a)
-        points.push_back({span.frames[a], weights(a), {}});
+        points.push_back({span.frames[a], weights(a)});
   }
 
 
@@ -456,6 +577,7 @@ namespace samara
     multiplier = layout.add_multipliers({"steady rotation " + name});
     model->holds.push_back(multiplier);
     layout.couple(block, {}, {static_cast<unsigned int>(rotation.coordinate)}, {multiplier});
+    layout.add(*this, *this);
   }
 
 
@@ -464,8 +586,6 @@ namespace samara
   void
   SteadyRotation::residual_at(const Point<Number> &point, Number *r) const
   {
-    if (!holding)
-      return;
     const Number                             lambda = point.multipliers[multiplier];
     Eigen::Matrix<Number, Eigen::Dynamic, 1> local(2);
     if (point.held)
@@ -480,8 +600,6 @@ namespace samara
   void
   SteadyRotation::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    if (!holding)
-      return;
     Eigen::MatrixXd local(2, 2);
     if (point.held)
       local << 0, 1, 1, 0;
@@ -492,7 +610,7 @@ namespace samara
 
 
 
-  template class Evaluated<Gravity>;
-  template class Evaluated<WrenchLoad>;
-  template class Evaluated<SteadyRotation>;
+  template class Evaluated<Gravity, Force>;
+  template class Evaluated<WrenchLoad, Force>;
+  template class Evaluated<SteadyRotation, Constraint>;
 } // namespace samara

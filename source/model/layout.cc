@@ -1,4 +1,4 @@
-#include <samara/model/system.h>
+#include <samara/model/layout.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -13,14 +13,13 @@ namespace samara
     model.close();
     n_nodes       = model.nodes.size();
     n_coordinates = model.coordinates.size();
-    for (auto &c : model.contributions)
+    n_states      = model.states.size();
+    for (auto &c : model.items)
       {
-        const unsigned int multipliers_before = n_multipliers;
-        c->first_strain                       = n_strains;
+        const std::size_t constraints_before = constraints.size();
         c->connect(*this);
-        n_strains += c->n_strains();
-        if (n_multipliers > multipliers_before)
-          constraining.push_back(c.get());
+        if (constraints.size() > constraints_before)
+          joints.push_back(c.get());
       }
     model.complaints.throw_if_any();
 
@@ -34,10 +33,61 @@ namespace samara
 
 
 
+  void
+  Layout::add(const Item &item, Deformation &term)
+  {
+    term.item         = &item;
+    term.first_strain = n_strains;
+    n_strains += term.n_strains();
+    deformations.push_back(&term);
+  }
+
+
+
+  void
+  Layout::add(const Item &item, Constraint &term)
+  {
+    term.item = &item;
+    constraints.push_back(&term);
+  }
+
+
+
+  void
+  Layout::add(const Item &item, Force &term)
+  {
+    term.item = &item;
+    forces.push_back(&term);
+  }
+
+
+
+  void
+  Layout::add(const Item &item, StateEquation &term)
+  {
+    term.item = &item;
+    state_equations.push_back(&term);
+  }
+
+
+
+  const Item &
+  Layout::item_of_strain(const unsigned int strain) const
+  {
+    AssertIndexRange(strain, n_strains);
+    const auto after =
+      std::upper_bound(deformations.begin(), deformations.end(), strain, [](const unsigned int i, const auto *d) {
+        return i < d->first_strain;
+      });
+    return *(*(after - 1))->item;
+  }
+
+
+
   unsigned int
   Layout::add_multipliers(const std::vector<std::string> &names)
   {
-    Assert(pattern == nullptr, dealii::ExcMessage("Multipliers are added in Contribution::connect()."));
+    Assert(pattern == nullptr, dealii::ExcMessage("Multipliers are added in Item::connect()."));
     multiplier_names.insert(multiplier_names.end(), names.begin(), names.end());
     n_multipliers = multiplier_names.size();
     return n_multipliers - names.size();
@@ -49,16 +99,19 @@ namespace samara
   Layout::couple(Block                           &block,
                  const std::vector<Frame>        &frames,
                  const std::vector<unsigned int> &coordinates,
-                 const std::vector<unsigned int> &multipliers)
+                 const std::vector<unsigned int> &multipliers,
+                 const std::vector<unsigned int> &states)
   {
-    Assert(pattern == nullptr, dealii::ExcMessage("Unknowns are coupled in Contribution::connect()."));
+    Assert(pattern == nullptr, dealii::ExcMessage("Unknowns are coupled in Item::connect()."));
     for ([[maybe_unused]] const auto &frame : frames)
       AssertIndexRange(frame.node, n_nodes);
     for ([[maybe_unused]] const auto i : coordinates)
       AssertIndexRange(i, n_coordinates);
     for ([[maybe_unused]] const auto i : multipliers)
       AssertIndexRange(i, n_multipliers);
-    couplings.push_back({&block, frames, coordinates, multipliers});
+    for ([[maybe_unused]] const auto i : states)
+      AssertIndexRange(i, n_states);
+    couplings.push_back({&block, frames, coordinates, states, multipliers});
   }
 
 
@@ -78,6 +131,8 @@ namespace samara
       }
     for (const auto i : c.coordinates)
       block.rows.push_back(of_coordinate(i));
+    for (const auto i : c.states)
+      block.rows.push_back(of_state(i));
     for (const auto i : c.multipliers)
       block.rows.push_back(of_multiplier(i));
   }
@@ -147,9 +202,11 @@ namespace samara
   {
     static const std::array<std::string, 6> directions = {
       {"displacement 1", "displacement 2", "displacement 3", "rotation 1", "rotation 2", "rotation 3"}};
-    const unsigned int first_coordinate = of_coordinate(0), first_multiplier = of_multiplier(0);
+    const unsigned int first_coordinate = of_coordinate(0), first_state = of_state(0), first_multiplier = of_multiplier(0);
     if (unknown >= first_multiplier)
       return multiplier_names[unknown - first_multiplier];
+    if (unknown >= first_state)
+      return "state " + model.states[unknown - first_state].name;
     if (unknown >= first_coordinate)
       return model.coordinates[unknown - first_coordinate];
     const auto        &node = model.nodes[1 + unknown / 6];

@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/model/model.h>
+#include <samara/model/signal.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -8,6 +9,18 @@
 
 namespace samara
 {
+  std::shared_ptr<Signal>
+  Body::signal(Model &model, const std::string &path)
+  {
+    const auto        dot      = path.rfind('.');
+    const std::string point    = dot == std::string::npos ? "" : trim(path.substr(0, dot)),
+                      quantity = dot == std::string::npos ? path : trim(path.substr(dot + 1));
+    const Frame at = frame(point);
+    return frame_signal(quantity, at, model.position(at));
+  }
+
+
+
   Model::Model()
   {
     add_node("ground", Vector3::Zero(), Matrix3::Identity());
@@ -82,6 +95,37 @@ namespace samara
 
 
 
+  unsigned int
+  Model::add_state(const std::string &name, const std::string &unit, const double initial, const double scale)
+  {
+    states.push_back({name, unit, initial, scale});
+    return states.size() - 1;
+  }
+
+
+
+  std::shared_ptr<Signal>
+  Model::signal(const std::string &path)
+  {
+    for (unsigned int i = 0; i < states.size(); ++i)
+      if (states[i].name == path)
+        return state_signal(i);
+    const auto        dot  = path.find('.');
+    const std::string name = trim(path.substr(0, dot)),
+                      rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    for (auto *const item : named(name))
+      {
+        if (item->is_faulty)
+          throw FollowUp();
+        if (auto signal = item->signal(*this, rest))
+          return signal;
+      }
+    find<Item>(name, "object"); // complains if there is none
+    throw std::invalid_argument("<" + name + "> has no <" + rest + "> that an expression could depend on");
+  }
+
+
+
   void
   Model::close()
   {
@@ -148,20 +192,20 @@ namespace samara
 
 
 
-  const std::vector<Contribution *> &
+  const std::vector<Item *> &
   Model::named(const std::string &name) const
   {
-    for (; n_indexed < contributions.size(); ++n_indexed)
-      contributions_by_name[contributions[n_indexed]->name].push_back(contributions[n_indexed].get());
-    static const std::vector<Contribution *> none;
-    const auto                               found = contributions_by_name.find(name);
-    return found == contributions_by_name.end() ? none : found->second;
+    for (; n_indexed < items.size(); ++n_indexed)
+      items_by_name[items[n_indexed]->name].push_back(items[n_indexed].get());
+    static const std::vector<Item *> none;
+    const auto                               found = items_by_name.find(name);
+    return found == items_by_name.end() ? none : found->second;
   }
 
 
 
   void
-  Model::refuse(const std::string &name, const std::string &noun, const std::vector<const Contribution *> &others) const
+  Model::refuse(const std::string &name, const std::string &noun, const std::vector<const Item *> &others) const
   {
     if (unmade.count(name) > 0)
       throw FollowUp();
@@ -191,7 +235,7 @@ namespace samara
     const auto        dot    = path.find('.');
     const std::string name   = trim(path.substr(0, dot)),
                       motion = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
-    Contribution *joint      = &find<Contribution>(name, "joint");
+    Item *joint      = &find<Item>(name, "joint");
     for (auto *const c : named(name)) // a body may have the same name
       if (!c->rotation_names().empty())
         joint = c;
@@ -230,7 +274,7 @@ namespace samara
         for (const auto &candidate : c->probe_names())
           known.push_back(candidate);
       }
-    find<Contribution>(name, "body or joint"); // complains if there is none
+    find<Item>(name, "body or joint"); // complains if there is none
     throw std::invalid_argument("<" + name + "> has no <" + rest + ">" + did_you_mean(rest, known));
   }
 

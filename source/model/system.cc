@@ -11,6 +11,9 @@ namespace samara
   System::System(Model &model)
     : model(model)
     , layout(model)
+    , has_viscous(std::any_of(layout.deformations.begin(), layout.deformations.end(), [](const auto *d) {
+      return d->is_viscous();
+    }))
   {}
 
 
@@ -22,7 +25,9 @@ namespace samara
     fits(const State &state, const Layout &layout)
     {
       return state.q.size() == 12 * layout.n_nodes && state.y.size() == 6 * layout.n_nodes &&
-             state.coordinates.size() == layout.n_coordinates && state.rates.size() == layout.n_coordinates &&
+             state.coordinates.size() == layout.n_coordinates && state.states.size() == layout.n_states &&
+             state.state_rates.size() == layout.n_states &&
+             state.rates.size() == layout.n_coordinates &&
              state.multipliers.size() == layout.n_multipliers && state.stress.size() == layout.n_strains;
     }
 
@@ -43,6 +48,9 @@ namespace samara
       }
     state.coordinates.assign(layout.n_coordinates, 0.);
     state.rates.assign(layout.n_coordinates, 0.);
+    for (const auto &z : model.states)
+      state.states.push_back(z.initial);
+    state.state_rates.assign(layout.n_states, 0.);
     state.y.assign(6 * layout.n_nodes, 0.);
     state.multipliers.assign(layout.n_multipliers, 0.);
     state.stress.assign(layout.n_strains, 0.);
@@ -57,8 +65,7 @@ namespace samara
   System::strains(const State &state, std::vector<double> &e) const
   {
     e.resize(layout.n_strains);
-    for (const auto &c : model.contributions)
-      c->strains(state.point(), e.data() + c->first_strain);
+    strains(state.point(), e.data());
   }
 
 
@@ -79,12 +86,9 @@ namespace samara
     thread_local std::vector<double> rates;
     rates.assign(layout.n_strains, 0.);
     stress.resize(layout.n_strains);
-    for (const auto &c : model.contributions)
-      {
-        if (c->has_damping())
-          c->strain_rates(state.point(), rates.data() + c->first_strain);
-        c->stresses(e.data() + c->first_strain, rates.data() + c->first_strain, stress.data() + c->first_strain);
-      }
+    if (has_viscous)
+      strain_rates(state.point(), rates.data());
+    stresses(e.data(), rates.data(), stress.data());
   }
 
 
@@ -97,8 +101,7 @@ namespace samara
     r.assign(size() + 6, 0.);
     Point<double> point = state.point();
     point.stress        = stress.data();
-    for (const auto &c : model.contributions)
-      c->residual(point, r.data());
+    add_terms(point, r.data());
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
         const Eigen::Map<const Vector6> y(&state.y[6 * node]);
@@ -165,8 +168,7 @@ namespace samara
     K.clear();
     Point<double> point = state.point();
     point.material      = with_material;
-    for (const auto &c : model.contributions)
-      c->tangent(point, K);
+    add_tangent(point, K);
     if (std::any_of(state.y.begin(), state.y.end(), [](const double v) { return v != 0.; }))
       add_nodal(layout, K, [&](const unsigned int node) -> Matrix6 {
         const Eigen::Map<const Vector6> y(&state.y[6 * node]);
@@ -191,17 +193,6 @@ namespace samara
 
 
 
-  StrainRows
-  System::strain_rows(const State &state) const
-  {
-    StrainRows rows(size());
-    for (const auto &c : model.contributions)
-      c->strain_rows(state.point(), rows);
-    return rows;
-  }
-
-
-
   void
   System::damping(const State &state, SparseMatrix &C, const bool with_material) const
   {
@@ -210,8 +201,9 @@ namespace samara
     C.clear();
     Point<double> point = state.point();
     point.material      = with_material;
-    for (const auto &c : model.contributions)
-      c->damping(point, C);
+    add_damping(point, C);
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      C.values[C.pattern->position(layout.of_state(i), layout.of_state(i))] += 1.;
     add_nodal(layout, C, [&](const unsigned int node) -> Matrix6 {
       const Eigen::Map<const Vector6> y(&state.y[6 * node]);
       const Matrix6                  &M = model.nodes[node].inertia;
@@ -244,19 +236,14 @@ namespace samara
     twists.assign(6 * layout.n_nodes, 0.);
     std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
     Point<double> point = state.point();
-    for (const auto &c : model.contributions)
-      if (c->has_damping())
-        c->strain_rates(point, rates.data() + c->first_strain);
+    if (has_viscous)
+      strain_rates(point, rates.data());
     point.y     = twists.data();
     point.rates = z.data() + layout.of_coordinate(0);
-    for (const auto &c : model.contributions)
-      {
-        double *const e_c = e.data() + c->first_strain, *const b_c = linear_strain.data() + c->first_strain;
-        c->strain_rates(point, b_c);
-        for (unsigned int i = 0; i < c->n_strains(); ++i)
-          e_c[i] += b_c[i];
-        c->stresses(e_c, rates.data() + c->first_strain, state.stress.data() + c->first_strain);
-      }
+    strain_rates(point, linear_strain.data());
+    for (unsigned int i = 0; i < layout.n_strains; ++i)
+      e[i] += linear_strain[i];
+    stresses(e.data(), rates.data(), state.stress.data());
 
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
@@ -271,8 +258,10 @@ namespace samara
         const double change = z[layout.of_coordinate(i)];
         state.coordinates[i] += model.coordinate_units[i] == "rad" ? 2 * std::atan(0.5 * change) : change;
       }
-    for (const auto *c : layout.constraining)
+    for (const auto *c : layout.constraints)
       c->follow_angles(state);
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      state.states[i] += z[layout.of_state(i)];
     for (unsigned int i = 0; i < layout.n_multipliers; ++i)
       state.multipliers[i] += z[layout.of_multiplier(i)];
     update_twists(state);
@@ -308,9 +297,7 @@ namespace samara
   System::Energy
   System::energy(const State &state, const std::vector<double> &e) const
   {
-    Energy energy{0, 0};
-    for (const auto &c : model.contributions)
-      energy.strain += c->strain_energy(e.data() + c->first_strain);
+    Energy energy{0, strain_energy(e.data())};
     for (unsigned int node = 0; node < layout.n_nodes; ++node)
       {
         const Eigen::Map<const Vector6> y(&state.y[6 * node]);

@@ -18,13 +18,15 @@ namespace samara
 
     constexpr std::size_t head_size = 512; // one of the places where HDF5 looks for its beginning
     const std::string     title     = "samara checkpoint, format ";
-    const std::string     format    = "2";
+    const std::string     format    = "3";
 
     const std::pair<const char *, std::vector<double> State::*> vectors_of_state[] = {
       {"state/q", &State::q},
       {"state/coordinates", &State::coordinates},
       {"state/y", &State::y},
       {"state/rates", &State::rates},
+      {"state/states", &State::states},
+      {"state/state rates", &State::state_rates},
       {"state/multipliers", &State::multipliers},
       {"state/stress", &State::stress},
       {"state/accelerations", &State::accelerations}};

@@ -43,9 +43,7 @@ namespace samara
     , length(model_length(system.model))
   {
     const Model &model = system.model;
-    for (const auto &c : model.contributions)
-      if (const auto *const motions = dynamic_cast<const RelativeMotions *>(c.get()))
-        motions->add_relative_rates(state.q.data(), rates);
+    rates = system.relative_rates(state.q.data());
     is_driven.assign(rates.size(), false);
     unsigned int hold = 0;
     for (unsigned int i = 0; i < speeds.size(); ++i)
@@ -138,38 +136,31 @@ namespace samara
   {
     // component by component, against what velocities in disorder would strain
     const Layout       &layout = system.layout;
-    std::vector<double> disorder(layout.of_multiplier(0)), e, stress, stress_of_disorder;
+    std::vector<double> disorder(layout.n_kinematic());
     for (unsigned int i = 0; i < disorder.size(); ++i)
       {
         const unsigned int coordinate = layout.of_coordinate(0);
         const bool in_metres = i < coordinate ? i % 6 < 3 : system.model.coordinate_units[i - coordinate] == "m";
         disorder[i]          = speed * (in_metres ? length : 1.) * std::cos(1. + 2.4 * i);
       }
-    const auto stresses = [&](const Contribution &c, const std::vector<double> &y, std::vector<double> &result) {
-      std::vector<double> twists(6 * layout.n_nodes, 0.);
+    const auto stresses = [&](const std::vector<double> &y) {
+      std::vector<double> twists(6 * layout.n_nodes, 0.), e(layout.n_strains, 0.), none(e), result(e);
       std::copy_n(y.begin(), twists.size() - 6, twists.begin() + 6);
       Point<double> point = state.point();
       point.y             = twists.data();
       point.rates         = y.data() + layout.of_coordinate(0);
-      e.assign(c.n_strains(), 0.);
-      c.strain_rates(point, e.data());
-      result.assign(c.n_strains(), 0.);
-      const std::vector<double> none(c.n_strains(), 0.);
-      c.stresses(e.data(), none.data(), result.data());
+      system.strain_rates(point, e.data());
+      system.stresses(e.data(), none.data(), result.data());
+      return result;
     };
     findings.strain = 0;
     findings.strained.clear();
-    for (const auto &c : system.model.contributions)
-      if (c->n_strains() > 0)
+    const std::vector<double> stress = stresses(velocities), stress_of_disorder = stresses(disorder);
+    for (unsigned int i = 0; i < stress.size(); ++i)
+      if (stress_of_disorder[i] != 0. && std::abs(stress[i] / stress_of_disorder[i]) > findings.strain)
         {
-          stresses(*c, velocities, stress);
-          stresses(*c, disorder, stress_of_disorder);
-          for (unsigned int i = 0; i < stress.size(); ++i)
-            if (stress_of_disorder[i] != 0. && std::abs(stress[i] / stress_of_disorder[i]) > findings.strain)
-              {
-                findings.strain   = std::abs(stress[i] / stress_of_disorder[i]);
-                findings.strained = c->name;
-              }
+          findings.strain   = std::abs(stress[i] / stress_of_disorder[i]);
+          findings.strained = layout.item_of_strain(i).name;
         }
     if (findings.strain <= negligible)
       findings.strained.clear();
@@ -211,7 +202,7 @@ namespace samara
     c                     = Eigen::Map<const Eigen::VectorXd>(held.data(), held.size());
     Eigen::VectorXd sizes = Eigen::VectorXd::Zero(G.rows()); // of the rows, before anything cancels
     const int       first = layout.of_multiplier(0), first_coordinate = layout.of_coordinate(0);
-    for (int j = 0; j < first; ++j)
+    for (int j = 0; j < layout.n_kinematic(); ++j)
       for (int k = K.pattern->column_start[j]; k < K.pattern->column_start[j + 1]; ++k)
         if (const int row = K.pattern->rows[k] - first; row >= 0 && K.values[k] != 0.)
           {
@@ -247,46 +238,26 @@ namespace samara
   JointMotion::strains_of_pieces(const RigidPieces &pieces) const
   {
     // √C B of all that is strained between pieces, column by column
-    std::vector<const Contribution *> springs;
-    std::vector<Eigen::MatrixXd>      roots;
-    unsigned int                      n_rows = 0;
-    for (const auto &c : system.model.contributions)
+    const StrainRows             rows = system.strain_rows(state, System::Part::between_pieces);
+    std::vector<Eigen::MatrixXd> roots;
+    unsigned int                 n_rows = 0;
+    for (const auto &p : rows.points)
       {
-        const auto        *motions = dynamic_cast<const RelativeMotions *>(c.get());
-        const unsigned int n       = c->n_strains();
-        if (n == 0 || (motions != nullptr && !motions->rigid_nodes().empty()))
-          continue;
-        Eigen::MatrixXd       C(n, n);
-        const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const Eigen::VectorXd e = Eigen::VectorXd::Unit(n, i);
-            c->stresses(e.data(), none.data(), C.col(i).data());
-          }
-        if (C.isZero(0.))
-          continue;
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C);
-        springs.push_back(c.get());
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(p.weight * rows.C(p));
         roots.push_back(eigen.eigenvalues().cwiseMax(0.).cwiseSqrt().asDiagonal() * eigen.eigenvectors().transpose());
-        n_rows += n;
+        n_rows += p.size;
       }
-    Eigen::MatrixXd     B(n_rows, pieces.n_unknowns());
-    std::vector<double> twists(6 * system.layout.n_nodes, 0.);
-    Point<double>       point = state.point();
-    point.y                   = twists.data();
-    Eigen::VectorXd e;
+    Eigen::MatrixXd B(n_rows, pieces.n_unknowns());
     for (unsigned int j = 0; j < pieces.n_unknowns(); ++j)
       {
         const std::vector<double> y = pieces.velocities(Eigen::VectorXd::Unit(pieces.n_unknowns(), j));
-        std::copy_n(y.begin(), twists.size() - 6, twists.begin() + 6);
-        point.rates      = y.data() + system.layout.of_coordinate(0);
-        unsigned int row = 0;
-        for (unsigned int s = 0; s < springs.size(); ++s)
+        for (unsigned int k = 0; k < rows.points.size(); ++k)
           {
-            e.setZero(roots[s].cols());
-            springs[s]->strain_rates(point, e.data());
-            B.col(j).segment(row, e.size()) = roots[s] * e;
-            row += e.size();
+            const auto     &p = rows.points[k];
+            Eigen::VectorXd e(p.size);
+            for (unsigned int i = 0; i < p.size; ++i)
+              e(i) = rows.B.row_times(p.first_row + i, y.data());
+            B.col(j).segment(p.first_row, p.size) = roots[k] * e;
           }
       }
     const double largest = n_rows > 0 ? B.rowwise().norm().maxCoeff() : 0.;

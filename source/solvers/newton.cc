@@ -44,6 +44,8 @@ namespace samara
       size = std::max(size,
                       std::abs(step[system.layout.of_coordinate(i)]) /
                         (system.model.coordinate_units[i] == "m" ? length : 1.));
+    for (unsigned int i = 0; i < system.layout.n_states; ++i)
+      size = std::max(size, std::abs(step[system.layout.of_state(i)]) / system.model.states[i].scale);
     return size;
   }
 

@@ -93,8 +93,7 @@ namespace samara
   RedundantRows::gaps(const State &state) const
   {
     std::vector<double> g(n + m + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->constraints(state.point(), g.data());
+    system.add_gaps(state.point(), g.data());
     return gaps(state, g);
   }
 

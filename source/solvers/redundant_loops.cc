@@ -16,8 +16,7 @@ namespace samara
       State at = state;
       at.time  = time;
       std::vector<double> r(n + m + 6, 0.);
-      for (const auto *c : system.layout.constraining)
-        c->constraints(at.point(), r.data());
+      system.add_gaps(at.point(), r.data());
       return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data() + n, m));
     };
     // as long as prescribed motions are small, X is that of the start

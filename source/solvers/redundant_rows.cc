@@ -53,8 +53,7 @@ namespace samara
   RedundantRows::assemble(const State &state)
   {
     K.clear();
-    for (const auto *c : system.layout.constraining)
-      c->tangent(state.point(), K);
+    system.add_constraint_tangent(state.point(), K);
     const Pattern &all = *K.pattern;
     for (int i = 0; i < m; ++i)
       {
@@ -257,8 +256,11 @@ namespace samara
       return size_of_step(system, z, length);
     };
     const int  n_twists = system.layout.of_coordinate(0);
-    double     size     = set([&](const int i) { return i < n_twists ? state.y[6 + i] : state.rates[i - n_twists]; });
-    const auto any      = [&](const int i) { return std::sin(1. + 1.7 * i) / unit[i]; };
+    const int  n_moving = system.layout.n_kinematic();
+    double     size     = set([&](const int i) {
+      return i < n_twists ? state.y[6 + i] : i < n_moving ? state.rates[i - n_twists] : 0.;
+    });
+    const auto any      = [&](const int i) { return i < n_moving ? std::sin(1. + 1.7 * i) / unit[i] : 0.; };
     if (size == 0)
       size = set(any);
     auto out = left_out;
@@ -293,8 +295,7 @@ namespace samara
         assemble(state);
         factorize(left_out);
         r.assign(n + m + 6, 0.);
-        for (const auto *c : system.layout.constraining)
-          c->constraints(state.point(), r.data());
+        system.add_gaps(state.point(), r.data());
         std::fill(b.begin(), b.end(), 0.);
         for (int i = 0; i < m; ++i)
           b[n + i] = -r[n + i] * scale[i];

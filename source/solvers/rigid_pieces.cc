@@ -10,15 +10,11 @@ namespace samara
     , twist(system.layout.n_nodes, Matrix6::Zero())
   {
     DisjointSets groups(system.layout.n_nodes);
-    for (const auto &c : system.model.contributions)
-      if (const auto *const motions = dynamic_cast<const RelativeMotions *>(c.get()))
+    for (const auto &nodes : system.rigid_nodes())
+      for (const auto node : nodes)
         {
-          const auto nodes = motions->rigid_nodes();
-          for (const auto node : nodes)
-            {
-              const unsigned int a = groups.root_of(nodes[0]), b = groups.root_of(node);
-              groups.join(std::max(a, b), std::min(a, b)); // the ground stays a root
-            }
+          const unsigned int a = groups.root_of(nodes[0]), b = groups.root_of(node);
+          groups.join(std::max(a, b), std::min(a, b)); // the ground stays a root
         }
     for (unsigned int node = 1; node < piece.size(); ++node)
       piece[node] = groups.root_of(node) == node ? n_pieces++ : piece[groups.root_of(node)];

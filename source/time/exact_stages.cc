@@ -117,6 +117,7 @@ namespace samara
     of_coordinates.U       = h * tableau.a;
     of_coordinates.U_alpha = h * tableau.a_alpha;
     of_coordinates.V       = Eigen::MatrixXd::Identity(s, s);
+    of_states              = {of_coordinates.U_alpha, of_coordinates.U_alpha, of_coordinates.V};
   }
 
 
@@ -140,8 +141,7 @@ namespace samara
     moved.q             = moved_q.data();
     moved.coordinates   = moved_coordinates.data();
     result.clear();
-    for (const auto *c : layout.constraining)
-      c->tangent(moved, result);
+    system.add_constraint_tangent(moved, result);
   }
 
 
@@ -152,11 +152,10 @@ namespace samara
     const Layout &layout = system.layout;
     K.clear();
     C.clear();
-    for (const auto &c : system.model.contributions)
-      {
-        c->tangent(stage, K);
-        c->damping(stage, C);
-      }
+    system.add_tangent(stage, K);
+    system.add_damping(stage, C);
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      C.values[C.pattern->position(layout.of_state(i), layout.of_state(i))] += 1.;
     // rows of constraints: G to C, Ġ to K. G N is quadratic in q, or nearly so, and differences along q̇ are its
     // derivative
     const double dt = 0.1 * h;
@@ -231,7 +230,7 @@ namespace samara
                 matrix.values[at + i] += gyroscopic(i, j);
           }
         for (int j = layout.of_coordinate(0); j < layout.of_multiplier(0); ++j)
-          add_columns(k, j, 1, of_coordinates);
+          add_columns(k, j, 1, j < layout.of_state(0) ? of_coordinates : of_states);
         for (int j = layout.of_multiplier(0); j < pattern.size(); ++j)
           for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p)
             matrix.values[place(k, p, k, j)] += K.values[p];
@@ -310,6 +309,6 @@ namespace samara
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       add(layout.of_node(node), 6, kinematics[node - 1]);
     for (int i = layout.of_coordinate(0); i < layout.of_multiplier(0); ++i)
-      add(i, 1, of_coordinates);
+      add(i, 1, i < layout.of_state(0) ? of_coordinates : of_states);
   }
 } // namespace samara

@@ -72,12 +72,14 @@ namespace samara
     Point<double> free = state.point();
     free.held          = false;
     K.clear();
-    for (const auto *c : system.layout.constraining)
-      c->tangent(free, K);
+    system.add_constraint_tangent(free, K);
     const int n = system.layout.of_multiplier(0);
     for (int j = 0, k = 0; j < pattern->size(); ++j)
       for (; k < pattern->column_start[j + 1]; ++k)
         saddle->values[k] = (j < n && pattern->rows[k] < n ? M : K).values[kept[k]];
+    // ż = g
+    for (int i = system.layout.of_state(0); i < n; ++i)
+      saddle->values[pattern->position(i, i)] = 1.;
     system.fix_left_out(left_out, *saddle);
     solver->factorize(*saddle);
   }
@@ -87,9 +89,8 @@ namespace samara
   std::vector<double>
   Projection::constraint_rates(const State &state) const
   {
-    std::vector<double> rates(system.layout.n_multipliers, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->constraint_rates(state.point(), rates.data());
+    std::vector<double> rates(system.layout.n_multipliers);
+    system.constraint_rates(state.point(), rates.data());
     for (const auto i : left_out)
       rates[i] = 0;
     return rates;
@@ -103,6 +104,7 @@ namespace samara
     AssertDimension(state.y.size(), 6 * system.layout.n_nodes);
     if (system.layout.n_multipliers == 0)
       return 0;
+    system.find_state_rates(state);
     factorize(state, 1e-14);
     return project(state);
   }
@@ -113,6 +115,7 @@ namespace samara
   Projection::increments(const State &state, std::vector<double> &dy, std::vector<double> &driven)
   {
     State still = state;
+    system.find_state_rates(still);
     std::fill(still.y.begin(), still.y.end(), 0.);
     std::fill(still.rates.begin(), still.rates.end(), 0.);
     State moved = still;
@@ -168,7 +171,10 @@ namespace samara
       }
     for (unsigned int i = 0; i < state.rates.size(); ++i)
       moved.coordinates[i] += dt * state.rates[i];
+    for (unsigned int i = 0; i < state.states.size(); ++i)
+      moved.states[i] += dt * state.state_rates[i];
     moved.time += dt;
+    system.find_state_rates(moved);
     return constraint_rates(moved);
   }
 
@@ -186,6 +192,7 @@ namespace samara
   void
   Projection::report(State &state)
   {
+    system.find_state_rates(state);
     factorize(state);
     if (system.layout.n_multipliers > 0)
       project(state);

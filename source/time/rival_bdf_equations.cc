@@ -143,15 +143,13 @@ namespace samara
   std::vector<double>
   Bdf::constraint_forces(const State &state, const double *const mu) const
   {
-    const std::vector<double> zeros(std::max(system.layout.n_strains, system.layout.n_multipliers), 0.);
+    const std::vector<double> zeros(system.layout.n_multipliers, 0.);
     std::vector<double>       with(system.size() + 6, 0.), without(system.size() + 6, 0.);
     Point<double>             point = state.point();
-    point.stress = point.multipliers = zeros.data();
-    for (const auto *c : system.layout.constraining)
-      c->residual(point, without.data());
+    point.multipliers                   = zeros.data();
+    system.add_constraints(point, without.data());
     point.multipliers = mu;
-    for (const auto *c : system.layout.constraining)
-      c->residual(point, with.data());
+    system.add_constraints(point, with.data());
     for (unsigned int i = 0; i < with.size(); ++i)
       with[i] -= without[i];
     return with;

@@ -17,10 +17,9 @@ namespace samara
     , K(system.layout.pattern)
     , is_active(rivals::active_multipliers(system))
     , is_nonholonomic(rivals::nonholonomic_multipliers(system))
+    , frozen_strains(system.linear_strains())
   {
     system.mass(M);
-    for (const auto &c : system.model.contributions)
-      frozen_strains.push_back(c->n_strains() > 0 ? c->linear_strains() : nullptr);
     for (const auto &node : system.model.nodes)
       {
         const Matrix3 coupling = node.inertia.bottomLeftCorner<3, 3>(), linear = node.inertia.topLeftCorner<3, 3>();
@@ -130,13 +129,8 @@ namespace samara
   std::vector<double>
   EnergyDecaying::loads(const State &state) const
   {
-    const std::vector<double> zeros(std::max(system.layout.n_strains, system.layout.n_multipliers), 0.);
-    std::vector<double>       force(system.size() + 6, 0.);
-    Point<double>             point = state.point();
-    point.multipliers = point.stress = zeros.data();
-    for (const auto &c : system.model.contributions)
-      if (c->has_loads())
-        c->residual(point, force.data());
+    std::vector<double> force(system.size() + 6, 0.);
+    system.add_loads(state.point(), force.data());
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         const Matrix3       D = state.triad(node).transpose().inverse();
@@ -170,20 +164,13 @@ namespace samara
     const Layout       &layout = system.layout;
     std::vector<double> rates(layout.n_strains, 0.), at_end(system.size() + 6, 0.);
     stage.r.assign(system.size() + 6, 0.);
-    for (const auto &c : system.model.contributions)
-      {
-        c->strain_rates(stage.mean.point(), rates.data() + c->first_strain);
-        c->stresses(strains.data() + c->first_strain,
-                    rates.data() + c->first_strain,
-                    stage.excess.data() + c->first_strain);
-      }
+    system.strain_rates(stage.mean.point(), rates.data());
+    system.stresses(strains.data(), rates.data(), stage.excess.data());
     for (unsigned int i = 0; i < layout.n_strains; ++i)
       stage.excess[i] -= stage.stress[i];
     stage.mean.stress = stage.stress;
-    for (const auto &c : system.model.contributions)
-      c->residual(stage.mean.point(), stage.r.data());
-    for (const auto *c : layout.constraining)
-      c->residual(stage.end.point(), at_end.data());
+    system.add_terms(stage.mean.point(), stage.r.data());
+    system.add_constraints(stage.end.point(), at_end.data());
     const std::vector<double> constraint_rates = rivals::constraint_rates(system, stage.mean);
     const bool                is_j             = &stage == &j;
     for (unsigned int i = 0; i < layout.n_multipliers; ++i)
@@ -226,9 +213,7 @@ namespace samara
     evaluate_stage(state, h, bracket, j);
 
     // the loads of the second equation are a difference, too
-    if (std::any_of(system.model.contributions.begin(), system.model.contributions.end(), [](const auto &c) {
-          return c->has_loads();
-        }))
+    if (system.n_loads() > 0)
       {
         const std::vector<double> at_f = loads(f.end), at_j = loads(j.end), at_i = loads(state),
                                   counted = loads(j.mean);
@@ -268,9 +253,7 @@ namespace samara
     system.tangent(frozen, K);
     system.damping(frozen, C);
     std::fill(frozen.multipliers.begin(), frozen.multipliers.end(), 0.);
-    for (const auto &strains : frozen_strains)
-      if (strains)
-        strains->renew(frozen.point());
+    frozen_strains->renew(frozen.point());
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         Matrix6 inertia                   = Matrix6::Zero();
@@ -320,10 +303,7 @@ namespace samara
       {
         const int                 n_forces = system.layout.of_multiplier(0);
         const std::vector<double> constraints(stage->r.begin() + n_forces, stage->r.end());
-        for (unsigned int i = 0; i < frozen_strains.size(); ++i)
-          if (frozen_strains[i])
-            frozen_strains[i]->add_forces(stage->excess.data() + system.model.contributions[i]->first_strain,
-                                          stage->r.data());
+        frozen_strains->add_forces(stage->excess.data(), stage->r.data());
         std::copy(constraints.begin(), constraints.end(), stage->r.begin() + n_forces);
       }
     for (unsigned int i = 0; i < n; ++i)
@@ -392,16 +372,11 @@ namespace samara
     std::vector<double> twists(6 * layout.n_nodes, 0.), e(layout.n_strains, 0.), e_rates(e), change(e);
     const auto          strains = [&](const std::vector<double> &increments, std::vector<double> &result) {
       std::copy_n(increments.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
-      for (unsigned int i = 0; i < frozen_strains.size(); ++i)
-        if (frozen_strains[i])
-          frozen_strains[i]->strains(twists.data(),
-                                     increments.data() + layout.of_coordinate(0),
-                                     result.data() + system.model.contributions[i]->first_strain);
+      frozen_strains->strains(twists.data(), increments.data() + layout.of_coordinate(0), result.data());
     };
     strains(z, e);
     strains(rates, e_rates);
-    for (const auto &c : system.model.contributions)
-      c->stresses(e.data() + c->first_strain, e_rates.data() + c->first_strain, change.data() + c->first_strain);
+    system.stresses(e.data(), e_rates.data(), change.data());
     for (unsigned int i = 0; i < layout.n_strains; ++i)
       stage.stress[i] += stage.excess[i] + change[i];
   }
@@ -472,8 +447,7 @@ namespace samara
       }
     for (unsigned int i = 0; i < e_start.size(); ++i)
       j.strains[i] -= e_start[i];
-    for (const auto &c : system.model.contributions)
-      jump_energy += alpha * c->strain_energy(j.strains.data() + c->first_strain);
+    jump_energy += alpha * system.strain_energy(j.strains.data());
 
     State after = f.end;
     after.time  = begin.time + h;

@@ -52,9 +52,8 @@ namespace samara
     std::vector<double>
     constraint_rates(const System &system, const State &state)
     {
-      std::vector<double> rates(system.layout.n_multipliers, 0.);
-      for (const auto *c : system.layout.constraining)
-        c->constraint_rates(state.point(), rates.data());
+      std::vector<double> rates(system.layout.n_multipliers);
+      system.constraint_rates(state.point(), rates.data());
       for (const auto i : state.left_out)
         rates[i] = 0;
       for (const auto i : system.released_multipliers())
@@ -91,9 +90,7 @@ namespace samara
     bool
     is_corner(const System &system, const double time, const double width)
     {
-      return std::any_of(system.model.contributions.begin(), system.model.contributions.end(), [&](const auto &c) {
-        return c->next_corner(time - width, time + width) < time + width;
-      });
+      return system.next_corner(time - width, time + width) < time + width;
     }
 
 
@@ -124,53 +121,17 @@ namespace samara
 
 
 
-    namespace
-    {
-      /** The potential counts, not a quadrature, of what has one at this state. */
-      bool
-      has_potential(const Contribution &c, const State &state)
-      {
-        if (c.potential_energy(state.point()) != 0.)
-          return true;
-        State shifted = state; // a potential may happen to vanish here
-        for (unsigned int i = 0; i < shifted.q.size(); i += 12)
-          for (unsigned int j = 0; j < 3; ++j)
-            shifted.q[i + j] += 1. + j;
-        return c.potential_energy(shifted.point()) != 0.;
-      }
-
-      double
-      potential_energy(const System &system, const State &state)
-      {
-        double sum = 0;
-        for (const auto &c : system.model.contributions)
-          sum += c->potential_energy(state.point());
-        return sum;
-      }
-    } // namespace
-
-
-
     Powers
     powers(const System &system, const State &state)
     {
       const Layout             &layout = system.layout;
       Powers                    result;
-      const std::vector<double> zeros(std::max(layout.n_strains, layout.n_multipliers), 0.);
-      std::vector<double>       force(system.size() + 6, 0.), rates(layout.n_strains), stress(layout.n_strains);
-      Point<double>             point = state.point();
-      point.multipliers               = zeros.data();
-      point.stress                    = zeros.data();
-      for (const auto &c : system.model.contributions)
+      std::vector<double>       force(system.size() + 6, 0.), rates(layout.n_strains);
+      system.add_loads(state.point(), force.data(), false);
+      if (system.is_viscous())
         {
-          if (c->has_loads() && !has_potential(*c, state))
-            c->residual(point, force.data());
-          if (c->has_damping())
-            {
-              c->strain_rates(state.point(), rates.data() + c->first_strain);
-              c->stresses(zeros.data(), rates.data() + c->first_strain, stress.data() + c->first_strain);
-              result.viscous += c->power(stress.data() + c->first_strain, rates.data() + c->first_strain);
-            }
+          system.strain_rates(state.point(), rates.data());
+          result.viscous = system.viscous_power(rates.data());
         }
       for (unsigned int i = 0; i < 6 * (layout.n_nodes - 1); ++i)
         result.loads -= force[i] * state.y[6 + i];
@@ -179,9 +140,8 @@ namespace samara
 
       // a constraint does the work −λ·Gy = λ·∂g/∂t
       const std::vector<bool> is_active = active_multipliers(system);
-      std::vector<double>     time_rates(layout.n_multipliers, 0.);
-      for (const auto *c : layout.constraining)
-        c->constraint_time_rates(state.point(), time_rates.data());
+      std::vector<double>     time_rates(layout.n_multipliers);
+      system.constraint_time_rates(state.point(), time_rates.data());
       for (unsigned int i = 0; i < layout.n_multipliers; ++i)
         if (is_active[i])
           result.drives += state.multipliers[i] * time_rates[i];
@@ -194,7 +154,7 @@ namespace samara
     account(const System &system, const State &before, const State &after, const Powers &work, StepResult &result)
     {
       const auto start = system.energy(before), end = system.energy(after);
-      result.work_of_loads  = work.loads + potential_energy(system, before) - potential_energy(system, after);
+      result.work_of_loads  = work.loads + system.potential_energy(before.point()) - system.potential_energy(after.point());
       result.work_of_drives = work.drives;
       result.viscous_loss   = work.viscous;
       result.dissipated     = start.kinetic + start.strain - end.kinetic - end.strain + result.work_of_loads +

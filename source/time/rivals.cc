@@ -20,6 +20,8 @@ namespace samara
   std::unique_ptr<Integrator>
   make_rival(const std::string &name, const System &system, const RivalSettings &settings)
   {
+    if (system.layout.n_states > 0)
+      throw std::invalid_argument("the integrator <" + name + "> knows no states of first order; <family> does");
     if (name == "generalised alpha")
       return std::make_unique<GeneralisedAlpha>(system,
                                                 GeneralisedAlpha::of_spectral_radius(settings.spectral_radius),

@@ -49,16 +49,13 @@ namespace samara
       is_nonholonomic[i] = true;
     for (const auto i : system.released_multipliers())
       is_active[i] = false;
-    for (const auto &c : system.model.contributions)
-      {
-        has_damping = has_damping || c->has_damping();
-        frozen_strains.push_back(c->n_strains() > 0 ? c->linear_strains() : nullptr);
-      }
+    frozen_strains = system.linear_strains();
     system.mass(M);
 
     x.resize(n);
     x_real.resize(n);
     x_rates.resize(layout.n_coordinates);
+    x_states.resize(layout.n_states);
     e.resize(layout.n_strains);
     mean_rates.resize(layout.n_multipliers);
     twists.assign(6 * layout.n_nodes, 0.);
@@ -68,7 +65,7 @@ namespace samara
     extrapolated.resize(6 * layout.n_nodes);
     for (auto *const strains : {&strain_increment, &rate_increment, &stress_increment})
       strains->assign(layout.n_strains, 0.);
-    previous.assign(tableau.s + 1, std::vector<double>(6 * layout.n_nodes + layout.n_coordinates));
+    previous.assign(tableau.s + 1, std::vector<double>(6 * layout.n_nodes + layout.n_coordinates + layout.n_states));
   }
 
 
@@ -364,10 +361,7 @@ namespace samara
         for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
           power += stage.residual[system.layout.of_coordinate(i)] * stage.rates[i];
         force_work += h * tableau.b(k) * power;
-        for (const auto &c : system.model.contributions)
-          stress_work +=
-            h * tableau.b(k) *
-            std::abs(c->power(stage.excess.data() + c->first_strain, stage.strain_rates.data() + c->first_strain));
+        stress_work += h * tableau.b(k) * system.sum_of_powers(stage.excess.data(), stage.strain_rates.data());
       }
     return std::abs(force_work) + stress_work;
   }
@@ -375,11 +369,15 @@ namespace samara
 
 
   void
-  StageIntegrator::extrapolate(const double at, std::vector<double> &y, std::vector<double> &rates) const
+  StageIntegrator::extrapolate(const double         at,
+                               std::vector<double> &y,
+                               std::vector<double> &rates,
+                               std::vector<double> &states) const
   {
     // the polynomial through the start and the stages of the last step
     std::fill(y.begin(), y.end(), 0.);
     std::fill(rates.begin(), rates.end(), 0.);
+    std::fill(states.begin(), states.end(), 0.);
     const unsigned int n_y  = y.size();
     const auto         node = [&](const unsigned int j) { return j == 0 ? 0. : tableau.c(j - 1); };
     for (unsigned int j = 0; j <= tableau.s; ++j)
@@ -392,6 +390,8 @@ namespace samara
           y[i] += L * previous[j][i];
         for (unsigned int i = 0; i < rates.size(); ++i)
           rates[i] += L * previous[j][n_y + i];
+        for (unsigned int i = 0; i < states.size(); ++i)
+          states[i] += L * previous[j][n_y + rates.size() + i];
       }
   }
 
@@ -408,8 +408,9 @@ namespace samara
         stage.stress      = state.stress;
         stage.y           = state.y;
         stage.rates       = state.rates;
+        stage.states      = state.states;
         if (previous_step > 0 && extrapolates)
-          extrapolate(offset + tableau.c(k) * h / previous_step, stage.y, stage.rates);
+          extrapolate(offset + tableau.c(k) * h / previous_step, stage.y, stage.rates, stage.states);
       }
   }
 
@@ -424,7 +425,7 @@ namespace samara
         // would extrapolation have been nearer than the velocities at the start?
         const Stage &last  = stages.back();
         double       error = 0, change = 0;
-        extrapolate(offset + tableau.c(tableau.s - 1) * h / previous_step, extrapolated, x_rates);
+        extrapolate(offset + tableau.c(tableau.s - 1) * h / previous_step, extrapolated, x_rates, x_states);
         for (unsigned int i = 0; i < n_y; ++i)
           {
             error += std::pow(extrapolated[i] - last.y[i], 2);
@@ -438,8 +439,10 @@ namespace samara
       {
         const auto &y     = j == 0 ? state.y : stages[j - 1].y;
         const auto &rates = j == 0 ? state.rates : stages[j - 1].rates;
-        std::copy(y.begin(), y.end(), previous[j].begin());
-        std::copy(rates.begin(), rates.end(), previous[j].begin() + n_y);
+        const auto &z     = j == 0 ? state.states : stages[j - 1].states;
+        auto        to    = std::copy(y.begin(), y.end(), previous[j].begin());
+        to                = std::copy(rates.begin(), rates.end(), to);
+        std::copy(z.begin(), z.end(), to);
       }
     previous_step = h;
     offset        = 1;
@@ -461,6 +464,7 @@ namespace samara
     };
     advance(state.y, &Stage::y);
     advance(state.rates, &Stage::rates);
+    advance(state.states, &Stage::states);
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         Eigen::Map<Matrix3> D(&final_q[12 * node + 3]);

@@ -19,42 +19,18 @@ namespace samara
       return sum;
     };
 
-    // loads: the residual without stresses and multipliers
-    std::fill(stress_increment.begin(), stress_increment.end(), 0.);
-    for (unsigned int k = 0; k < s; ++k)
+    for (unsigned int k = 0; k < s && system.n_loads() > 0; ++k)
       {
-        Point<double> point = stages[k].point();
-        point.multipliers   = no_multipliers.data();
-        point.stress        = stress_increment.data();
         force.assign(system.size() + 6, 0.);
-        bool any = false;
-        for (const auto &c : system.model.contributions)
-          if (c->has_loads())
-            {
-              c->residual(point, force.data());
-              any = true;
-            }
-        if (any)
-          result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
+        system.add_loads(stages[k].point(), force.data());
+        result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
       }
 
     find_worst(result);
 
     // dampers: the power of the viscous stresses is the product with their own strain rates
-    if (has_damping)
-      {
-        std::fill(strain_increment.begin(), strain_increment.end(), 0.);
-        for (unsigned int k = 0; k < s; ++k)
-          for (const auto &c : system.model.contributions)
-            if (c->has_damping())
-              {
-                const double *const rates = stages[k].strain_rates.data() + c->first_strain;
-                c->stresses(strain_increment.data() + c->first_strain,
-                            rates,
-                            stress_increment.data() + c->first_strain);
-                result.viscous_loss += h * tableau.b(k) * c->power(stress_increment.data() + c->first_strain, rates);
-              }
-      }
+    for (unsigned int k = 0; k < s && system.is_viscous(); ++k)
+      result.viscous_loss += h * tableau.b(k) * system.viscous_power(stages[k].strain_rates.data());
 
     account_for_stops(state, h, result);
 
@@ -62,9 +38,8 @@ namespace samara
     for (unsigned int k = 0; k < s && system.layout.n_multipliers > 0; ++k)
       {
         const Stage &stage = stages[k];
-        time_rates.assign(system.layout.n_multipliers, 0.);
-        for (const auto *c : system.layout.constraining)
-          c->constraint_time_rates(stage.point(), time_rates.data());
+        time_rates.resize(system.layout.n_multipliers);
+        system.constraint_time_rates(stage.point(), time_rates.data());
         for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
           if (is_active[i])
             result.work_of_drives -=
@@ -87,13 +62,11 @@ namespace samara
         }
       return square;
     };
-    double square = 0;
     std::fill(strain_increment.begin(), strain_increment.end(), 0.);
     for (unsigned int k = 0; k < s; ++k)
       for (unsigned int i = 0; i < n_strains; ++i)
         strain_increment[i] += tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
-    for (const auto &c : system.model.contributions)
-      square += 2 * c->strain_energy(strain_increment.data() + c->first_strain);
+    const double square = 2 * system.strain_energy(strain_increment.data());
     const double factor = h * h / (2 * (2. * s - 1)), raw = square + kinetic(state.y);
     result.dissipated = tableau.alpha * factor * raw;
     result.indicator  = factor * (wants_estimates ? square + kinetic(admissible_velocities(state)) : raw);
@@ -120,7 +93,7 @@ namespace samara
     const unsigned int n_nodal = 6 * (layout.n_nodes - 1);
     double             most    = -1;
     for (const Stage &stage : stages)
-      for (unsigned int i = 0; i < static_cast<unsigned int>(layout.of_multiplier(0)); ++i)
+      for (unsigned int i = 0; i < static_cast<unsigned int>(layout.n_kinematic()); ++i)
         {
           const double work = std::abs(stage.residual[i] * (i < n_nodal ? stage.y[6 + i] : stage.rates[i - n_nodal]));
           if (work > most)

@@ -98,9 +98,7 @@ namespace samara
             stress_increment[i] = epsilon * tableau.p(k) * v[i];
             stage.excess[i] += stress_increment[i];
           }
-        for (unsigned int i = 0; i < frozen_strains.size(); ++i)
-          if (const auto *const B = strains_in_matrix(k, i))
-            B->add_forces(stress_increment.data() + system.model.contributions[i]->first_strain, stage.residual.data());
+        strains_in_matrix(k).add_forces(stress_increment.data(), stage.residual.data());
       }
   }
 
@@ -146,13 +144,8 @@ namespace samara
     for (unsigned int k = 0; k < s; ++k)
       for (unsigned int i = 0; i < v.size(); ++i)
         strain_increment[i] += h * factor * tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
-    for (const auto &c : system.model.contributions)
-      {
-        c->stresses(strain_increment.data() + c->first_strain,
-                    rate_increment.data() + c->first_strain,
-                    v.data() + c->first_strain);
-        squares += 2 * c->strain_energy(strain_increment.data() + c->first_strain);
-      }
+    system.stresses(strain_increment.data(), rate_increment.data(), v.data());
+    squares += 2 * system.strain_energy(strain_increment.data());
     difference.neighbour.displacement.assign(6 * (n_nodes - 1), 0.);
     difference.neighbour.rate.assign(6 * n_nodes, 0.);
     if (!(squares > 0))
@@ -270,12 +263,9 @@ namespace samara
     State end = at_end(state, state.time + h);
     std::fill(end.rates.begin(), end.rates.end(), 0.);
     std::copy(field.rate.begin(), field.rate.end(), end.y.begin() + 6);
-    double strain = 0, kinetic = 0;
-    for (const auto &c : system.model.contributions)
-      {
-        c->strain_rates(end.point(), strain_increment.data() + c->first_strain);
-        strain += c->strain_energy(strain_increment.data() + c->first_strain);
-      }
+    system.strain_rates(end.point(), strain_increment.data());
+    const double strain  = system.strain_energy(strain_increment.data());
+    double       kinetic = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         const Eigen::Map<const Vector6> y(&end.y[6 * node]);
@@ -289,16 +279,10 @@ namespace samara
   void
   StageIntegrator::add_loads(const double time, const double weight, Stage &stage)
   {
-    // the residual without stresses and multipliers, of what has loads
-    std::fill(stress_increment.begin(), stress_increment.end(), 0.);
     Point<double> point = stage.point();
-    point.multipliers   = no_multipliers.data();
-    point.stress        = stress_increment.data();
     point.time          = time;
     force.assign(system.size() + 6, 0.);
-    for (const auto &c : system.model.contributions)
-      if (c->has_loads())
-        c->residual(point, force.data());
+    system.add_loads(point, force.data());
     for (unsigned int i = 0; i < load_defect.size(); ++i)
       {
         load_defect[i] += weight * force[i];
@@ -311,8 +295,7 @@ namespace samara
   bool
   StageIntegrator::find_load_defect(const State &state, const double h)
   {
-    const auto &all = system.model.contributions;
-    if (std::none_of(all.begin(), all.end(), [](const auto &c) { return c->has_loads(); }))
+    if (system.n_loads() == 0)
       return false;
     static const std::array<dealii::QGauss<1>, 3> finer = {
       {dealii::QGauss<1>(3), dealii::QGauss<1>(5), dealii::QGauss<1>(7)}};

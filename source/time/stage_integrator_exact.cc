@@ -10,10 +10,8 @@ namespace samara
     if (exact)
       return;
     exact = std::make_unique<ExactStages>(system, tableau);
-    stage_strains.resize(tableau.s);
-    for (auto &strains : stage_strains)
-      for (const auto &c : system.model.contributions)
-        strains.push_back(c->n_strains() > 0 ? c->linear_strains() : nullptr);
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      stage_strains.push_back(system.linear_strains());
   }
 
 
@@ -49,9 +47,7 @@ namespace samara
       {
         Point<double> point = stages[k].point();
         point.multipliers   = no_multipliers.data();
-        for (const auto &strains : stage_strains[k])
-          if (strains)
-            strains->renew(point);
+        stage_strains[k]->renew(point);
       }
   }
 } // namespace samara

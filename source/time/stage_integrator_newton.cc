@@ -28,7 +28,7 @@ namespace samara
     frozen       = state;
     frozen.time  = state.time + 0.5 * h;
     frozen.stops = false;
-    for (auto *const values : {&frozen.y, &frozen.rates, &frozen.multipliers, &frozen.stress})
+    for (auto *const values : {&frozen.y, &frozen.rates, &frozen.states, &frozen.multipliers, &frozen.stress})
       std::fill(values->begin(), values->end(), 0.);
     const auto add = [](const double b, const std::vector<double> &from, std::vector<double> &to) {
       for (unsigned int i = 0; i < to.size(); ++i)
@@ -38,6 +38,7 @@ namespace samara
       {
         add(tableau.b(k), stages[k].y, frozen.y);
         add(tableau.b(k), stages[k].rates, frozen.rates);
+        add(tableau.b(k), stages[k].states, frozen.states);
         add(tableau.b(k), stages[k].multipliers, frozen.multipliers);
         add(tableau.b(k), stages[k].stress, frozen.stress);
       }
@@ -108,9 +109,7 @@ namespace samara
     system.tangent(frozen, K);
     Point<double> point = frozen.point();
     point.multipliers   = no_multipliers.data();
-    for (const auto &strains : frozen_strains)
-      if (strains)
-        strains->renew(point);
+    frozen_strains->renew(point);
     const unsigned int n     = real_matrix.pattern->n_nonzeros();
     const auto         value = [&](const unsigned int k, const auto &hm) {
       const int i  = entries_in_use.empty() ? k : entries_in_use[k];
@@ -149,7 +148,7 @@ namespace samara
   {
     // corrections are measured against the largest velocity, or one that would matter over the step
     const Layout &layout = system.layout;
-    double        size = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
+    double        size = 0, size_of_states = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
     previous_change_of_force = change_of_force;
     change_of_force          = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
@@ -174,6 +173,15 @@ namespace samara
             size  = std::max(size, std::abs(d) / l);
             scale = std::max(scale, std::abs(stage.rates[i]) / l);
           }
+        for (unsigned int i = 0; i < layout.n_states; ++i)
+          {
+            const double d = dz[k][layout.of_state(i)];
+            if (!std::isfinite(d))
+              return d;
+            stage.states[i] += d;
+            size_of_states =
+              std::max(size_of_states, std::abs(d) / std::max(std::abs(stage.states[i]), system.model.states[i].scale));
+          }
         for (unsigned int i = 0; i < layout.n_multipliers; ++i)
           {
             const double d = d_lambda[k][i];
@@ -184,7 +192,7 @@ namespace samara
       }
     if (largest_force > 0)
       change_of_force /= largest_force;
-    return size / scale;
+    return std::max(size / scale, size_of_states);
   }
 
 
@@ -347,22 +355,15 @@ namespace samara
     const Layout &layout  = system.layout;
     const auto    strains = [&](const unsigned int k, const std::vector<double> &z, std::vector<double> &e) {
       std::copy_n(z.begin(), 6 * (layout.n_nodes - 1), twists.begin() + 6);
-      for (unsigned int i = 0; i < frozen_strains.size(); ++i)
-        if (const auto *const B = strains_in_matrix(k, i))
-          B->strains(twists.data(),
-                     z.data() + layout.of_coordinate(0),
-                     e.data() + system.model.contributions[i]->first_strain);
+      strains_in_matrix(k).strains(twists.data(), z.data() + layout.of_coordinate(0), e.data());
     };
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         Stage &stage = stages[k];
         strains(k, dz[k], strain_increment);
-        if (has_damping)
+        if (system.is_viscous())
           strains(k, dz_rate[k], rate_increment);
-        for (const auto &c : system.model.contributions)
-          c->stresses(strain_increment.data() + c->first_strain,
-                      rate_increment.data() + c->first_strain,
-                      stress_increment.data() + c->first_strain);
+        system.stresses(strain_increment.data(), rate_increment.data(), stress_increment.data());
         for (unsigned int i = 0; i < layout.n_strains; ++i)
           stage.stress[i] += stage.excess[i] + stress_increment[i];
       }

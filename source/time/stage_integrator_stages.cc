@@ -242,8 +242,7 @@ namespace samara
     for (auto &stage : stages)
       {
         stage.strain_rates.resize(n_strains);
-        for (const auto &c : system.model.contributions)
-          c->strain_rates(stage.point(), stage.strain_rates.data() + c->first_strain);
+        system.strain_rates(stage.point(), stage.strain_rates.data());
       }
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
@@ -253,10 +252,7 @@ namespace samara
           for (unsigned int i = 0; i < n_strains; ++i)
             e[i] += h * tableau.a_alpha(k, l) * stages[l].strain_rates[i];
         stage.excess.resize(n_strains);
-        for (const auto &c : system.model.contributions)
-          c->stresses(e.data() + c->first_strain,
-                      stage.strain_rates.data() + c->first_strain,
-                      stage.excess.data() + c->first_strain);
+        system.stresses(e.data(), stage.strain_rates.data(), stage.excess.data());
         for (unsigned int i = 0; i < n_strains; ++i)
           stage.excess[i] -= stage.stress[i];
       }
@@ -274,9 +270,8 @@ namespace samara
     for (unsigned int k = 0; k < s; ++k)
       {
         Stage &stage = stages[k];
-        stage.constraint_rates.assign(n_multipliers, 0.);
-        for (const auto *c : system.layout.constraining)
-          c->constraint_rates(stage.point(), stage.constraint_rates.data());
+        stage.constraint_rates.resize(n_multipliers);
+        system.constraint_rates(stage.point(), stage.constraint_rates.data());
         for (unsigned int i = 0; i < n_multipliers; ++i)
           mean_rates[i] += tableau.b(k) * stage.constraint_rates[i];
       }
@@ -284,10 +279,14 @@ namespace samara
     Point<double> end = stages[0].point();
     end.q             = final_q.data();
     end.coordinates   = final_coordinates.data();
-    end.time          = state.time + h;
+    final_states      = state.states;
+    for (unsigned int k = 0; k < s; ++k)
+      for (unsigned int i = 0; i < final_states.size(); ++i)
+        final_states[i] += final_weights(k) * (stages[k].states[i] - state.states[i]);
+    end.states = final_states.data();
+    end.time   = state.time + h;
     constraints_at_end.assign(system.size() + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->constraints(end, constraints_at_end.data());
+    system.add_gaps(end, constraints_at_end.data());
     // how often an angle has turned is what the rates say
     for (const auto i : system.layout.angles)
       {
@@ -371,14 +370,16 @@ namespace samara
         // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
         Stage &stage = stages[k];
         stage.residual.assign(system.size() + 6, 0.);
-        for (unsigned int i = 0; i < frozen_strains.size(); ++i)
-          {
-            const Contribution &c = *system.model.contributions[i];
-            c.residual(stage.point(), stage.residual.data());
-            if (const auto *const B = strains_in_matrix(k, i))
-              B->add_forces(stage.excess.data() + c.first_strain, stage.residual.data());
-          }
+        system.add_terms(stage.point(), stage.residual.data());
+        strains_in_matrix(k).add_forces(stage.excess.data(), stage.residual.data());
         kinetic_energy += tableau.b(k) * add_inertia(k, state, h);
+        stage.state_rates.assign(system.layout.n_states, 0.);
+        for (unsigned int i = 0; i < system.layout.n_states; ++i)
+          {
+            for (unsigned int l = 0; l < tableau.s; ++l)
+              stage.state_rates[i] += tableau.w(k, l) / h * (stages[l].states[i] - state.states[i]);
+            stage.residual[system.layout.of_state(i)] += stage.state_rates[i];
+          }
       }
     evaluate_stops(h);
     evaluate_constraints(state, h);

@@ -1,4 +1,5 @@
 #include <samara/base/errors.h>
+#include <samara/base/text.h>
 #include <samara/solvers/linear.h>
 #include <samara/time/stepper.h>
 
@@ -66,10 +67,7 @@ namespace samara
   double
   Stepper::corner(const double from, const double to) const
   {
-    double first = to;
-    for (const auto &c : system.model.contributions)
-      first = std::min(first, c->next_corner(from, to));
-    return first;
+    return std::min(to, system.next_corner(from, to));
   }
 
 
@@ -115,6 +113,42 @@ namespace samara
 
 
 
+  void
+  Stepper::stop_before_switch(const State &state, double &h, Advance &result)
+  {
+    constexpr double resolution = 1e-6; // of a step
+    system.pieces(state.point(), pieces);
+    if (pieces.empty())
+      return;
+    const auto has_switched = [&]() {
+      system.pieces(trial.point(), pieces_after);
+      return pieces_after != pieces;
+    };
+    if (!has_switched())
+      return;
+    // bisection; from the first time on that is not beyond the switch, steps have a solution
+    const auto step_of = [&](const double size) {
+      integrator.step_back();
+      trial       = state;
+      result.step = integrator.step(trial, size);
+      return result.step.converged;
+    };
+    double before = 0, after = h;
+    while (after - before > resolution * h)
+      {
+        const double middle = 0.5 * (before + after);
+        (step_of(middle) && !has_switched() ? before : after) = middle;
+      }
+    across = 2 * resolution * h;
+    h      = before > 0 ? before : after;
+    if (before == 0)
+      across = 0; // it is across now
+    if (!step_of(h))
+      throw NotConverged("t = " + number_to_text(state.time) + " s: no solution before a law switches");
+  }
+
+
+
   Advance
   Stepper::advance(State &state, const double end)
   {
@@ -140,6 +174,11 @@ namespace samara
     else if (controller && state.time + 2 * h > limit)
       h = 0.5 * (limit - state.time); // two equal ones rather than a long and a short one
 
+    const bool is_across = across > 0 && across < h;
+    if (is_across)
+      h = across;
+    across = 0;
+
     for (;;)
       {
         const double tried = h;
@@ -148,6 +187,9 @@ namespace samara
             next_step = h;
             continue;
           }
+        if (is_across)
+          break; // so short that it says nothing
+        stop_before_switch(state, h, result);
         if (controller)
           {
             controller->update(energy_of_change(trial), error->largest_displacement(trial));
@@ -162,7 +204,7 @@ namespace samara
               }
             error->accept();
             // a step that was cut short says little of the next one
-            next_step = tried < 0.5 * next_step ? std::max(next_step, decision.next_h) : decision.next_h;
+            next_step = h < tried || tried < 0.5 * next_step ? std::max(next_step, decision.next_h) : decision.next_h;
           }
         else if (result.n_failed == 0 && h > 0.99 * next_step)
           next_step = std::min(fixed_step, 2 * next_step);

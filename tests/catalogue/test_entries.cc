@@ -35,7 +35,8 @@ TEST_F(Catalogued, AllKinds)
   EXPECT_EQ(kinds, (std::set<std::string>{"model",        "engineering constants",
                                           "matrices",     "table",
                                           "rectangle",    "tube",
-                                          "rigid body",   "beam",
+                                          "first order",  "rigid body",
+                                          "beam",
                                           "revolute",     "prismatic",
                                           "screw",        "cylindrical",
                                           "planar",       "spherical",
@@ -205,6 +206,50 @@ TEST_F(Catalogued, Bodies)
          {"Damping frequency", "20", {"Bodies/beam/Damping ratio = 0.01", "Bodies/beam/Damping frequency = 10"}},
          {"Velocity", "0.1, 0, 0"},
          {"Angular velocity", "0.3, 0.2, -0.6"}});
+}
+
+
+
+TEST_F(Catalogued, States)
+{
+  const std::string model = R"(
+set Analyses = dynamic
+subsection States
+  subsection it
+    set Rate = 3*sin(t) - it^3 + slide.displacement rate
+  end
+end
+subsection Bodies
+  subsection mass
+    set Type     = rigid body
+    set Mass     = 2
+    set Inertia  = 1, 1, 1
+    set Velocity = 0, 0, 1
+  end
+end
+subsection Joints
+  subsection slide
+    set Type   = prismatic
+    set Body A = ground
+    set Body B = mass.centre
+    subsection displacement
+      set Force = -2*it
+    end
+  end
+end
+subsection Dynamic
+  set End time  = 0.5
+  set Step     = 0.05
+  set Newton tolerance = 1e-3
+end
+subsection Output
+  set Probes = it, slide.displacement
+end
+)";
+  check("first order",
+        model,
+        "States/it",
+        {{"Rate", "3*sin(t) - it"}, {"Initial", "0.7"}, {"Unit", "m"}, {"Scale", "1e3"}});
 }
 
 

@@ -29,8 +29,7 @@ namespace
   void
   start(Scene &scene)
   {
-    for (const auto &c : scene.input.model.contributions)
-      c->add_initial_velocities(scene.context.state);
+    scene.system.add_initial_velocities(scene.context.state);
   }
 
   void

@@ -57,8 +57,8 @@ namespace
 
     explicit PatchModel(const unsigned int degree)
     {
-      model.contributions.push_back(std::make_unique<Patch>(degree));
-      model.contributions[0]->initialize(model);
+      model.items.push_back(std::make_unique<Patch>(degree));
+      model.items[0]->initialize(model);
       system = std::make_unique<System>(model);
     }
   };

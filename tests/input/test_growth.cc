@@ -135,12 +135,12 @@ TEST(Growth, OfNamesThatAreLookedFor)
                      Model model;
                      for (unsigned int i = 0; i < n; ++i)
                        {
-                         model.contributions.push_back(std::make_unique<Revolute>());
-                         model.contributions.back()->name = "joint " + std::to_string(i);
+                         model.items.push_back(std::make_unique<Revolute>());
+                         model.items.back()->name = "joint " + std::to_string(i);
                        }
                      for (unsigned int i = 0; i < n; ++i)
-                       EXPECT_EQ(&model.find<Contribution>("joint " + std::to_string(i), "joint"),
-                                 model.contributions[i].get());
+                       EXPECT_EQ(&model.find<Item>("joint " + std::to_string(i), "joint"),
+                                 model.items[i].get());
                    }),
             between_linear_and_quadratic);
 }

@@ -57,15 +57,6 @@ namespace
     return state;
   }
 
-  const Contribution &
-  joint_of(const Scene &scene)
-  {
-    for (const auto &c : scene.input.model.contributions)
-      if (c->name == "j")
-        return *c;
-    throw std::logic_error("no joint");
-  }
-
   Eigen::VectorXd
   velocities_of(const System &system, const State &state)
   {
@@ -87,8 +78,8 @@ TEST(JointEvaluations, ConstraintsAreRowsOfTheResidual)
       const Layout       &layout = scene.system.layout;
       const State         state  = some_state(scene.system);
       std::vector<double> all(scene.system.size() + 6, 0.), alone = all;
-      joint_of(scene).residual(state.point(), all.data());
-      joint_of(scene).constraints(state.point(), alone.data());
+      scene.system.add_terms(state.point(), all.data());
+      scene.system.add_gaps(state.point(), alone.data());
       for (unsigned int i = 0; i < layout.n_multipliers; ++i)
         EXPECT_EQ(alone[layout.of_multiplier(i)], all[layout.of_multiplier(i)]) << joint[0] << ", row " << i;
     }
@@ -105,9 +96,9 @@ TEST(JointEvaluations, ConstraintRatesAreRowsOfTheTangent)
       const State         state  = some_state(scene.system);
       SparseMatrix        K(layout.pattern);
       std::vector<double> rates(layout.n_multipliers, 0.), time_rates = rates;
-      joint_of(scene).tangent(state.point(), K);
-      joint_of(scene).constraint_rates(state.point(), rates.data());
-      joint_of(scene).constraint_time_rates(state.point(), time_rates.data());
+      scene.system.add_tangent(state.point(), K);
+      scene.system.constraint_rates(state.point(), rates.data());
+      scene.system.constraint_time_rates(state.point(), time_rates.data());
       const Eigen::VectorXd expected = K.dense() * velocities_of(scene.system, state);
       for (unsigned int i = 0; i < layout.n_multipliers; ++i)
         EXPECT_NEAR(rates[i] - time_rates[i], expected(layout.of_multiplier(i)), 2e-15) << joint[0] << ", row " << i;
@@ -121,24 +112,25 @@ TEST(JointEvaluations, LinearStrainsAreStrainRatesAndTheirForces)
   for (const auto &joint : joints)
     {
       const Scene         scene(model(joint));
-      const Contribution &j     = joint_of(scene);
-      State               state = some_state(scene.system);
-      if (j.n_strains() == 0)
+      const System      &system    = scene.system;
+      const unsigned int n_strains = system.layout.n_strains;
+      State              state     = some_state(system);
+      if (n_strains == 0)
         continue;
       std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
-      const auto B = j.linear_strains();
+      const auto B = system.linear_strains();
       B->renew(state.point());
-      std::vector<double> strains(j.n_strains()), rates(j.n_strains()), forces(scene.system.size() + 6, 0.);
+      std::vector<double> strains(n_strains), rates(n_strains), forces(scene.system.size() + 6, 0.);
       B->strains(state.y.data(), state.rates.data(), strains.data());
-      j.strain_rates(state.point(), rates.data());
-      B->add_forces(state.stress.data() + j.first_strain, forces.data());
+      system.strain_rates(state.point(), rates.data());
+      B->add_forces(state.stress.data(), forces.data());
       double       power  = 0;
       unsigned int n_zero = 0;
-      for (unsigned int i = 0; i < j.n_strains(); ++i)
+      for (unsigned int i = 0; i < n_strains; ++i)
         {
           EXPECT_NEAR(strains[i], rates[i], 1e-15) << joint[0];
           n_zero += rates[i] == 0.;
-          power += state.stress[j.first_strain + i] * rates[i];
+          power += state.stress[i] * rates[i];
         }
       EXPECT_EQ(n_zero, joint[1].empty() ? 0u : 1u) << joint[0] << ": the upper stop is not touched";
       EXPECT_NEAR(Eigen::Map<Eigen::VectorXd>(forces.data(), scene.system.size())

@@ -207,7 +207,7 @@ TEST(Prescribed, NextCorner)
   const Scene scene(model("cylindrical",
                           axis + "subsection rotation\n set Prescribed = table: 0 0; 1 0.5; 3 0.5\n end\n"
                                  "subsection displacement\n set Spring = 2\n set Force = t < 2 ? 0 : t\n end\n"));
-  const auto &joint = *scene.input.model.contributions.back();
+  const auto &joint = scene.system;
   EXPECT_NEAR(joint.next_corner(-0.5, 10), 0., 1e-12);
   EXPECT_NEAR(joint.next_corner(0, 10), 1., 1e-12);
   EXPECT_NEAR(joint.next_corner(1, 10), 2., 1e-12);

@@ -88,7 +88,7 @@ namespace
     const std::vector<double> &
     constraint_rates()
     {
-      scene.input.model.contributions.back()->constraint_rates(state.point(), rates.data());
+      scene.system.constraint_rates(state.point(), rates.data());
       return rates;
     }
 
@@ -97,7 +97,7 @@ namespace
     wrench(const unsigned int node, const Vector3 &x) const
     {
       std::vector<double> r(scene.system.size() + 6, 0.);
-      scene.input.model.contributions.back()->residual(state.point(), r.data());
+      scene.system.add_constraints(state.point(), r.data());
       const Matrix3 D = state.triad(node);
       const int     i = scene.system.layout.of_node(node);
       const Vector3 f = -D * Eigen::Map<const Vector3>(&r[i]), m = -D * Eigen::Map<const Vector3>(&r[i + 3]);
@@ -204,7 +204,7 @@ TEST(RollingBall, ForcesHaveNoPower)
       for (unsigned int i = 0; i < m; ++i)
         at.state.multipliers[i] = 3. - 2. * i;
       std::vector<double> r(at.scene.system.size() + 6, 0.);
-      at.scene.input.model.contributions.back()->residual(at.state.point(), r.data());
+      at.scene.system.add_constraints(at.state.point(), r.data());
       const Eigen::MatrixXd admissible = b.fullPivLu().kernel();
       ASSERT_EQ(admissible.cols(), 12 - static_cast<int>(m));
       EXPECT_LT((admissible.transpose() * Eigen::Map<const Eigen::VectorXd>(r.data(), 12)).norm(), 1e-13);
@@ -288,7 +288,7 @@ TEST(RollingBall, Drawing)
 {
   const Scene scene(two_bodies(ball));
   Drawing     drawing;
-  scene.input.model.contributions.back()->draw(scene.context.state, drawing);
+  scene.input.model.items.back()->draw(scene.context.state, drawing);
   ASSERT_EQ(drawing.objects, std::vector<std::string>{"j"});
   double lowest = 0, highest = 0;
   for (const auto &corner : drawing.corners)

@@ -20,15 +20,6 @@ namespace
 
   const std::string both_stops = "set Lower stop = -0.5\nset Upper stop = 0.4\nset Stop stiffness = 10\n";
 
-  const Contribution &
-  joint(const Scene &scene)
-  {
-    for (const auto &c : scene.input.model.contributions)
-      if (c->name == "j")
-        return *c;
-    throw std::logic_error("no joint");
-  }
-
   std::string
   complaint(const std::string &text)
   {
@@ -130,11 +121,11 @@ TEST(Stops, NothingWhileNotTouched)
   State state          = scene.context.state;
   state.coordinates[0] = 1.5;
   double e[3];
-  joint(scene).strains(state.point(), e);
+  scene.system.strains(state.point(), e);
   EXPECT_EQ(e[1], 0.);
   EXPECT_NEAR(e[2], 1.1, 1e-15);
   state.stops = false;
-  joint(scene).strains(state.point(), e);
+  scene.system.strains(state.point(), e);
   EXPECT_NEAR(e[0], 1.5, 1e-15);
   EXPECT_EQ(e[1], 0.);
   EXPECT_EQ(e[2], 0.);
@@ -163,9 +154,9 @@ TEST(Stops, Modes)
 
 TEST(Stops, DampingIsDissipation)
 {
-  EXPECT_FALSE(joint(Scene(model("revolute", "rotation", both_stops))).has_damping());
-  EXPECT_TRUE(joint(Scene(model("revolute", "rotation", both_stops + "set Stop damping = 0.1\n"))).has_damping());
-  EXPECT_FALSE(joint(Scene(model("revolute", "rotation", "set Spring = 1\nset Stop damping = 0.1\n"))).has_damping());
+  EXPECT_FALSE(Scene(model("revolute", "rotation", both_stops)).system.is_viscous());
+  EXPECT_TRUE(Scene(model("revolute", "rotation", both_stops + "set Stop damping = 0.1\n")).system.is_viscous());
+  EXPECT_FALSE(Scene(model("revolute", "rotation", "set Spring = 1\nset Stop damping = 0.1\n")).system.is_viscous());
 }
 
 

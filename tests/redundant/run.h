@@ -44,8 +44,7 @@ namespace samara
   gap_of(const System &system, const State &state)
   {
     std::vector<double> r(system.size() + 6, 0.);
-    for (const auto *c : system.layout.constraining)
-      c->constraints(state.point(), r.data());
+    system.add_gaps(state.point(), r.data());
     double gap = 0;
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       gap = std::max(gap, std::abs(r[system.layout.of_multiplier(i)]));

@@ -81,8 +81,7 @@ TEST(InconsistentVelocities, WhatIntegratorsDoWithThem)
   const double across = 3 * std::cos(M_PI / 6), allowed = across * across / 2;
   const auto   after = [&](const std::string &name, const double rho, const unsigned int s = 0) {
     State start = system.reference();
-    for (const auto &c : system.model.contributions)
-      c->add_initial_velocities(start);
+    system.add_initial_velocities(start);
     RivalSettings settings;
     settings.spectral_radius  = rho;
     settings.newton_tolerance = 1e-12;

@@ -206,7 +206,7 @@ TEST(AutomaticMesh, SeesANarrowLoadBetweenTheNodesOfTheFirstMesh)
   const std::string model = "prm/benchmarks/uniform_load.prm";
   Scene             plain(model);
   std::string       body, load;
-  for (const auto &c : plain.input.model.contributions)
+  for (const auto &c : plain.input.model.items)
     {
       body = c->kind == "beam" ? c->name : body;
       load = c->kind == "line load" ? c->name : load;
@@ -262,8 +262,8 @@ TEST(MixedDegrees, StoredStrainMatricesAreTheRatesOfTheStrains)
   system.update(state, z);
   for (unsigned int i = 6; i < state.y.size(); ++i)
     state.y[i] = std::cos(3. * i);
-  for (const auto &c : system.model.contributions)
-    if (c->kind == "beam")
+  for (const auto &item : system.model.items)
+    if (const auto *const c = dynamic_cast<const Beam *>(item.get()))
       {
         std::vector<double> rates(c->n_strains()), stored(c->n_strains()), r(system.size() + 6, 0.),
           b(system.size() + 6, 0.);

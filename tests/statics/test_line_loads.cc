@@ -60,9 +60,9 @@ TEST(LineLoads, ResultantsAreThoseOfTheInterpolatedLine)
           }
         // what the residual of the load does at the nodes
         std::vector<double> r(scene.system.size() + 6, 0.);
-        for (const auto &c : scene.system.model.contributions)
-          if (c->name == "q")
-            c->residual(state.point(), r.data());
+        for (unsigned int i = 0; i < scene.system.n_loads(); ++i)
+          if (scene.system.item_of_load(i).name == "q")
+            scene.system.add_load(i, state.point(), r.data());
         Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
         for (unsigned int node = 1; node < scene.system.layout.n_nodes; ++node)
           {
@@ -72,7 +72,7 @@ TEST(LineLoads, ResultantsAreThoseOfTheInterpolatedLine)
             moment += state.position(node).cross(f_a) - state.triad(node) * Eigen::Map<const Vector3>(at + 3);
           }
         Vector3 force_expected = Vector3::Zero(), moment_expected = Vector3::Zero();
-        for (const auto &span : dynamic_cast<const Body &>(*scene.system.model.contributions[1]).spans())
+        for (const auto &span : dynamic_cast<const Body &>(*scene.system.model.items[1]).spans())
           for (const auto &[s, ds] : composite_rule({0, 0.37, 1, 1.1, 1.7, 2}, 12))
             if (s > span.start && s < span.end)
               {

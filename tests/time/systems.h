@@ -32,8 +32,7 @@ namespace samara
   start_of(const MovingSystem &what, const System &system)
   {
     State state = system.reference();
-    for (const auto &c : system.model.contributions)
-      c->add_initial_velocities(state);
+    system.add_initial_velocities(state);
     if (what.kick)
       what.kick(system, state);
     Projection(system).velocities(state);
@@ -333,10 +332,7 @@ namespace samara
   inline double
   potential_of(const System &system, const State &state)
   {
-    double sum = 0;
-    for (const auto &c : system.model.contributions)
-      sum += c->potential_energy(state.point());
-    return sum;
+    return system.potential_energy(state.point());
   }
 
   inline double
@@ -345,8 +341,7 @@ namespace samara
     std::vector<double> r(system.size() + 6, 0.);
     State               free = state;
     free.held                = false;
-    for (const auto *c : system.layout.constraining)
-      c->residual(free.point(), r.data());
+    system.add_gaps(free.point(), r.data());
     double gap = 0;
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       gap = std::max(gap, std::abs(r[system.layout.of_multiplier(i)]));

@@ -70,7 +70,7 @@ namespace samara
     {}
   };
 
-  /** Warn once of each contribution whose mesh is too coarse for a state, see Contribution::coarse_place(). */
+  /** Warn once of each item whose mesh is too coarse for a state, see Item::coarse_place(). */
   class CoarseMeshes
   {
   public:
@@ -78,7 +78,7 @@ namespace samara
     void check(const Context &context, const State &state, const std::string &when);
 
   private:
-    std::set<const Contribution *> warned;
+    std::set<const Item *> warned;
   };
 
   /** What must not be nor come out of an analysis: @throws NotConverged naming an unknown that is not finite. */

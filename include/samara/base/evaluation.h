@@ -38,9 +38,9 @@ namespace samara
   {
   public:
     /** Faults of @p text are thrown as std::invalid_argument. Variables hide other words. */
-    Evaluation(const std::string                    &text,
-               const std::map<std::string, Meaning> &words,
-               const std::vector<std::string>       &variables = {});
+    Evaluation(const std::string                      &text,
+               const std::map<std::string, Meaning>   &words,
+               const std::map<std::string, Dimension> &variables = {});
 
     ~Evaluation();
 
@@ -52,8 +52,8 @@ namespace samara
     };
 
     /**
-     * Evaluate and measure. With @p natural_units, the variable t is a time and s a length, otherwise variables are
-     * pure numbers.
+     * Evaluate and measure. With @p natural_units, variables have the dimensions given for them, otherwise they are pure
+     * numbers.
      */
     Measure measure(unsigned int reading, bool natural_units = false) const;
 
@@ -77,10 +77,11 @@ namespace samara
       std::string name;
       Meaning     meaning;
       bool        is_variable;
+      Dimension   natural; ///< of a variable
       double      seen = 0;
     };
 
-    void collect_words(const std::map<std::string, Meaning> &words, const std::vector<std::string> &variables);
+    void collect_words(const std::map<std::string, Meaning> &words, const std::map<std::string, Dimension> &variables);
 
     void prepare_parser();
 

@@ -9,7 +9,7 @@
 namespace samara
 {
   /**
-   * An expression of one variable, compiled, and differentiated exactly while it is evaluated.
+   * An expression of one or several variables, compiled, and differentiated exactly while it is evaluated.
    *
    * muParser, which reads all other numbers (see Quantities), evaluates but cannot differentiate; differences would
    * make noise of the accelerations of a prescribed motion, and nonsense of them at a switch such as "t < 1 ? 0 : t -
@@ -23,13 +23,35 @@ namespace samara
   public:
     explicit Formula(double constant = 0);
 
-    /** Throws std::invalid_argument if @p text is not an expression of @p variable. */
-    Formula(const std::string &text, const std::string &variable);
+    /** Throws std::invalid_argument if @p text is not an expression of these variables. */
+    Formula(const std::string &text, const std::vector<std::string> &variables);
 
-    Jet operator()(double x) const;
+    /** The same of one variable, of which one may ask for corners, too. */
+    Formula(const std::string &text, const std::string &variable)
+      : Formula(text, std::vector<std::string>(1, variable))
+    {}
 
-    /** Whether the variable does not occur. */
+    Jet
+    operator()(const double x) const
+    {
+      return at(&x, 0);
+    }
+
+    /** With its derivatives by variable @p i. */
+    Jet at(const double *variables, unsigned int i) const;
+
+    /** Whether no variable occurs. */
     bool is_constant() const;
+
+    /** Whether there is anything that switches, as a comparison does. */
+    bool
+    switches() const
+    {
+      return has_pieces;
+    }
+
+    /** On which of its pieces each operation is that is done there: equal where nothing has switched in between. */
+    void pieces(const double *variables, std::vector<double> &result) const;
 
     /**
      * The first x in [from, to] where a comparison changes sides, the argument of abs() or sign() its sign, min() or
@@ -62,6 +84,7 @@ namespace samara
       JetOperation::Piece    piece       = nullptr;
       unsigned int           n_arguments = 0;
       unsigned int           n_skipped   = 0;
+      unsigned int           index       = 0; ///< of the variable
     };
 
     class Compiler;
@@ -71,10 +94,7 @@ namespace samara
 
     /** Run the program; @p visit is told of each operation, with its arguments, before it is done. */
     template <typename Visit>
-    Jet run(double x, const Visit &visit) const;
-
-    /** On which of its pieces each operation is that is done at @p x: equal where nothing has switched in between. */
-    void pieces(double x, std::vector<double> &result) const;
+    Jet run(const double *variables, unsigned int i, const Visit &visit) const;
 
     /** Fill in what follows about the program, without running it. */
     void find_switches();

@@ -42,6 +42,9 @@ namespace samara
     /** The same for the name of a file, which is relative to the file that says it. */
     void add_file(const std::string &name, std::string &variable, const std::string &documentation);
 
+    /** The unit of an entry that was added is only known when it is read, from @p unit. */
+    void take_unit(const std::string &name, const std::function<std::string(const Quantities &)> &unit);
+
     /** The entries of the nested subsection @p name; a new one at the first call. */
     Parameters &subsection(const std::string &name);
 
@@ -85,6 +88,8 @@ namespace samara
       std::string                                    value; ///< in SI units
       std::string                                    where;
       std::unique_ptr<dealii::Patterns::PatternBase> pattern;
+
+      std::function<std::string(const Quantities &)> unit_when_read; ///< in place of the unit, if given
 
       /** Make SI text from the user's, refuse it or write the variable. */
       std::function<std::string(const std::string &text, const Quantities &, const Entry &)> read;
@@ -137,7 +142,7 @@ namespace samara
     entry.default_value = Value<T>::write(variable);
     entry.pattern       = pattern.clone();
     entry.read          = [&variable](const std::string &text, const Quantities &quantities, const Entry &self) {
-      T                 value   = Value<T>::read(text, self.unit, quantities);
+      T                 value   = Value<T>::read(text, self.unit_when_read ? self.unit_when_read(quantities) : self.unit, quantities);
       const std::string si_text = Value<T>::write(value);
       check_pattern(text, si_text, self);
       variable = std::move(value);

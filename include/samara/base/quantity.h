@@ -3,6 +3,7 @@
 
 #include <samara/base/errors.h>
 #include <samara/base/evaluation.h>
+#include <samara/base/law.h>
 
 #include <map>
 #include <string>
@@ -49,6 +50,15 @@ namespace samara
      */
     std::string
     expression(const std::string &text, const std::string &unit, const std::vector<std::string> &variables) const;
+
+    /**
+     * A law of time and of signals. Signals are in their units, t is in seconds; each may count as a pure number, too. Where
+     * the dimensions do not fit otherwise, a number and the unit behind it are one: "v / 0.01 m/s" is v/(0.01 m/s).
+     */
+    Law law(const std::string &text, const std::string &unit) const;
+
+    /** What laws may name. */
+    SignalNames signals;
 
     /** Whether @p text contains the name of a unit. */
     bool names_a_unit(const std::string &text) const;

@@ -158,6 +158,21 @@ namespace samara
 
 
   template <>
+  struct Value<Law>
+  {
+    static constexpr char separator = ',';
+    static constexpr bool has_unit  = true;
+
+    static Law read(const std::string &text, const std::string &unit, const Quantities &quantities);
+
+    static std::string write(const Law &value);
+
+    static PatternPointer pattern();
+  };
+
+
+
+  template <>
   struct Value<Expression>
   {
     static constexpr char separator = ',';

@@ -25,7 +25,7 @@ namespace samara
    * Source: the paper, section 2.1 and [20]; interpolation of directors: Romero & Armero 2002, Betsch & Steinmann 2002.
    */
   template <int dim>
-  class Cosserat : public Evaluated<Cosserat<dim>, Body>
+  class Cosserat : public Body, public EvaluatedDeformation<Cosserat<dim>>
   {
   public:
     static constexpr unsigned int n = 6 * dim; ///< strains at a point
@@ -45,7 +45,7 @@ namespace samara
     void   strain_rows(const Point<double> &point, StrainRows &rows) const override;
     double power(const double *stress, const double *rates) const override;
     double strain_energy(const double *e) const override;
-    bool   has_damping() const override;
+    bool   is_viscous() const override;
 
     std::unique_ptr<LinearStrains> linear_strains() const override;
 
@@ -70,7 +70,7 @@ namespace samara
       MatrixN stiffness, viscosity;
     };
     std::vector<Material> materials;
-    bool                  is_viscous = false; ///< any of them, known once connected
+    bool                  has_viscous_material = false; ///< any of them, known once connected
 
     /** Of the elements that are added next: elements of one body may have different degrees. */
     std::shared_ptr<const ElementTable<dim>> table;
@@ -220,8 +220,10 @@ namespace samara
 
   extern template class Cosserat<1>;
   extern template class Cosserat<2>;
-  extern template class Evaluated<Cosserat<1>, Body>;
-  extern template class Evaluated<Cosserat<2>, Body>;
+  extern template class Evaluated<Cosserat<1>, Deformation>;
+  extern template class EvaluatedDeformation<Cosserat<1>>;
+  extern template class Evaluated<Cosserat<2>, Deformation>;
+  extern template class EvaluatedDeformation<Cosserat<2>>;
 } // namespace samara
 
 #endif

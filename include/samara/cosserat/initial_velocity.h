@@ -22,10 +22,10 @@ namespace samara
     void add_parameters(Parameters &prm, const std::string &point);
 
     /** Complain if what is to move is welded to the ground; @p frames are resolved, the first is the point. */
-    void check(const std::vector<Frame> &frames, const Contribution &body, Complaints &complaints) const;
+    void check(const std::vector<Frame> &frames, const Item &body, Complaints &complaints) const;
 
     /** Give the nodes of @p frames their twists, each at its place in the state. */
-    void assign(const std::vector<Frame> &frames, const Contribution &body, State &state) const;
+    void assign(const std::vector<Frame> &frames, const Item &body, State &state) const;
   };
 } // namespace samara
 

@@ -30,7 +30,7 @@ namespace samara
 
 
   /** A named cross-section that beams refer to. It adds nothing to the system by itself. */
-  class Section : public Contribution
+  class Section : public Item
   {
   public:
     void initialize(Model &model) override;

@@ -19,7 +19,7 @@ namespace samara
    *
    * Complains in initialize() about points that do not exist, that coincide, or that belong to one body.
    */
-  class Strut : public Evaluated<Strut>
+  class Strut : public Item, public EvaluatedDeformation<Strut>
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -36,7 +36,7 @@ namespace samara
     void   damping(const Point<double> &point, SparseMatrix &C) const override;
     double strain_energy(const double *e) const override;
     bool
-    has_damping() const override
+    is_viscous() const override
     {
       return relaxation_time != 0;
     }
@@ -64,8 +64,9 @@ namespace samara
     Eigen::Matrix<Number, 12, 1> gradient(const Number *q) const;
   };
 
-  // instantiated where the templates of the class are defined
-  extern template class Evaluated<Strut>;
+  // instantiated where the templates of the classes are defined
+  extern template class Evaluated<Strut, Deformation>;
+  extern template class EvaluatedDeformation<Strut>;
 } // namespace samara
 
 #endif

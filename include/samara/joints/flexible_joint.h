@@ -13,7 +13,7 @@ namespace samara
    * Strains: the gap in the axes of A, E_iᴬ·Δ [m], and ½ (E_kᴬ·E_jᴮ − E_jᴬ·E_kᴮ), the sine of a rotation about axis i
    * alone [1]. Axis 1 is along "Axis": 1 axial, 2 3 transverse, then torsion about 1, bending about 2 and 3.
    */
-  class FlexibleJoint : public Evaluated<FlexibleJoint>, public RelativeMotions
+  class FlexibleJoint : public Item, public EvaluatedDeformation<FlexibleJoint>, public RelativeMotions
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -34,7 +34,7 @@ namespace samara
     /** Those without any stiffness. */
     void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
     bool
-    has_damping() const override
+    is_viscous() const override
     {
       return !C_d.isZero(0.);
     }
@@ -65,8 +65,9 @@ namespace samara
     void add(const Point<double> &point, const Matrix6 &C, bool geometric, SparseMatrix &matrix) const;
   };
 
-  // instantiated where the templates of the class are defined
-  extern template class Evaluated<FlexibleJoint>;
+  // instantiated where the templates of the classes are defined
+  extern template class Evaluated<FlexibleJoint, Deformation>;
+  extern template class EvaluatedDeformation<FlexibleJoint>;
 } // namespace samara
 
 #endif

@@ -4,7 +4,7 @@
 #include <samara/joints/angle.h>
 #include <samara/joints/pair.h>
 #include <samara/model/relative_motion.h>
-#include <samara/model/system.h>
+#include <samara/model/response.h>
 
 #include <array>
 #include <cmath>
@@ -31,8 +31,24 @@ namespace samara
     double         spring = 0, rest = 0, damper = 0;
     double         lower_stop = 0, upper_stop = 0, stop_stiffness = 0, stop_damping = 0;
     bool           has_lower_stop = false, has_upper_stop = false;
-    FunctionOfTime force, prescribed;
+    Law            force, prescribed;
     bool           is_prescribed = false;
+
+    /** Of the force and of what is prescribed, where they depend on the model's state. */
+    std::unique_ptr<Response> response, drive;
+
+    /** What is prescribed there, and its rate. */
+    template <typename Number>
+    Number
+    prescribed_at(const Point<Number> &point) const
+    {
+      return point.factor * (drive ? (*drive)(point) : Number(prescribed.of_time()(point.time)));
+    }
+    double
+    prescribed_rate(const Point<double> &point) const
+    {
+      return point.factor * (drive ? drive->rate(point) : prescribed.of_time().derivative(point.time));
+    }
 
     int coordinate = -1; ///< its number in the model, negative while nothing uses it
 
@@ -121,7 +137,7 @@ namespace samara
    * unknown or on the same body.
    */
   std::optional<std::array<Frame, 2>>
-  ends_of_joint(Model &model, const Contribution &joint, const std::string &body_a, const std::string &body_b);
+  ends_of_joint(Model &model, const Item &joint, const std::string &body_a, const std::string &body_b);
 
   /**
    * Complain if both entries name a point, the two points are apart in the reference configuration, and neither a
@@ -129,7 +145,7 @@ namespace samara
    * the ground do not say where.
    */
   void check_gap(Model                      &model,
-                 const Contribution         &joint,
+                 const Item         &joint,
                  const std::array<Frame, 2> &ends,
                  const std::string          &body_a,
                  const std::string          &body_b,
@@ -139,7 +155,7 @@ namespace samara
   extern const char *const documentation_of_gap;
 
   /** Whether the two frames are still on different nodes after welding; complains otherwise. */
-  bool check_ends(Model &model, const Contribution &joint, const Frame &a, const Frame &b, const std::string &between);
+  bool check_ends(Model &model, const Item &joint, const Frame &a, const Frame &b, const std::string &between);
 
 
 
@@ -161,45 +177,26 @@ namespace samara
    *     screw             d − p θ = 0
    *     no slip           0; b·y = 0 is a constraint on velocities alone, its tangent row is b
    *
-   * Strains are d − rest of the motions in use, then d − stop of their stops, 0 while the stop is not touched. In time steps
-   * of the integrator family Layout::stops stand for them.
+   * Three terms: these constraints; the forces along the motions in use; springs, dampers and stops, with the strains
+   * d − rest of the motions in use, then d − stop of their stops, 0 while the stop is not touched. In time steps of the
+   * integrator family Layout::stops stand for them.
    */
-  class Joint : public Evaluated<Joint>, public RelativeMotions
+  class Joint : public Item, public RelativeMotions
   {
   public:
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
+    void find_signals(Model &model) override;
     void connect(Layout &layout) override;
 
     std::optional<unsigned int> use_coordinate(Model &model, const std::string &motion) override;
     std::vector<std::string>    rotation_names() const override;
 
-    unsigned int n_strains() const override;
-    void         strain_rates(const Point<double> &point, double *rates) const override;
-    void         tangent(const Point<double> &point, SparseMatrix &K) const override;
-    void         damping(const Point<double> &point, SparseMatrix &C) const override;
-    void         strain_rows(const Point<double> &point, StrainRows &rows) const override;
-    double       strain_energy(const double *e) const override;
-    void         constraints(const Point<double> &point, double *r) const override;
-    void         constraint_rates(const Point<double> &point, double *rates) const override;
-    void         constraint_time_rates(const Point<double> &point, double *rates) const override;
-    void         follow_angles(State &state) const override;
-    bool         has_loads() const override;
-    bool         has_damping() const override;
-
-    std::unique_ptr<LinearStrains> linear_strains() const override;
-
-    double next_corner(double from, double to) const override;
+    /** The free motions by name, and their rates: "rotation", "rotation rate". */
+    std::shared_ptr<Signal> signal(Model &model, const std::string &path) override;
 
     /** Those of all free motions. */
     void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
-
-    template <typename Number>
-    void strains_at(const Point<Number> &point, Number *e) const;
-    template <typename Number>
-    void stresses_of(const Number *e, const Number *rates, Number *stress) const;
-    template <typename Number>
-    void residual_at(const Point<Number> &point, Number *r) const;
 
     /**
      * The free motions by name; "force 1" ... "moment 3", with which A acts on B along and about the axes of A that are
@@ -281,7 +278,13 @@ namespace samara
       double       place, side; ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
     };
 
-    class Strains;
+    // the terms
+    class Constraints;
+    class Springs;
+    class Actuators;
+    std::unique_ptr<Constraint>  constraints;
+    std::unique_ptr<Deformation> springs;
+    std::unique_ptr<Force>       actuators;
 
     Block                     block; ///< local unknowns: 12 twists of the nodes, used coordinates, multipliers
     unsigned int              first_row      = 0;     ///< of the multipliers in the residual
@@ -290,25 +293,18 @@ namespace samara
     std::vector<Stop>         stops;
     std::vector<std::string>  rows; ///< names of the multipliers
 
-    /** Whether stop @p i is touched, as a factor. */
-    template <typename Number>
-    double touches(const Point<Number> &point, unsigned int i) const;
-
     /** What acts along (force) or about (moment) joint axis @p axis; nothing if nothing does. */
     std::function<double(const State &)> action(bool is_moment, unsigned int axis) const;
 
     void complain(Model &model, const std::string &entry, const std::string &text) const;
 
-    /** The residual, or only those of its rows that hold constraints. */
-    template <bool with_forces, typename Number>
-    void evaluate(const Point<Number> &point, Number *r) const;
-    template <typename Number>
-    void   add_no_slip_forces(const PairValues<Number> &pair, const Number *lambda, Number *r) const;
+    void number_rows(Layout &layout);
+    void add_stops(Layout &layout);
+    void add_constraints(Layout &layout);
+    void add_springs(Layout &layout);
+
     double angle_or_gap(const FreeMotion &motion, const State &state) const;
   };
-
-  // instantiated where the templates of the classes are defined
-  extern template class Evaluated<Joint>;
 } // namespace samara
 
 #endif

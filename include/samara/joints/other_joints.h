@@ -38,14 +38,6 @@ namespace samara
 
     std::optional<Probe> probe(const std::string &path) const override;
 
-    // a weld is gone after the nodes are merged
-    void residual(const Point<double> &point, double *r) const override;
-    void residual(const Point<std::complex<double>> &point, std::complex<double> *r) const override;
-    void constraints(const Point<double> &point, double *r) const override;
-    void tangent(const Point<double> &point, SparseMatrix &K) const override;
-    void damping(const Point<double> &point, SparseMatrix &C) const override;
-    void constraint_rates(const Point<double> &point, double *rates) const override;
-
   private:
     bool reaction_wanted = false;
   };
@@ -106,14 +98,14 @@ namespace samara
    * A gear between the rotations of two joints that share a housing: θ_B = n θ_A. The axes may point anywhere; the
    * moments on both shafts and on the housing follow from the joints' own reactions.
    */
-  class Gear : public Evaluated<Gear>
+  class Gear : public Item, public Evaluated<Gear, Constraint>
   {
   public:
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
-    void constraint_rates(const Point<double> &point, double *rates) const override;
+    void rates(const Point<double> &point, double *rates) const override;
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
@@ -128,10 +120,8 @@ namespace samara
     Block        block;
   };
 
-
-
   // instantiated where the templates of the classes are defined
-  extern template class Evaluated<Gear>;
+  extern template class Evaluated<Gear, Constraint>;
 } // namespace samara
 
 #endif

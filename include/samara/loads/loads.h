@@ -1,7 +1,7 @@
 #ifndef samara_loads_loads_h
 #define samara_loads_loads_h
 
-#include <samara/model/system.h>
+#include <samara/model/response.h>
 
 #include <array>
 
@@ -16,19 +16,15 @@ namespace samara
    * The weight of everything: the inertia of each node times the acceleration of gravity. It has a potential if the
    * acceleration is constant; otherwise it does work as any load does.
    */
-  class Gravity : public Evaluated<Gravity>
+  class Gravity : public Item, public Evaluated<Gravity, Force>
   {
   public:
     void   add_parameters(Parameters &prm) override;
     void   initialize(Model &model) override;
     void   connect(Layout &layout) override;
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    bool   has_potential() const override;
     double potential_energy(const Point<double> &point) const override;
-    bool
-    has_loads() const override
-    {
-      return true;
-    }
 
     /** The first corner of any component, see ScalarFunction::next_corner(). */
     double next_corner(double from, double to) const override;
@@ -49,20 +45,17 @@ namespace samara
    * loads keep their direction in the inertial frame, followers in the frame they act on. A dead moment about a fixed
    * axis is not conservative.
    */
-  class WrenchLoad : public Evaluated<WrenchLoad>
+  class WrenchLoad : public Item, public Evaluated<WrenchLoad, Force>
   {
   public:
+    void find_signals(Model &model) override;
     void connect(Layout &layout) override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void damping(const Point<double> &point, SparseMatrix &C) const override;
+    void pieces(const Point<double> &point, std::vector<double> &result) const override;
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
-
-    bool
-    has_loads() const override
-    {
-      return true;
-    }
 
     /** The first corner of any component of force and moment, see ScalarFunction::next_corner(). */
     double next_corner(double from, double to) const override;
@@ -76,12 +69,16 @@ namespace samara
       return axes == "body";
     }
 
+    /** Of the components of force and moment that depend on the model's state; null of others. */
+    using Responses = std::array<std::unique_ptr<Response>, 6>;
+
     /** weight f and weight m at a frame. */
     struct AtPoint
     {
-      Frame  frame;
-      double weight; ///< of a dead line load ∫ N_a p ds, see LineLoad [m]
-      Block  block;
+      Frame     frame;
+      double    weight; ///< of a dead line load ∫ N_a p ds, see LineLoad [m]
+      Block     block     = {};
+      Responses responses = {};
     };
     std::vector<AtPoint> points;
 
@@ -90,14 +87,33 @@ namespace samara
     {
       std::vector<Frame> frames;
       Eigen::MatrixXd    products; ///< ∫ N_a N_b p ds, see LineLoad [m]
-      Block              block;
+      Block              block     = {};
+      Responses          responses = {};
     };
     std::vector<AlongSpan> spans;
 
-    VectorOfTime force, moment;
+    std::array<Law, 3> force, moment;
 
   private:
     std::string axes = "inertial";
+
+    bool depends_on_state = false; ///< any component
+
+    /** Force and moment. */
+    template <typename Number>
+    Vec6<Number> wrench(const Responses &responses, const Point<Number> &point) const;
+
+    /** The residual of a point or a span for a force and a moment, 6 a frame. */
+    template <typename Number>
+    using Local = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+    template <typename Number>
+    void local_residual(const AtPoint &load, const Vec6<Number> &wrench, const Number *q, Local<Number> &r) const;
+    template <typename Number>
+    void local_residual(const AlongSpan &span, const Vec6<Number> &wrench, const Number *q, Local<Number> &r) const;
+
+    /** What comes from the change of force and moment, of one point or span. */
+    template <typename Part>
+    void add_responses(const Part &part, const Point<double> &point, bool by_velocity, SparseMatrix &A) const;
 
     void add_tangent(const AlongSpan &span, const Vector3 &f, const Vector3 &m, const double *q, SparseMatrix &K) const;
   };
@@ -147,13 +163,18 @@ namespace samara
    * axis fixed in space, or of a joint, with everything that is carried along. A joint is held at its azimuth in
    * statics; in modes and dynamics it is free to turn. If the joint's angle is prescribed, that keeps it instead.
    */
-  class SteadyRotation : public Evaluated<SteadyRotation>
+  class SteadyRotation : public Item, public Evaluated<SteadyRotation, Constraint>
   {
   public:
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
+
+    /** The angle is held in statics, where nothing moves against it: there are no rates. */
+    void
+    rates(const Point<double> &, double *) const override
+    {}
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
@@ -169,9 +190,9 @@ namespace samara
   };
 
   // instantiated where the templates of the classes are defined
-  extern template class Evaluated<Gravity>;
-  extern template class Evaluated<WrenchLoad>;
-  extern template class Evaluated<SteadyRotation>;
+  extern template class Evaluated<Gravity, Force>;
+  extern template class Evaluated<WrenchLoad, Force>;
+  extern template class Evaluated<SteadyRotation, Constraint>;
 } // namespace samara
 
 #endif

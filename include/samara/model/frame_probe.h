@@ -1,7 +1,7 @@
 #ifndef samara_model_frame_probe_h
 #define samara_model_frame_probe_h
 
-#include <samara/model/contribution.h>
+#include <samara/model/item.h>
 #include <samara/model/frame.h>
 
 namespace samara

@@ -6,7 +6,7 @@
 namespace samara
 {
   /**
-   * The strains of a contribution linearised about one configuration, B, for many uses: e = B ζ and the forces Bᵀσ. An
+   * Strains linearised about one configuration, B, for many uses: e = B ζ and the forces Bᵀσ. An
    * iteration whose matrices were made there needs the same B (mixed Newton, doc/theory/integrators.md).
    */
   class LinearStrains
@@ -17,10 +17,10 @@ namespace samara
     /** Take B at @p point, whose multipliers must be zero, and which must stay as it is until the next call. */
     virtual void renew(const Point<double> &point) = 0;
 
-    /** e = B (y, rates), starting at the contribution's own first strain. */
+    /** e = B (y, rates), starting at the deformation's own first strain. */
     virtual void strains(const double *y, const double *rates, double *e) const = 0;
 
-    /** Add Bᵀσ to the global @p r; @p stress starts at the contribution's own first strain. */
+    /** Add Bᵀσ to the global @p r; @p stress starts at the deformation's own first strain. */
     virtual void add_forces(const double *stress, double *r) const = 0;
   };
 } // namespace samara

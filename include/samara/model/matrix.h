@@ -80,7 +80,7 @@ namespace samara
 
   /**
    * The unknowns a local matrix couples, with the places of its entries in the global one, found once. Local unknowns
-   * are, in this order: 6 twists for each frame in the frame's own axes, joint coordinates, multipliers.
+   * are, in this order: 6 twists for each frame in the frame's own axes, joint coordinates, states, multipliers.
    */
   class Block
   {

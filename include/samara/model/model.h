@@ -3,7 +3,7 @@
 
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
-#include <samara/model/contribution.h>
+#include <samara/model/item.h>
 #include <samara/model/frame.h>
 
 #include <map>
@@ -23,8 +23,8 @@ namespace samara
 
 
 
-  /** A contribution that others can be attached to. */
-  class Body : public Contribution
+  /** An item that others can be attached to. */
+  class Body : public Item
   {
   public:
     /**
@@ -34,6 +34,9 @@ namespace samara
     virtual Frame frame(const std::string &point) const = 0;
 
     virtual std::vector<std::string> points() const = 0;
+
+    /** Quantities of a point, see frame_signal(): "tip.velocity y". */
+    std::shared_ptr<Signal> signal(Model &model, const std::string &path) override;
 
     /** Pieces along which loads per length are applied; empty for a body without extent. */
     virtual std::vector<Span>
@@ -47,7 +50,7 @@ namespace samara
 
   /**
    * What a model is made of before it is solved: nodes with their inertia, welds between them, joint coordinates, and
-   * the contributions that own all of these. Node 0 is the ground.
+   * the items that own all of these. Node 0 is the ground.
    */
   class Model
   {
@@ -75,6 +78,9 @@ namespace samara
     /** A scalar unknown of a joint; @p unit is "m" or "rad". Returns its number. */
     unsigned int add_coordinate(const std::string &name, const std::string &unit);
 
+    /** A state of first order, its start and the size that matters to it [its unit]. Returns its number. */
+    unsigned int add_state(const std::string &name, const std::string &unit, double initial, double scale);
+
     /** Merge welded nodes. Afterwards frames must be taken through resolved(). */
     void close();
     /** @} */
@@ -92,7 +98,7 @@ namespace samara
     /** A frame by its path: "ground", "shaft 1.start". @throws std::invalid_argument saying what is known. */
     Frame frame(const std::string &path) const;
 
-    /** A contribution by name, as the type that is wanted. @throws std::invalid_argument, FollowUp if it is faulty */
+    /** An item by name, as the type that is wanted. @throws std::invalid_argument, FollowUp if it is faulty */
     template <typename Kind>
     Kind &find(const std::string &name, const std::string &noun) const;
 
@@ -101,6 +107,9 @@ namespace samara
      * coordinate. @throws std::invalid_argument saying what rotations there are.
      */
     unsigned int use_rotation(const std::string &path);
+
+    /** The signal "shaft 1.middle.displacement y", or that of a state. @throws std::invalid_argument, FollowUp */
+    std::shared_ptr<Signal> signal(const std::string &path);
 
     /** The probe "shaft 1.middle.displacement y". @throws std::invalid_argument */
     Probe probe(const std::string &path) const;
@@ -118,9 +127,16 @@ namespace samara
     };
     std::vector<Rotation> rotations;
 
-    std::vector<std::unique_ptr<Contribution>> contributions;
+    std::vector<std::unique_ptr<Item>> items;
     std::vector<Node>                          nodes; ///< after close(): those that are left
     std::vector<std::string>                   coordinates, coordinate_units;
+
+    struct StateOfFirstOrder
+    {
+      std::string name, unit;
+      double      initial, scale;
+    };
+    std::vector<StateOfFirstOrder> states;
 
     /** The multiplier that keeps the angle of each rotation at a joint: the rotation's own, or a prescribed one. */
     std::vector<unsigned int> holds;
@@ -134,19 +150,19 @@ namespace samara
     std::unordered_set<std::string> unmade;
 
   private:
-    /** All contributions of that name, in their order. Contributions are added, and never taken away nor renamed. */
-    const std::vector<Contribution *> &named(const std::string &name) const;
+    /** All items of that name, in their order. Items are added, and never taken away nor renamed. */
+    const std::vector<Item *> &named(const std::string &name) const;
 
     /** Complains about a name that find() has not found. @throws std::invalid_argument, FollowUp */
     [[noreturn]] void
-    refuse(const std::string &name, const std::string &noun, const std::vector<const Contribution *> &others) const;
+    refuse(const std::string &name, const std::string &noun, const std::vector<const Item *> &others) const;
 
     std::vector<Frame> parent;  // of every node that was added: a frame on the node it is welded to, or itself
     std::vector<int>   kept_as; // number of a root among the nodes that are left
     Frame              root_of(const Frame &frame) const;
 
-    mutable std::unordered_map<std::string, std::vector<Contribution *>> contributions_by_name;
-    mutable std::size_t                                                  n_indexed = 0; ///< contributions in it
+    mutable std::unordered_map<std::string, std::vector<Item *>> items_by_name;
+    mutable std::size_t                                                  n_indexed = 0; ///< items in it
   };
 
 
@@ -162,9 +178,9 @@ namespace samara
             throw FollowUp();
           return *wanted;
         }
-    std::vector<const Contribution *> others;
+    std::vector<const Item *> others;
     if (may_suggest())
-      for (const auto &c : contributions)
+      for (const auto &c : items)
         if (dynamic_cast<Kind *>(c.get()) != nullptr)
           others.push_back(c.get());
     refuse(name, noun, others);

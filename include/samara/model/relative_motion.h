@@ -34,7 +34,7 @@ namespace samara
 
 
   /**
-   * What a contribution says of relative motions of its nodes, for those who look for a motion of the model in which
+   * What an item says of relative motions of its nodes, for those who look for a motion of the model in which
    * nothing moves against anything else unless it must (doc/theory/steady_rotation.md).
    */
   class RelativeMotions
@@ -42,7 +42,7 @@ namespace samara
   public:
     virtual ~RelativeMotions() = default;
 
-    /** Add the relative motions that the contribution's constraints leave free, at the nodal coordinates @p q. */
+    /** Add the relative motions that the item's constraints leave free, at the nodal coordinates @p q. */
     virtual void
     add_relative_rates(const double * /*q*/, std::vector<RelativeRate> &) const
     {}

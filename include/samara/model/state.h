@@ -8,7 +8,7 @@
 namespace samara
 {
   /**
-   * Where the system is evaluated: plain pointers, so that contributions can be evaluated with any number type (double
+   * Where the system is evaluated: plain pointers, so that terms can be evaluated with any number type (double
    * in computations, std::complex<double> to check tangents). What an analysis does not have is a vector of zeros.
    */
   template <typename Number>
@@ -18,6 +18,8 @@ namespace samara
     const Number *coordinates = nullptr; ///< joint coordinates [m] or [rad]
     const Number *y           = nullptr; ///< 6 a node: twist in the node's own frame [m/s, rad/s]
     const Number *rates       = nullptr; ///< of the joint coordinates
+    const Number *states      = nullptr; ///< of first order
+    const Number *state_rates = nullptr; ///< ż, where rates of constraints are asked for
     const Number *multipliers = nullptr; ///< [N] or [N m]
     const Number *stress      = nullptr; ///< section forces and the like, one a strain
     double        time        = 0;       ///< [s], of functions of time
@@ -32,7 +34,7 @@ namespace samara
   /** Everything that changes while a model moves. Sizes are fixed by the System. */
   struct State
   {
-    std::vector<double> q, coordinates, y, rates, multipliers, stress;
+    std::vector<double> q, coordinates, y, rates, states, state_rates, multipliers, stress;
 
     /**
      * Steady rigid motion of each node, in the inertial frame: spin ω [rad/s] and velocity v [m/s] at the place x₀;
@@ -48,7 +50,8 @@ namespace samara
     bool   held  = true;
     bool   stops = true; ///< see Point::stops
 
-    std::vector<double> accelerations; ///< ẏ, 6 a node, and of the joint coordinates; empty where they are not known
+    /** ẏ, 6 a node, of the joint coordinates, and the rates of states; empty where they are not known. */
+    std::vector<double> accelerations;
 
     /** Multipliers of rows that repeat what others say: kept at zero until others are chosen (RedundantRows). */
     std::vector<unsigned int> left_out;
@@ -68,8 +71,18 @@ namespace samara
     Point<double>
     point() const
     {
-      return {q.data(),      coordinates.data(), y.data(), rates.data(), multipliers.data(),
-              stress.data(), time,               factor,   held,         stops};
+      return {q.data(),
+              coordinates.data(),
+              y.data(),
+              rates.data(),
+              states.data(),
+              state_rates.data(),
+              multipliers.data(),
+              stress.data(),
+              time,
+              factor,
+              held,
+              stops};
     }
   };
 } // namespace samara

@@ -1,116 +1,15 @@
 #ifndef samara_model_system_h
 #define samara_model_system_h
 
-#include <samara/model/model.h>
+#include <samara/model/layout.h>
+#include <samara/model/relative_motion.h>
+#include <samara/model/strain_rows.h>
 
 namespace samara
 {
   /**
-   * The numbering of all unknowns: 6 twists of each node but the ground, joint coordinates, multipliers; the six of the
-   * ground follow behind the last unknown, where residuals collect the total reaction of the ground.
-   */
-  class Layout
-  {
-  public:
-    Layout(Model &model);
-
-    const Model &model;
-
-    unsigned int n_nodes = 0, n_coordinates = 0, n_multipliers = 0, n_strains = 0;
-
-    unsigned int
-    n_unknowns() const
-    {
-      return 6 * (n_nodes - 1) + n_coordinates + n_multipliers;
-    }
-    /** First of the six unknowns of a node. */
-    int
-    of_node(const unsigned int node) const
-    {
-      return node == 0 ? n_unknowns() : 6 * (node - 1);
-    }
-    int
-    of_coordinate(const unsigned int i) const
-    {
-      return 6 * (n_nodes - 1) + i;
-    }
-    int
-    of_multiplier(const unsigned int i) const
-    {
-      return 6 * (n_nodes - 1) + n_coordinates + i;
-    }
-
-    /** @name For Contribution::connect() @{ */
-    /** Numbers for as many multipliers as there are names; returns the first. */
-    unsigned int add_multipliers(const std::vector<std::string> &names);
-
-    /** Declare that these unknowns are coupled; the block is filled when the layout is complete. */
-    void couple(Block                           &block,
-                const std::vector<Frame>        &resolved_frames,
-                const std::vector<unsigned int> &coordinates = {},
-                const std::vector<unsigned int> &multipliers = {});
-    /** @} */
-
-    std::vector<std::string> multiplier_names;
-
-    /**
-     * A constraint that is not quadratic: its force gets a correction along the rate of a coordinate, so that it does no
-     * work over a step (doc/theory/integrators.md).
-     */
-    struct Correction
-    {
-      unsigned int multiplier, coordinate;
-    };
-    std::vector<Correction> corrections;
-
-    /** Multipliers of constraints that hold but for whole turns: θ − atan2(s, c) = 0. */
-    std::vector<unsigned int> angles;
-
-    /**
-     * What presses on a joint coordinate from one side only: with the gap g = side (coordinate − place), positive where
-     * it is touched, the force k g⁺ + c ġ against growing g, never pulling.
-     */
-    struct Stop
-    {
-      unsigned int coordinate;
-      double       place, side;        ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
-      double       stiffness, damping; ///< k [N/m] or [N m/rad], c [N s/m] or [N m s/rad]
-      std::string  name;               ///< for messages: "joint hinge, upper stop of the rotation"
-    };
-    std::vector<Stop> stops;
-
-    /**
-     * Multipliers of constraints on velocities alone, b(q) y = 0 (rolling): only constraint_rates() says what they are.
-     * Their rows of the residual are zero, those of the tangent hold b: in statics increments obey them.
-     */
-    std::vector<unsigned int> nonholonomic;
-
-    /** The contributions that have multipliers. */
-    std::vector<const Contribution *> constraining;
-
-    /** What an unknown is, for messages: "shaft 1, node 3 at (2, 0, 0): rotation about d1". */
-    std::string name_of(unsigned int unknown) const;
-
-    std::shared_ptr<const Pattern> pattern;
-
-  private:
-    struct Coupling
-    {
-      Block                    *block;
-      std::vector<Frame>        frames;
-      std::vector<unsigned int> coordinates, multipliers;
-    };
-    std::vector<Coupling> couplings;
-
-    void number_rows(const Coupling &coupling) const;
-    void make_pattern();
-    void find_positions(Block &block) const;
-  };
-
-
-
-  /**
-   * The assembled model, all that analyses see of it. No function here knows an element or a joint.
+   * The assembled model, all that analyses see of it. No function here knows an element or a joint, and nobody else goes
+   * over the terms of the equations.
    */
   class System
   {
@@ -126,16 +25,107 @@ namespace samara
       return layout.n_unknowns();
     }
 
+    /** Deformations that count: all, or those between pieces that move as rigid bodies if nothing is strained. */
+    enum class Part
+    {
+      all,
+      between_pieces
+    };
+
     /** The reference configuration, at rest and free of stress. */
     State reference() const;
 
-    /** e(q) of all contributions. */
+    /** e(q) of all deformations. */
     void strains(const State &state, std::vector<double> &e) const;
 
     /** σ = C e(q) + C_d B y for the state's own configuration and velocities, without changing the state. */
     void stresses(const State &state, std::vector<double> &stress) const;
     /** The same with the strains of the state, where they are known. */
     void stresses(const State &state, const std::vector<double> &e, std::vector<double> &stress) const;
+
+    /**
+     * @name Terms of the equations at a point, see terms.h
+     * Arrays are global: n_strains strains, rates of strains and stresses; n_multipliers rates of constraints; size() + 6
+     * rows of a residual, to which the terms are added. Inertia is not in them, and what the state leaves out is.
+     * @{
+     */
+    template <typename Number>
+    void strains(const Point<Number> &point, Number *e) const;
+    void strain_rates(const Point<double> &point, double *rates) const;
+    /** σ = C e + C_d ė */
+    template <typename Number>
+    void stresses(const Number *e, const Number *rates, Number *stress) const;
+
+    /** All of them: Bᵀσ + Gᵀλ − f, g. */
+    template <typename Number>
+    void add_terms(const Point<Number> &point, Number *r) const;
+    /** −f of the loads, or only of those without potential. */
+    void add_loads(const Point<double> &point, double *r, bool with_potential = true) const;
+    /** −f of load @p i of n_loads(). */
+    void add_load(unsigned int i, const Point<double> &point, double *r) const;
+    /** Gᵀλ and g. */
+    void add_constraints(const Point<double> &point, double *r) const;
+    /** g alone; rows of nodes and coordinates are not to be used. */
+    void add_gaps(const Point<double> &point, double *r) const;
+    /** ġ = G y + ∂g/∂t, and ∂g/∂t alone. */
+    void constraint_rates(const Point<double> &point, double *rates) const;
+    void constraint_time_rates(const Point<double> &point, double *rates) const;
+
+    /** ż of the state: g(q, y, z, t) of all states of first order. */
+    void find_state_rates(State &state) const;
+
+    /** Tangent, damping matrix of all terms, added; of constraints alone. */
+    void add_tangent(const Point<double> &point, SparseMatrix &K, Part part = Part::all) const;
+    void add_damping(const Point<double> &point, SparseMatrix &C) const;
+    void add_constraint_tangent(const Point<double> &point, SparseMatrix &K) const;
+
+    /** ½ eᵀ C e [J] */
+    double strain_energy(const double *e, Part part = Part::all) const;
+    /** Σ |σᵀ ė| over all deformations [W]. */
+    double sum_of_powers(const double *stress, const double *rates) const;
+    /** Power of the viscous stresses at these rates of strains [W]. */
+    double viscous_power(const double *rates) const;
+    /** Whose strains change at rates above @p bound [1/s] with some energy; null if there is none. */
+    const Item *strained(const Point<double> &point, double bound) const;
+    /** Of the loads that have one [J]. */
+    double potential_energy(const Point<double> &point) const;
+
+    bool
+    is_viscous() const
+    {
+      return has_viscous;
+    }
+    unsigned int
+    n_loads() const
+    {
+      return layout.forces.size();
+    }
+    const Item &
+    item_of_load(const unsigned int i) const
+    {
+      return *layout.forces[i]->item;
+    }
+
+    /** The first time in (from, to) where something prescribed has a corner or a jump; infinity if there is none. */
+    double next_corner(double from, double to) const;
+
+    /** See Term::pieces(); empty if nothing switches. */
+    void pieces(const Point<double> &point, std::vector<double> &result) const;
+
+    /** B of all deformations, to be used many times. */
+    std::unique_ptr<LinearStrains> linear_strains() const;
+    /** @} */
+
+    /** What is known of relative motions, of all items that say something, at the nodal coordinates @p q. */
+    std::vector<RelativeRate> relative_rates(const double *q) const;
+    /** Groups of nodes that each move as one rigid body if nothing is to be strained. */
+    std::vector<std::vector<unsigned int>> rigid_nodes() const;
+
+    /** The velocities that the user gives nodes at the start are added to the state's. */
+    void add_initial_velocities(State &state) const;
+
+    /** A picture of the model. */
+    Drawing draw(const State &state) const;
 
     /**
      * Forces and constraints, r = Bᵀσ + Gᵀλ − loads − ad*_y(M y), g, with the stress given; the last six entries are the
@@ -153,7 +143,7 @@ namespace samara
     void damping(const State &state, SparseMatrix &C, bool with_material = true) const;
 
     /** B, C and C_d of all strains at the state. */
-    StrainRows strain_rows(const State &state) const;
+    StrainRows strain_rows(const State &state, Part part = Part::all) const;
     void mass(SparseMatrix &M) const;
 
     /**
@@ -200,6 +190,9 @@ namespace samara
 
   private:
     std::vector<unsigned int> dropped;
+    bool                      has_viscous = false;
+
+    bool is_in(const Deformation &deformation, Part part) const;
   };
 } // namespace samara
 

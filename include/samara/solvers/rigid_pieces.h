@@ -9,7 +9,7 @@ namespace samara
   using Row6 = Eigen::Matrix<double, 1, 6>;
 
   /**
-   * The pieces that a model falls into if nothing within them may be strained: the nodes that its contributions tie
+   * The pieces that a model falls into if nothing within them may be strained: the nodes that its items tie
    * together, and single ones. What moves with the ground is piece 0.
    *
    * Unknowns of their motions, in this order: (v/L, ω) of each piece but the ground, v at the middle of its nodes, L

@@ -16,10 +16,12 @@ namespace samara
    *
    *     δQ_k = h Σ_l a_kl [ N(δQ_l) y_l + N(Q_l) δy_l ],        ζ̇_k = δy_k − ad_{y_k} ζ_k
    *
-   * With C_k and K_k of all contributions at stage k, and ζ_α as ζ but with a_α for a in what the stress sees,
+   * With C_k and K_k of all terms at stage k, and ζ_α as ζ but with a_α for a in what the stress sees,
    *
    *     δr_k = M Σ_l w_kl δy_l/h + δ(−ad*_{y_k} M y_k) + C_k ζ̇_k + K_k ζ_α,k + G_kᵀ δλ_k
    *     δġ_k = G_k ζ̇_k + Ġ_k ζ_k
+   *
+   * States of first order have ż as unknowns, δz_k = h Σ_l a_α,kl δż_l.
    *
    * (Stage triads are orthonormal to O(h^{s+1}), and only as far is the matrix that of the equations.)
    */
@@ -65,7 +67,7 @@ namespace samara
       Eigen::MatrixXd U, U_alpha, V; ///< 6s × 6s, s × s; U by a, U_alpha by a_α, V of ζ̇
     };
     std::vector<Kinematics> kinematics; ///< of all nodes but the ground
-    Kinematics              of_coordinates;
+    Kinematics              of_coordinates, of_states;
 
     Eigen::MatrixXd displacement_of_node(const std::vector<Point<double>> &stages, unsigned int node) const;
     void            find_kinematics(const std::vector<Point<double>> &stages);

@@ -19,6 +19,7 @@ namespace samara
    *     Q_k = q_i + h Σ a_kl N(Q_l) y_l
    *     M Σ w_kl (y_l − y_i)/h = ad*_{y_k} M y_k − N(Q_k)ᵀ [ B(Q_k)ᵀ σ_k + G(Q_k)ᵀ λ_k − f ]
    *     σ_k = C ( e(q_i) + h Σ a_α,kl B(Q_l) y_l ) + C_d B(Q_k) y_k
+   *     Σ w_kl (z_l − z_i)/h = g(Q_k, y_k, z_k, t_k)         states of first order
    *     ġ(Q_k, y_k, t_k) − Σ b_l ġ_l + g(q_f, t_f)/h = 0        b(Q_k) y_k = 0 if nonholonomic
    *
    * The last line is one rule for all constraints: for quadratic ones Σ b_l ġ_l = (g_f − g_i)/h, so that it reads
@@ -83,7 +84,7 @@ namespace samara
     /** What is computed at a stage. */
     struct Stage
     {
-      std::vector<double> q, coordinates, y, rates, multipliers;
+      std::vector<double> q, coordinates, y, rates, states, state_rates, multipliers;
       std::vector<double> stress; ///< σ_k as iterated
       std::vector<double> excess; ///< what the configuration's stress has more than it
       std::vector<double> strain_rates, residual, constraint_rates;
@@ -97,6 +98,8 @@ namespace samara
                 coordinates.data(),
                 y.data(),
                 rates.data(),
+                states.data(),
+                state_rates.data(),
                 multipliers.data(),
                 stress.data(),
                 time,
@@ -121,26 +124,24 @@ namespace samara
     double                                      factored_step  = 0; ///< step size of the factors; 0: to be made anew
     double                                      step_of_factors = 0; ///< the same of those that there are; 0: none
     State                                       frozen;             ///< at which they were made
-    std::vector<std::unique_ptr<LinearStrains>> frozen_strains;     ///< of each contribution; none without strains
+    std::unique_ptr<LinearStrains>              frozen_strains;     ///< of the same configuration
     unsigned int                                n_steps_with_factors = 0, fresh_iterations = 0;
     double                                      extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix                                M, C, K;
     std::vector<bool>                           is_constraint_entry, is_nonholonomic;
     std::vector<bool>                           is_active; ///< multipliers: neither released nor left out
-    bool                                        has_damping = false;
 
     std::unique_ptr<ExactStages> exact;            ///< the exact matrix, made when it is needed first
     bool                         is_exact = false; ///< whether it is in use
-    using Strains                         = std::vector<std::unique_ptr<LinearStrains>>;
-    std::vector<Strains> stage_strains; ///< for it, of each stage
+    std::vector<std::unique_ptr<LinearStrains>> stage_strains; ///< for it
 
     std::unique_ptr<RedundantRows> redundant; ///< made when a state has rows left out
     std::vector<unsigned int>      left_out;  ///< those that are not active in this step
 
-    std::vector<double> e_start, final_q, final_coordinates, constraints_at_end;
+    std::vector<double> e_start, final_q, final_coordinates, final_states, constraints_at_end;
     std::vector<double> e_end; ///< strains where the last step ended; empty: not known
 
-    /** Velocities at the start and the stages of the last step, and whether extrapolating them was a good start. */
+    /** Velocities, and states, at the start and the stages of the last step, and whether extrapolating them was a good start. */
     std::vector<std::vector<double>> previous;
     double                           previous_step = 0;
     double                           offset        = 1; ///< 0 after step_back(): where the next step begins
@@ -152,7 +153,7 @@ namespace samara
     std::vector<int>                  entries_in_use; ///< of the system's pattern, in that of the factors; empty: all
     Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
     Eigen::VectorXd                   mode_weights;  ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
-    std::vector<double>               x_real, x_rates, e, mean_rates, no_multipliers, time_rates, force;
+    std::vector<double>               x_real, x_rates, x_states, e, mean_rates, no_multipliers, time_rates, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
     std::vector<std::vector<double>>  d_exact;               ///< those of the exact matrix, or residuals for it
     std::vector<double>               extrapolated;
@@ -173,7 +174,7 @@ namespace samara
     bool iterate(const State &state, double h, double slow, StepResult &result);
     void judge_factors(unsigned int iterations);
     void predict(const State &state, double h);
-    void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates) const;
+    void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates, std::vector<double> &states) const;
     void remember(const State &state, double h);
     void freeze(const State &state, double h);
     void factorize(double h);
@@ -238,11 +239,11 @@ namespace samara
     /** Repeat a step that does not converge with the exact matrix of all stages. */
     bool iterate_exactly(const State &state, double h, StepResult &result);
     void use_strains_of_stages();
-    /** B of contribution @p i as in the matrix of stage @p k; null if it has no strains. */
-    LinearStrains *
-    strains_in_matrix(const unsigned int k, const unsigned int i) const
+    /** B as in the matrix of stage @p k. */
+    const LinearStrains &
+    strains_in_matrix(const unsigned int k) const
     {
-      return (is_exact ? stage_strains[k][i] : frozen_strains[i]).get();
+      return is_exact ? *stage_strains[k] : *frozen_strains;
     }
     /** Add increments to the stages, twist(k, node) to twists; returns their size relative to the largest velocity. */
     template <typename Twist>

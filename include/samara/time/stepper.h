@@ -19,8 +19,8 @@ namespace samara
 
 
   /**
-   * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner,
-   * halved where Newton's method finds no solution. Nothing is lost by a step that is rejected.
+   * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner or a law of the
+   * state switches, halved where Newton's method finds no solution. Nothing is lost by a step that is rejected.
    */
   class Stepper
   {
@@ -62,7 +62,12 @@ namespace samara
     State               trial;
     std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
 
+    std::vector<double> pieces, pieces_after; ///< of laws that switch
+    double              across = 0;           ///< length of the step that goes across a switch; 0: none is near [s]
+
     double corner(double from, double to) const;
+    /** Shorten a step within which a law switches, so that it ends before. */
+    void   stop_before_switch(const State &state, double &h, Advance &result);
     bool   attempt(const State &state, double &h, Advance &result);
     double energy_of_change(const State &state) const;
   };

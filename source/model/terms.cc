@@ -1,4 +1,4 @@
-#include <samara/model/contribution.h>
+#include <samara/model/terms.h>
 
 namespace samara
 {
@@ -7,15 +7,14 @@ namespace samara
     class EvaluatedStrains : public LinearStrains
     {
     public:
-      explicit EvaluatedStrains(const Contribution &contribution)
-        : contribution(contribution)
+      explicit EvaluatedStrains(const Deformation &deformation)
+        : deformation(deformation)
       {}
 
       void
       renew(const Point<double> &p) override
       {
-        point        = p;
-        point.factor = 0; // no loads
+        point = p;
       }
 
       void
@@ -24,27 +23,27 @@ namespace samara
         Point<double> at = point;
         at.y             = y;
         at.rates         = rates;
-        contribution.strain_rates(at, e);
+        deformation.strain_rates(at, e);
       }
 
       void
       add_forces(const double *stress, double *r) const override
       {
         Point<double> at = point;
-        at.stress        = stress - contribution.first_strain;
-        contribution.residual(at, r);
+        at.stress        = stress - deformation.first_strain;
+        deformation.residual(at, r);
       }
 
     private:
-      const Contribution &contribution;
-      Point<double>       point;
+      const Deformation &deformation;
+      Point<double>      point;
     };
   } // namespace
 
 
 
   std::unique_ptr<LinearStrains>
-  Contribution::linear_strains() const
+  Deformation::linear_strains() const
   {
     return std::make_unique<EvaluatedStrains>(*this);
   }

@@ -1,0 +1,151 @@
+#ifndef samara_base_law_h
+#define samara_base_law_h
+
+#include <samara/base/function_of_time.h>
+
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  class Quantities;
+
+  /**
+   * A number that depends on time and on signals of the model, as users write it:
+   *
+   *     -200 N * tanh(slider.displacement rate / 0.01 m/s)
+   *
+   * A signal is what an object of the model tells of itself, "slider.displacement rate", or a state of first order,
+   * "filter". A law without signals is a function of time. Numbers are in SI units; angles in rad.
+   */
+  class Law
+  {
+  public:
+    Law(const double constant = 0)
+      : time_function(constant)
+    {}
+
+    explicit Law(const FunctionOfTime &function)
+      : time_function(function)
+    {}
+
+    /**
+     * @p text in SI units with a word for each of the @p signals in place of its path, see Law::word().
+     * @throws std::invalid_argument if it cannot be read
+     */
+    Law(const std::string &text, const std::vector<std::string> &signals);
+
+    /** The word that stands for signal @p i. */
+    static std::string
+    word(const unsigned int i)
+    {
+      return "signal_" + std::to_string(i);
+    }
+
+    /** The paths of the signals it depends on; none for a function of time. */
+    const std::vector<std::string> &
+    signals() const
+    {
+      return paths;
+    }
+
+    bool
+    depends_on_state() const
+    {
+      return !paths.empty();
+    }
+
+    /** For a law without signals. */
+    const FunctionOfTime &of_time() const;
+
+    /** Its value where the variables are time and then the signals. */
+    double
+    value(const double *variables) const
+    {
+      return formula.at(variables, 0).value;
+    }
+
+    /** Its derivative by variable @p i: 0 time, 1 the first signal. */
+    double
+    derivative(const double *variables, const unsigned int i) const
+    {
+      return formula.at(variables, i).first;
+    }
+
+    /** On which of its pieces each operation is that has some, see Formula. */
+    void
+    pieces(const double *variables, std::vector<double> &result) const
+    {
+      formula.pieces(variables, result);
+    }
+
+    bool
+    has_pieces() const
+    {
+      return formula.switches();
+    }
+
+    /** Whether it acts at all. */
+    bool
+    is_zero() const
+    {
+      return paths.empty() && time_function.is_zero();
+    }
+
+    bool
+    is_constant() const
+    {
+      return paths.empty() && time_function.is_constant();
+    }
+
+    /** The next corner in time of a law without signals, see ScalarFunction::next_corner(). */
+    double next_corner(double from, double to) const;
+
+    /** Text in SI units that reads as this law. */
+    const std::string &text() const;
+
+  private:
+    FunctionOfTime           time_function;
+    Formula                  formula;
+    std::string              source;
+    std::vector<std::string> paths;
+  };
+
+
+
+  /**
+   * What may be named in laws: the objects of a model, whose signals are known by the words they end with, and the states
+   * of first order with their units.
+   */
+  class SignalNames
+  {
+  public:
+    void add_object(const std::string &name);
+    void add_state(const std::string &name, const std::string &unit);
+
+    /** The unit of a state; empty: it is a number. */
+    std::string unit_of_state(const std::string &name) const;
+
+    /** A signal in a text: where it stands, its path with single blanks, and its SI unit. */
+    struct Found
+    {
+      std::size_t begin, end;
+      std::string path, unit;
+    };
+
+    /** All signals in @p text. @throws std::invalid_argument if an object is named whose signal is not known */
+    std::vector<Found> find(const std::string &text) const;
+
+    /** The unit of a quantity, "displacement rate": "m/s". Empty if it is not known. */
+    static std::string unit_of(const std::string &quantity);
+
+    /** All quantities that signals may be. */
+    static std::vector<std::string> known_quantities();
+
+  private:
+    std::vector<std::string>                         objects; // the longest first
+    std::vector<std::pair<std::string, std::string>> states;
+  };
+} // namespace samara
+
+#endif

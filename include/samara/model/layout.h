@@ -1,0 +1,140 @@
+#ifndef samara_model_layout_h
+#define samara_model_layout_h
+
+#include <samara/model/model.h>
+#include <samara/model/terms.h>
+
+namespace samara
+{
+  /**
+   * The numbering of all unknowns: 6 twists of each node but the ground, joint coordinates, states of first order,
+   * multipliers; the six of the ground follow behind the last unknown, where residuals collect the total reaction of the
+   * ground.
+   */
+  class Layout
+  {
+  public:
+    Layout(Model &model);
+
+    const Model &model;
+
+    unsigned int n_nodes = 0, n_coordinates = 0, n_states = 0, n_multipliers = 0, n_strains = 0;
+
+    unsigned int
+    n_unknowns() const
+    {
+      return of_multiplier(n_multipliers);
+    }
+    /** First of the six unknowns of a node. */
+    int
+    of_node(const unsigned int node) const
+    {
+      return node == 0 ? n_unknowns() : 6 * (node - 1);
+    }
+    int
+    of_coordinate(const unsigned int i) const
+    {
+      return 6 * (n_nodes - 1) + i;
+    }
+    int
+    of_state(const unsigned int i) const
+    {
+      return 6 * (n_nodes - 1) + n_coordinates + i;
+    }
+    int
+    of_multiplier(const unsigned int i) const
+    {
+      return 6 * (n_nodes - 1) + n_coordinates + n_states + i;
+    }
+    /** Of what moves: twists and joint coordinates. */
+    int
+    n_kinematic() const
+    {
+      return of_state(0);
+    }
+
+    /** @name For Item::connect() @{ */
+    /** Take a term of an item. */
+    void add(const Item &item, Deformation &term);
+    void add(const Item &item, Constraint &term);
+    void add(const Item &item, Force &term);
+    void add(const Item &item, StateEquation &term);
+
+    /** Numbers for as many multipliers as there are names; returns the first. */
+    unsigned int add_multipliers(const std::vector<std::string> &names);
+
+    /** Declare that these unknowns are coupled; the block is filled when the layout is complete. */
+    void couple(Block                           &block,
+                const std::vector<Frame>        &resolved_frames,
+                const std::vector<unsigned int> &coordinates = {},
+                const std::vector<unsigned int> &multipliers = {},
+                const std::vector<unsigned int> &states      = {});
+    /** @} */
+
+    std::vector<std::string> multiplier_names;
+
+    /**
+     * A constraint that is not quadratic: its force gets a correction along the rate of a coordinate, so that it does no
+     * work over a step (doc/theory/integrators.md).
+     */
+    struct Correction
+    {
+      unsigned int multiplier, coordinate;
+    };
+    std::vector<Correction> corrections;
+
+    /** Multipliers of constraints that hold but for whole turns: θ − atan2(s, c) = 0. */
+    std::vector<unsigned int> angles;
+
+    /**
+     * What presses on a joint coordinate from one side only: with the gap g = side (coordinate − place), positive where
+     * it is touched, the force k g⁺ + c ġ against growing g, never pulling.
+     */
+    struct Stop
+    {
+      unsigned int coordinate;
+      double       place, side;        ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
+      double       stiffness, damping; ///< k [N/m] or [N m/rad], c [N s/m] or [N m s/rad]
+      std::string  name;               ///< for messages: "joint hinge, upper stop of the rotation"
+    };
+    std::vector<Stop> stops;
+
+    /**
+     * Multipliers of constraints on velocities alone, b(q) y = 0 (rolling): only constraint_rates() says what they are.
+     * Their rows of the residual are zero, those of the tangent hold b: in statics increments obey them.
+     */
+    std::vector<unsigned int> nonholonomic;
+
+    /** The items that have constraints. */
+    std::vector<const Item *> joints;
+
+    /** Whose strain it is. */
+    const Item &item_of_strain(unsigned int strain) const;
+
+    /** What an unknown is, for messages: "shaft 1, node 3 at (2, 0, 0): rotation about d1". */
+    std::string name_of(unsigned int unknown) const;
+
+    std::shared_ptr<const Pattern> pattern;
+
+  private:
+    friend class System; // that alone goes over terms
+    std::vector<const Deformation *> deformations;
+    std::vector<const Constraint *>  constraints;
+    std::vector<const Force *>         forces;
+    std::vector<const StateEquation *> state_equations;
+
+    struct Coupling
+    {
+      Block                    *block;
+      std::vector<Frame>        frames;
+      std::vector<unsigned int> coordinates, states, multipliers;
+    };
+    std::vector<Coupling> couplings;
+
+    void number_rows(const Coupling &coupling) const;
+    void make_pattern();
+    void find_positions(Block &block) const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,240 @@
+#include <samara/base/law.h>
+#include <samara/base/text.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace samara
+{
+  Law::Law(const std::string &text, const std::vector<std::string> &signals)
+    : paths(signals)
+  {
+    if (paths.empty())
+      {
+        time_function = FunctionOfTime(text);
+        return;
+      }
+    std::vector<std::string> variables = {"t"};
+    for (unsigned int i = 0; i < paths.size(); ++i)
+      variables.push_back(word(i));
+    formula = Formula(text, variables);
+    source  = text;
+    // from the last on: signal_1 is the beginning of signal_10
+    for (unsigned int i = paths.size(); i-- > 0;)
+      for (std::size_t at; (at = source.find(word(i))) != std::string::npos;)
+        source.replace(at, word(i).size(), paths[i]);
+  }
+
+
+
+  const FunctionOfTime &
+  Law::of_time() const
+  {
+    Assert(paths.empty(), dealii::ExcMessage("The law depends on the state."));
+    return time_function;
+  }
+
+
+
+  double
+  Law::next_corner(const double from, const double to) const
+  {
+    return paths.empty() ? time_function.next_corner(from, to) : std::numeric_limits<double>::infinity();
+  }
+
+
+
+  const std::string &
+  Law::text() const
+  {
+    return paths.empty() ? time_function.text() : source;
+  }
+
+
+
+  namespace
+  {
+    const std::map<std::string, std::string> &
+    units_of_quantities()
+    {
+      static const std::map<std::string, std::string> units = []() {
+        std::map<std::string, std::string> all;
+        const auto                         of_directions = [&](const std::string &name, const std::string &unit) {
+          for (const std::string direction : {" x", " y", " z"})
+            all[name + direction] = unit;
+        };
+        of_directions("position", "m");
+        of_directions("displacement", "m");
+        of_directions("velocity", "m/s");
+        of_directions("angular velocity", "rad/s");
+        for (const std::string number : {"", " 1", " 2", " 3"})
+          {
+            all["rotation" + number]                = "rad";
+            all["rotation" + number + " rate"]      = "rad/s";
+            all["displacement" + number]            = "m";
+            all["displacement" + number + " rate"]  = "m/s";
+            all["force" + number]                   = "N";
+            all["moment" + number]                  = "N*m";
+          }
+        all["length"]      = "m";
+        all["length rate"] = "m/s";
+        return all;
+      }();
+      return units;
+    }
+
+    bool
+    is_word_character(const char c)
+    {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    }
+
+    /** Whether @p text has @p words at @p at, whatever the white space between them; @p end is then where they end. */
+    bool
+    has_words(const std::string &text, const std::size_t at, const std::string &words, std::size_t &end)
+    {
+      std::size_t i = at;
+      for (const char c : words)
+        if (c == ' ')
+          {
+            const std::size_t begin = i;
+            while (i < text.size() && std::isspace(static_cast<unsigned char>(text[i])) != 0)
+              ++i;
+            if (i == begin)
+              return false;
+          }
+        else if (i == text.size() || text[i++] != c)
+          return false;
+      end = i;
+      return i == text.size() || !is_word_character(text[i]);
+    }
+
+    /** Where the point "tip" of "tip.velocity x" ends, with its dot; @p at if there is no point. */
+    std::size_t
+    end_of_point(const std::string &text, const std::size_t at)
+    {
+      std::size_t i = at, end = at;
+      for (; i < text.size(); ++i)
+        if (text[i] == '.')
+          {
+            if (i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0)
+              end = i + 1;
+          }
+        else if (!is_word_character(text[i]) && text[i] != ' ')
+          break;
+      return end;
+    }
+  } // namespace
+
+
+
+  void
+  SignalNames::add_object(const std::string &name)
+  {
+    const auto shorter =
+      std::find_if(objects.begin(), objects.end(), [&](const auto &other) { return other.size() < name.size(); });
+    objects.insert(shorter, name);
+  }
+
+
+
+  void
+  SignalNames::add_state(const std::string &name, const std::string &unit)
+  {
+    states.emplace_back(name, unit);
+  }
+
+
+
+  std::string
+  SignalNames::unit_of_state(const std::string &name) const
+  {
+    for (const auto &[state, unit] : states)
+      if (state == name)
+        return unit;
+    return "";
+  }
+
+
+
+  std::string
+  SignalNames::unit_of(const std::string &quantity)
+  {
+    const auto found = units_of_quantities().find(quantity);
+    return found == units_of_quantities().end() ? "" : found->second;
+  }
+
+
+
+  std::vector<std::string>
+  SignalNames::known_quantities()
+  {
+    std::vector<std::string> names;
+    for (const auto &[name, unit] : units_of_quantities())
+      names.push_back(name);
+    return names;
+  }
+
+
+
+  std::vector<SignalNames::Found>
+  SignalNames::find(const std::string &text) const
+  {
+    std::vector<Found> result;
+    for (std::size_t i = 0; i < text.size(); ++i)
+      {
+        const bool begins_word = is_word_character(text[i]) && std::isdigit(static_cast<unsigned char>(text[i])) == 0 &&
+                                 (i == 0 || (!is_word_character(text[i - 1]) && text[i - 1] != '.'));
+        if (!begins_word)
+          continue;
+        std::size_t end = i;
+        const auto  object =
+          std::find_if(objects.begin(), objects.end(), [&](const auto &name) {
+            return has_words(text, i, name, end) && end < text.size() && text[end] == '.';
+          });
+        if (object != objects.end())
+          {
+            const std::size_t after_object = end + 1, quantity = end_of_point(text, after_object);
+            std::string       longest;
+            std::size_t       end_of_longest = quantity;
+            for (const auto &name : known_quantities())
+              if (name.size() > longest.size() && has_words(text, quantity, name, end))
+                {
+                  longest        = name;
+                  end_of_longest = end;
+                }
+            if (longest.empty())
+              {
+                std::size_t stop = quantity;
+                while (stop < text.size() && (is_word_character(text[stop]) || text[stop] == ' '))
+                  ++stop;
+                const std::string given = trim(text.substr(quantity, stop - quantity));
+                throw std::invalid_argument("<" + text + ">: <" + given + "> of <" + *object +
+                                            "> cannot stand in an expression" + did_you_mean(given, known_quantities()));
+              }
+            result.push_back({i,
+                              end_of_longest,
+                              *object + "." + text.substr(after_object, quantity - after_object) + longest,
+                              unit_of(longest)});
+            i = end_of_longest - 1;
+            continue;
+          }
+        const auto state =
+          std::find_if(states.begin(), states.end(), [&](const auto &s) { return has_words(text, i, s.first, end); });
+        if (state != states.end() && (end == text.size() || text[end] != '('))
+          {
+            result.push_back({i, end, state->first, state->second});
+            i = end - 1;
+            continue;
+          }
+        while (i + 1 < text.size() && is_word_character(text[i + 1]))
+          ++i;
+      }
+    return result;
+  }
+} // namespace samara

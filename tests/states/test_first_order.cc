@@ -1,0 +1,234 @@
+// States of first order: orders of the family, stiff lags, statics, and what they may not do.
+
+#include "../scene.h"
+#include "../time/systems.h"
+#include "scenes.h"
+
+#include <samara/time/projection.h>
+#include <samara/time/rivals.h>
+#include <samara/time/stage_integrator.h>
+
+#include <gtest/gtest.h>
+
+using namespace samara;
+
+namespace
+{
+  State
+  started(const System &system)
+  {
+    State state = system.reference();
+    system.add_initial_velocities(state);
+    Projection(system).velocities(state);
+    state.held = false;
+    return state;
+  }
+
+  /** Places, projected velocities and states after @p T. */
+  struct End
+  {
+    std::vector<double> q, y, z;
+  };
+
+  End
+  end_of(const System &system, const Tableau &tableau, const double T, const unsigned int n)
+  {
+    Record record = run(system, started(system), tableau, T / n, n);
+    EXPECT_EQ(record.n_steps, n);
+    Projection(system).velocities(record.state);
+    return {record.state.q, record.state.y, record.state.states};
+  }
+
+  void
+  expect_orders(const std::string &text, const double T, const unsigned int n, const unsigned int s, const double rho, const double order)
+  {
+    SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
+    const Scene   scene(text);
+    const System &system = scene.system;
+    const End     exact = end_of(system, Tableau(3, 1.), T, 16 * n), coarse = end_of(system, Tableau(s, rho), T, n),
+              fine = end_of(system, Tableau(s, rho), T, 2 * n);
+    const auto observed = [&](std::vector<double> End::*part) {
+      return std::log2(distance(coarse.*part, exact.*part) / distance(fine.*part, exact.*part));
+    };
+    EXPECT_NEAR(observed(&End::q), order, 0.4);
+    EXPECT_NEAR(observed(&End::y), order, 0.4);
+    EXPECT_NEAR(observed(&End::z), order, 0.4);
+  }
+} // namespace
+
+
+
+TEST(FirstOrderStates, OrdersOfAnOscillatorWithALag)
+{
+  expect_orders(oscillator_with_lag(), 1., 20, 1, 1., 2);
+  expect_orders(oscillator_with_lag(), 1., 20, 2, 1., 4);
+  expect_orders(oscillator_with_lag(), 1., 20, 2, 0., 3);
+  expect_orders(oscillator_with_lag(), 1., 24, 3, 1., 6);
+  expect_orders(oscillator_with_lag(), 1., 12, 3, 0., 5);
+}
+
+
+
+TEST(FirstOrderStates, OrdersOfATopWithControls)
+{
+  expect_orders(top_with_controls(), 0.6, 20, 2, 1., 4);
+  expect_orders(top_with_controls(), 0.6, 20, 2, 0., 3);
+  expect_orders(top_with_controls(), 0.6, 12, 3, 1., 6);
+  expect_orders(top_with_controls(), 0.6, 12, 3, 0., 5);
+}
+
+
+
+// With hλ = 3e4 a lag forgets where it began if there is numerical dissipation; without any it never does.
+TEST(FirstOrderStates, StiffLagsAreFollowedWithDissipation)
+{
+  const std::string text = "subsection States\n subsection lag\n set Rate = (sin(t) - lag)/(1e-6 s)\n set Initial = 1\n end\n"
+                           "end\n" +
+                           systems::pushed("0");
+  for (const unsigned int s : {1, 2, 3})
+    for (const double rho : {1., 0.5, 0.})
+      {
+        const Scene  scene(text);
+        const Record record = run(scene.system, started(scene.system), Tableau(s, rho), 0.03, 40);
+        ASSERT_EQ(record.n_steps, 40u);
+        const double miss = std::abs(record.state.states[0] - std::sin(1.2));
+        if (rho < 1)
+          {
+            EXPECT_LT(miss, 0.02) << "s = " << s << ", rho = " << rho;
+          }
+        else
+          {
+            EXPECT_GT(miss, 0.2) << "s = " << s;
+          }
+      }
+}
+
+
+
+// Loads that depend on states and velocities do work; that and nothing else changes the energy.
+TEST(FirstOrderStates, EnergyStatement)
+{
+  for (const auto &text : {oscillator_with_lag(), top_with_controls()})
+    {
+      const Scene scene(text);
+      for_all_members([&](const Tableau &tableau) {
+        const Record record = run(scene.system, started(scene.system), tableau, 0.02, 30);
+        EXPECT_EQ(record.n_steps, 30u);
+        EXPECT_LT(record.balance, 1e-13);
+        EXPECT_GE(record.least_dissipated, -1e-14);
+        EXPECT_NE(record.work_of_loads, 0.);
+      });
+    }
+}
+
+
+
+// A body on a hinge is held up by a controller with an integral: at rest the integral balances the weight.
+TEST(FirstOrderStates, StaticsFindWhereRatesVanish)
+{
+  const std::string text = R"(
+subsection States
+  subsection integral
+    set Rate = 0.3 - h.rotation
+  end
+end
+subsection Bodies
+  subsection bar
+    set Type = rigid body
+    set Mass = 2
+    set Position = 0.5, 0, 0
+    set Inertia = 0.1, 0.1, 0.1
+  end
+end
+subsection Joints
+  subsection h
+    set Type = revolute
+    set Axis = 0, 1, 0
+    set Body A = ground
+    set Body B = bar.centre
+    set Position = 0, 0, 0
+    subsection rotation
+      set Moment = 40 N m * (0.3 - h.rotation) - 2 N m s * h.rotation rate + 60 N m/s * integral
+    end
+  end
+end
+subsection Loads
+  subsection weight
+    set Type = gravity
+  end
+end
+)";
+  Scene scene(text);
+  scene.equilibrium();
+  EXPECT_NEAR(scene.value("h.rotation"), 0.3 * 180 / M_PI, 1e-9);
+  EXPECT_NEAR(scene.value("integral"), -2 * 9.80665 * 0.5 * std::cos(0.3) / 60, 1e-10);
+}
+
+
+
+TEST(FirstOrderStates, OtherIntegratorsSayThatTheyKnowNone)
+{
+  const Scene scene(oscillator_with_lag());
+  for (const auto &name : rival_names())
+    try
+      {
+        make_rival(name, scene.system, {});
+        ADD_FAILURE() << name;
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        EXPECT_NE(std::string(problem.what()).find("knows no states of first order"), std::string::npos);
+      }
+}
+
+
+
+// A hinge that is driven by an autopilot with a lag: its angle is what the state says, its rate that of the state.
+TEST(FirstOrderStates, DriveWhatIsPrescribed)
+{
+  const std::string text = R"(
+subsection States
+  subsection autopilot
+    set Rate = (1 - autopilot)/(0.2 s)
+  end
+end
+subsection Bodies
+  subsection bar
+    set Type = rigid body
+    set Mass = 2
+    set Position = 0.5, 0, 0
+    set Inertia = 0.1, 0.2, 0.3
+  end
+end
+subsection Joints
+  subsection h
+    set Type = revolute
+    set Body A = ground
+    set Body B = bar.centre
+    set Position = 0, 0, 0
+    subsection rotation
+      set Prescribed = 0.1 rad * sin(20*t) + 0.3*autopilot
+    end
+  end
+end
+)";
+  const Scene       scene(text);
+  const System     &system = scene.system;
+  const double      T = 0.4, lag = std::exp(-T / 0.2), angle = 0.1 * std::sin(20 * T) + 0.3 * (1 - lag),
+               rate = 2 * std::cos(20 * T) + 0.3 * lag / 0.2;
+  for_all_members([&](const Tableau &tableau) {
+    const Record coarse = run(system, started(system), tableau, T / 20, 20), fine = run(system, started(system), tableau, T / 40, 40);
+    ASSERT_EQ(fine.n_steps, 40u);
+    EXPECT_LT(fine.gap, 1e-12);
+    EXPECT_LT(fine.balance, 1e-12);
+    const double error = std::abs(fine.state.coordinates[0] - angle);
+    EXPECT_LT(error, tableau.s == 1 ? 5e-3 : 1e-5);
+    if (tableau.alpha == 0 && tableau.s < 3)
+      {
+        EXPECT_NEAR(std::log2(std::abs(coarse.state.coordinates[0] - angle) / error), 2. * tableau.s, 0.3);
+      }
+    State projected = fine.state;
+    Projection(system).velocities(projected);
+    EXPECT_NEAR(projected.rates[0], rate, tableau.s == 1 ? 3e-2 : 1e-4);
+  });
+}

@@ -1,0 +1,161 @@
+// Laws of the state: derivatives of all signals, units, and what is refused.
+
+#include "../complex_step.h"
+#include "../scene.h"
+#include "scenes.h"
+
+#include <samara/base/quantity.h>
+
+#include <gtest/gtest.h>
+
+using namespace samara;
+
+namespace
+{
+  Quantities
+  quantities()
+  {
+    Quantities result;
+    result.signals.add_object("slider");
+    result.signals.add_object("flap 1");
+    result.signals.add_object("blade");
+    result.signals.add_state("filter", "m/s^2");
+    return result;
+  }
+
+  std::string
+  problem_of(const std::string &text, const std::string &unit)
+  {
+    try
+      {
+        quantities().law(text, unit);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        return problem.what();
+      }
+    return "";
+  }
+
+  std::string
+  complaint(const std::string &text)
+  {
+    try
+      {
+        Scene scene(text);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+} // namespace
+
+
+
+TEST(Laws, AreReadWithUnits)
+{
+  const Law law = quantities().law("-200 N * tanh(slider.displacement  rate / 0.01 m/s) + 2 kN*t/(1 s)", "N");
+  ASSERT_EQ(law.signals(), std::vector<std::string>{"slider.displacement rate"});
+  const double at[] = {0.5, 0.004};
+  EXPECT_DOUBLE_EQ(law.value(at), -200 * std::tanh(0.4) + 1000);
+  EXPECT_DOUBLE_EQ(law.derivative(at, 0), 2000.);
+  EXPECT_NEAR(law.derivative(at, 1), -200 / std::pow(std::cosh(0.4), 2) / 0.01, 1e-9);
+  // what is printed reads as the same law
+  const Law again = quantities().law(law.text(), "N");
+  EXPECT_EQ(again.signals(), law.signals());
+  EXPECT_DOUBLE_EQ(again.value(at), law.value(at));
+}
+
+
+
+TEST(Laws, NamesMayHaveBlanksAndNumbers)
+{
+  const Law law = quantities().law("3 N m * flap 1.rotation - 2*flap 1.rotation rate + blade.at 0.5.velocity z*blade.tip.velocity z", "N*m");
+  EXPECT_EQ(law.signals(),
+            (std::vector<std::string>{
+              "flap 1.rotation", "flap 1.rotation rate", "blade.at 0.5.velocity z", "blade.tip.velocity z"}));
+  const double at[] = {0, 0.1, 0.2, 3, 5};
+  EXPECT_DOUBLE_EQ(law.value(at), 0.3 - 0.4 + 15);
+}
+
+
+
+TEST(Laws, ThatOfTimeIsAFunctionOfTime)
+{
+  const Law law = quantities().law("3 kN * sin(t)", "N");
+  EXPECT_FALSE(law.depends_on_state());
+  EXPECT_DOUBLE_EQ(law.of_time()(1.), 3000 * std::sin(1.));
+}
+
+
+
+TEST(Laws, RefuseWhatDoesNotFit)
+{
+  EXPECT_NE(problem_of("2 m * slider.displacement", "N").find("slider.displacement"), std::string::npos);
+  EXPECT_NE(problem_of("2*slider.displacment", "N").find("displacement"), std::string::npos);
+  EXPECT_NE(problem_of("2*filtre", "m/s^2").find("filtre"), std::string::npos);
+  EXPECT_EQ(problem_of("2*filter", "m/s^2"), "");
+  EXPECT_NE(problem_of("2 N*s * filter", "N*m"), "");
+}
+
+
+
+// Numbers of a file: who has no such signal is told so with file and line.
+TEST(Laws, UnknownSignalsHaveTheirLine)
+{
+  std::string text = oscillator_with_lag();
+  text.replace(text.find("20 N * lag"), 10, "m.velocity q");
+  EXPECT_NE(complaint(text).find(":2"), std::string::npos) << complaint(text);
+  text = oscillator_with_lag();
+  text.replace(text.find("20 N * lag"), 10, "m.tip.velocity x");
+  EXPECT_NE(complaint(text).find("has no point <tip>"), std::string::npos) << complaint(text);
+}
+
+
+
+// Of laws with all kinds of signals: coordinates, rates, places and velocities of points, spins, states.
+TEST(Laws, TangentsAreDerivatives)
+{
+  for (const auto &text : {oscillator_with_lag(), top_with_controls()})
+    {
+      const Scene       scene(text);
+      const ComplexStep moving(scene.system, true, false, true);
+      EXPECT_LT(moving.error_of_tangent(), 1e-13);
+      EXPECT_LT(moving.error_of_damping(), 1e-13);
+    }
+}
+
+
+
+// λ of modes with states against the dense pencil λ²M + λC + K.
+TEST(Laws, ModesWithStatesAgainstDenseMatrices)
+{
+  const std::string text = oscillator_with_lag();
+  Scene             scene("set Analyses = static, modal\nsubsection Modal\n set Modes = 3\nend\n" + text);
+  scene.equilibrium();
+  const System &system = scene.system;
+  const int     n      = system.size();
+  SparseMatrix  M(system.layout.pattern), C(system.layout.pattern), K(system.layout.pattern);
+  State         state = scene.context.state;
+  system.mass(M);
+  system.damping(state, C);
+  system.tangent(state, K);
+  // one motion and one state: eliminate what the constraints hold
+  const Eigen::MatrixXd Kd = K.dense(), Cd = C.dense(), Md = M.dense();
+  const int             first = system.layout.of_multiplier(0);
+  const Eigen::MatrixXd G     = Kd.bottomRows(n - first).leftCols(first);
+  const Eigen::MatrixXd Z     = G.fullPivLu().kernel();
+  ASSERT_EQ(Z.cols(), 2);
+  const auto            part = [&](const Eigen::MatrixXd &A) { return (Z.transpose() * A.topLeftCorner(first, first) * Z).eval(); };
+  const Eigen::MatrixXd m = part(Md), c = part(Cd), k = part(Kd);
+  for (const Mode &mode : scene.modes())
+    {
+      const Eigen::MatrixXcd pencil = mode.lambda * mode.lambda * m.cast<std::complex<double>>() +
+                                      mode.lambda * c.cast<std::complex<double>>() + k.cast<std::complex<double>>();
+      const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(pencil);
+      EXPECT_LT(svd.singularValues()(1), 1e-10 * svd.singularValues()(0)) << mode.lambda;
+    }
+  EXPECT_GE(scene.modes().size(), 2u);
+}
