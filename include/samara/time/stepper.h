@@ -20,7 +20,9 @@ namespace samara
 
   /**
    * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner,
-   * halved where Newton's method finds no solution. Nothing is lost by a step that is rejected.
+   * halved where Newton's method finds no solution. Nothing is lost by a step that is rejected. Steps of fixed size
+   * that crawl, two thousand in a tenth of the time of one, end the run: speeds grow without bounds where no motion
+   * goes on.
    */
   class Stepper
   {
@@ -41,6 +43,7 @@ namespace samara
       double              next_step; ///< to be tried next [s]
       std::vector<double> of_controller, of_error;
       std::vector<double> steady_twists;
+      std::vector<double> window; ///< start [s] and number of the steps that are watched for progress
     };
     Memory memory() const;
     /** @p with_steps: go on with the step sequence; otherwise with the step that was given. */
@@ -61,6 +64,15 @@ namespace samara
     const double        fixed_step, smallest_step;
     State               trial;
     std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
+
+    double       window_start = 0; ///< of a tenth of the time that a full step takes [s]
+    unsigned int n_in_window  = 0; ///< steps of the fixed size, or halves of it, since
+
+    /** @throws NotConverged if very many steps together do not come as far as a tenth of a full one. */
+    void require_progress(const State &before);
+    /** "; the largest reaction, 3e9 N, is at joint a (prescribed rotation), then joint b" of a state, and what to try.
+     */
+    std::string about_reactions(const State &state) const;
 
     double corner(double from, double to) const;
     bool   attempt(const State &state, double &h, Advance &result);
