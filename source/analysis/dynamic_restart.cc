@@ -121,6 +121,7 @@ namespace samara
     checkpoint.arrays = {{"step control", memory.of_controller},
                          {"step error", memory.of_error},
                          {"steady twists", memory.steady_twists},
+                         {"progress", memory.window},
                          {"contacts", contacts.to_numbers()}};
     for (const auto &[name, number] : remembered_numbers())
       checkpoint.numbers[name] = *number;
@@ -219,7 +220,8 @@ namespace samara
     machinery.stepper->set_memory({memory.step,
                                    memory.arrays.at("step control"),
                                    memory.arrays.at("step error"),
-                                   memory.arrays.at("steady twists")},
+                                   memory.arrays.at("steady twists"),
+                                   memory.arrays.at("progress")},
                                   with_steps);
     return machinery;
   }

@@ -243,8 +243,8 @@ namespace samara
   void
   StaticAnalysis::tell_loads(const Context &context)
   {
-    State state                = context.state;
-    state.held                 = false; // a drive whose moment changes does not turn steadily
+    State state               = context.state;
+    state.held                = false; // a drive whose moment changes does not turn steadily
     const ChangingLoads loads = changing_loads(context.system, state);
     if (loads.are_steady())
       return;
@@ -262,6 +262,31 @@ namespace samara
     constexpr double largest_turn_back = 0.1;
     /** Fraction of the load in which a path turns by as much only if it has an end there [1]. */
     constexpr double step_of_jumps = 1e-12;
+    /** Beyond a stability limit, what is farther than this is another branch, not the same one a little further on [1].
+     */
+    constexpr double distance_of_branches = 1e-3;
+
+    /** The largest change between two states, in parts of the model's size or rad, and the unknown that has it. */
+    std::pair<double, unsigned int>
+    largest_change(const System &system, const State &from, const State &to)
+    {
+      const double                    length = model_length(system.model);
+      std::pair<double, unsigned int> result = {0., 0};
+      const auto                      look   = [&](const double change, const unsigned int unknown) {
+        result = std::max(result, {std::abs(change), unknown});
+      };
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        {
+          const Eigen::Map<const Vector3> x(&from.q[12 * node]), x_to(&to.q[12 * node]);
+          const Eigen::Map<const Matrix3> D(&from.q[12 * node + 3]), D_to(&to.q[12 * node + 3]);
+          look((x_to - x).norm() / length, system.layout.of_node(node));
+          look((D_to - D).norm() / M_SQRT2, system.layout.of_node(node) + 3);
+        }
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        look((to.coordinates[i] - from.coordinates[i]) / (system.model.coordinate_units[i] == "m" ? length : 1.),
+             system.layout.of_coordinate(i));
+      return result;
+    }
 
     /** How the unknowns grow with the load at an equilibrium, but for a positive factor; nothing if they may move. */
     std::vector<double>
@@ -357,7 +382,16 @@ namespace samara
         if (!result.converged && next == 1. && start_speeds != speeds && start_factor == 1.)
           result = attempt(system.reference(), next, trial);
         if (result.converged && stability_limits == "stop" && is_beyond_limit(context, start, sign_at_start, trial))
-          result.fail(Failure::stability_limit, "a stability limit (limit point or bifurcation) is passed");
+          {
+            const auto [change, unknown] = largest_change(system, context.state, trial);
+            const bool is_far            = change > distance_of_branches;
+            result.fail(Failure::stability_limit,
+                        "a stability limit (limit point or bifurcation) is passed" +
+                          (is_far ? ", <" + system.layout.name_of(unknown) + "> is on another branch" : std::string()));
+            // one that the path may pass by closely: it is not given up before it has been followed
+            if (is_far)
+              least_step = 0.5 * step_of_jumps;
+          }
         const int turned = result.converged && !is_between_speeds ?
                              turned_too_far(system, context.state, trial, at_rest && start_factor < 1) :
                              -1;

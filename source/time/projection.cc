@@ -144,6 +144,8 @@ namespace samara
     double change = 0, largest = 1e-300;
     for (unsigned int i = 6; i < state.y.size(); ++i)
       {
+        // what was given counts, too: of something that cannot move at all, nothing is left
+        largest = std::max(largest, std::abs(state.y[i]));
         state.y[i] += b[i - 6];
         change  = std::max(change, std::abs(b[i - 6]));
         largest = std::max(largest, std::abs(state.y[i]));

@@ -1,6 +1,7 @@
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/solvers/linear.h>
+#include <samara/solvers/redundant_rows.h>
 #include <samara/time/stepper.h>
 
 #include <algorithm>
@@ -38,9 +39,10 @@ namespace samara
   Stepper::Memory
   Stepper::memory() const
   {
+    const std::vector<double> window = {window_start, double(n_in_window)};
     if (!controller)
-      return {next_step, {}, {}, steady_twists};
-    return {next_step, controller->memory(), error->memory(), steady_twists};
+      return {next_step, {}, {}, steady_twists, window};
+    return {next_step, controller->memory(), error->memory(), steady_twists, window};
   }
 
 
@@ -50,7 +52,11 @@ namespace samara
   {
     steady_twists = memory.steady_twists;
     if (with_steps)
-      next_step = memory.next_step;
+      {
+        next_step    = memory.next_step;
+        window_start = memory.window.at(0);
+        n_in_window  = memory.window.at(1);
+      }
     if (!controller || memory.of_controller.empty())
       return;
     if (with_steps)
@@ -84,6 +90,65 @@ namespace samara
 
 
 
+  std::string
+  Stepper::about_reactions(const State &state) const
+  {
+    // of each joint the largest; those a thousandth of it only carry what the others do
+    std::vector<std::pair<double, unsigned int>> reactions;
+    for (unsigned int i = 0; i < state.multipliers.size(); ++i)
+      {
+        const double      size  = std::abs(state.multipliers[i]);
+        const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
+        const auto        same  = std::find_if(reactions.begin(), reactions.end(), [&](const auto &r) {
+          return owner_and_row(system.layout.multiplier_names[r.second]).first == owner;
+        });
+        if (same == reactions.end())
+          reactions.emplace_back(size, i);
+        else if (size > same->first)
+          *same = {size, i};
+      }
+    std::sort(reactions.rbegin(), reactions.rend());
+    std::ostringstream text;
+    for (unsigned int k = 0; k < std::min<std::size_t>(reactions.size(), 4) && reactions[k].first > 0; ++k)
+      {
+        const auto [owner, row] = owner_and_row(system.layout.multiplier_names[reactions[k].second]);
+        if (reactions[k].first < 1e-3 * reactions[0].first)
+          break;
+        if (k == 0)
+          text << "; the largest reaction, " << reactions[k].first << " N or N m, is at " << owner
+               << (row.empty() ? "" : " (" + row + ")");
+        else
+          text << (k == 1 ? ", then at " : ", ") << owner;
+      }
+    if (!system.model.prescribed.empty())
+      text
+        << ".\n  Does a prescribed motion pull beyond a dead centre, or beyond what a loop or a stop allows? There no "
+           "motion goes on";
+    return text.str();
+  }
+
+
+
+  void
+  Stepper::require_progress(const State &before)
+  {
+    constexpr unsigned int most_in_window = 2000;
+    constexpr double       window         = 0.1;
+    if (n_in_window == 0 || before.time - window_start >= window * fixed_step || before.time < window_start)
+      {
+        window_start = before.time;
+        n_in_window  = 0;
+      }
+    if (++n_in_window <= most_in_window)
+      return;
+    std::ostringstream text;
+    text << "t = " << before.time << " s: " << most_in_window << " steps together have not come as far as " << window
+         << " times a step of " << fixed_step << " s" << about_reactions(before);
+    throw NotConverged(text.str());
+  }
+
+
+
   bool
   Stepper::attempt(const State &state, double &h, Advance &result)
   {
@@ -104,7 +169,8 @@ namespace samara
       {
         std::ostringstream text;
         text << "t = " << state.time << " s: Newton's method does not converge with the smallest step, " << h
-             << " s; the largest force left is at " << system.layout.name_of(result.step.worst);
+             << " s; the largest force left is at " << system.layout.name_of(result.step.worst)
+             << about_reactions(state);
         throw NotConverged(text.str());
       }
     h = controller ? controller->after_failure(h) : h / 2;
@@ -130,7 +196,15 @@ namespace samara
     const auto step_of = [&](const double size) {
       integrator.step_back();
       trial       = state;
-      result.step = integrator.step(trial, size);
+      result.step = {};
+      try
+        {
+          result.step = integrator.step(trial, size);
+        }
+      catch (const SingularMatrix &)
+        {
+          // no solution
+        }
       return result.step.converged;
     };
     double before = 0, after = h;
@@ -189,6 +263,7 @@ namespace samara
           }
         if (is_across)
           break; // so short that it says nothing
+        across = 0;
         stop_before_switch(state, h, result);
         if (controller)
           {
@@ -211,6 +286,8 @@ namespace samara
         break;
       }
 
+    if (!controller)
+      require_progress(state);
     result.h = h;
     if (cut && h == limit - state.time)
       trial.time = limit; // without round-off

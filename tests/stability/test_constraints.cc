@@ -59,6 +59,18 @@ TEST(InconsistentVelocities, AreProjected)
 
 
 
+// Nothing is left of a velocity along the rod: what was given is the scale, not round-off of rest.
+TEST(InconsistentVelocities, OfRestAreTold)
+{
+  const Trial trial("stability/inconsistent_velocities",
+                    {"Constants/off = 90 deg", "Dynamic/End time = 0.1"},
+                    {"rod.force"});
+  ASSERT_TRUE(trial.motion) << trial.failure;
+  EXPECT_NE(trial.motion->log.find("are different by 100 % of the largest"), std::string::npos) << trial.motion->log;
+}
+
+
+
 TEST(InconsistentVelocities, AreRefusedIfWanted)
 {
   const std::vector<std::string> refuse = {"Dynamic/Inconsistent velocities = refuse", "Dynamic/End time = 0.1"};

@@ -52,7 +52,10 @@ TEST(SoftHinge, LoadStepsDoNotJump)
   for (const auto &[k, A, phi] : {std::array<double, 3>{0.31013, 17.7, 3.08},
                                   {0.317, 9.26, 3.13996},
                                   {2.879, 25.4, 3.1402},
-                                  {0.1016, 11.9, 3.027}})
+                                  {0.1016, 11.9, 3.027},
+                                  {0.0022, 13.742, 3.13792},
+                                  {0.0033, 10.2476, 3.1386},
+                                  {0.0011079, 17.8267, 3.1401227}})
     for (const unsigned int n : {1, 4, 64, 256})
       {
         Scene scene(model("set Spring = " + number_to_text(k), A, phi, n));

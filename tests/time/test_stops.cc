@@ -480,3 +480,16 @@ TEST(Stops, RandomMechanisms)
     }
   EXPECT_GT(n_touches, 100u);
 }
+
+
+
+// A drive pulls a rod beyond its dead centre: speeds grow without bounds, whatever the step, at the same time. The
+// message names the loop.
+TEST(Stops, DeadCentresAreNamed)
+{
+  const Course c = course_of(RandomMechanism(337, true), 50);
+  EXPECT_FALSE(c.is_finished);
+  EXPECT_NE(c.problem.find("t = 0.196335 s"), std::string::npos) << c.problem; // of a hundredth of the step, too
+  EXPECT_NE(c.problem.find("joint rod"), std::string::npos) << c.problem;
+  EXPECT_NE(c.problem.find("prescribed"), std::string::npos) << c.problem;
+}

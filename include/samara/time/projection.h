@@ -17,7 +17,7 @@ namespace samara
 
     /**
      * Replace the velocities by the nearest ones, in the norm of the kinetic energy, with G y + ∂g/∂t = 0. Returns the
-     * largest change relative to the largest velocity.
+     * largest change relative to the largest velocity, before or after.
      * @throws SingularMatrix if something without mass can move freely.
      */
     double velocities(State &state);
