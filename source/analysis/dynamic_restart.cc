@@ -153,6 +153,7 @@ namespace samara
     const State       &state      = checkpoint.state;
     const bool         fits = state.q.size() == reference.q.size() && state.stress.size() == reference.stress.size() &&
                       state.coordinates.size() == reference.coordinates.size() &&
+                      state.states.size() == reference.states.size() &&
                       state.multipliers.size() == reference.multipliers.size();
     if (!changes.refused.empty() || !fits)
       throw InputError(file +

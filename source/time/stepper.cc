@@ -39,7 +39,7 @@ namespace samara
   Stepper::Memory
   Stepper::memory() const
   {
-    const std::vector<double> window = {window_start, double(n_in_window)};
+    const std::vector<double> window = {window_start, double(n_in_window), across};
     if (!controller)
       return {next_step, {}, {}, steady_twists, window};
     return {next_step, controller->memory(), error->memory(), steady_twists, window};
@@ -56,6 +56,7 @@ namespace samara
         next_step    = memory.next_step;
         window_start = memory.window.at(0);
         n_in_window  = memory.window.at(1);
+        across       = memory.window.at(2);
       }
     if (!controller || memory.of_controller.empty())
       return;

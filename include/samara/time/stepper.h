@@ -43,7 +43,7 @@ namespace samara
       double              next_step; ///< to be tried next [s]
       std::vector<double> of_controller, of_error;
       std::vector<double> steady_twists;
-      std::vector<double> window; ///< start [s] and number of the steps that are watched for progress
+      std::vector<double> window; ///< start [s] and number of the steps that are watched for progress; across [s]
     };
     Memory memory() const;
     /** @p with_steps: go on with the step sequence; otherwise with the step that was given. */
