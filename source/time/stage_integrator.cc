@@ -31,6 +31,7 @@ namespace samara
     , M(system.layout.pattern)
     , C(system.layout.pattern)
     , K(system.layout.pattern)
+    , gap_scale(system.layout.n_multipliers, 1.)
     , is_nonholonomic(system.layout.n_multipliers, false)
     , is_active(system.layout.n_multipliers, true)
     , real_matrix(system.layout.pattern)
@@ -334,7 +335,7 @@ namespace samara
     double gap = 0;
     for (const Stage &stage : stages)
       for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-        gap = std::max(gap, h * std::abs(stage.residual[system.layout.of_multiplier(i)]));
+        gap = std::max(gap, h * gap_scale[i] * std::abs(stage.residual[system.layout.of_multiplier(i)]));
     return gap;
   }
 

@@ -135,6 +135,9 @@ namespace samara
     double                 rates[3];
     // what would not be noticed in a step counts as small, as in the corrections of all unknowns
     double     scale = 1e-3 / h, size = 0;
+    const auto unit  = [&](const unsigned int i) {
+      return system.model.coordinate_units[system.layout.stops[touched[i]].coordinate] == "m" ? length : 1.;
+    };
     StopForces forces;
     rate_changes = from_free ? stop_free : Eigen::VectorXd::Zero(n).eval();
     force_changes.resize(n);
@@ -145,7 +148,7 @@ namespace samara
           {
             gap_rates(touched[i], rates);
             for (unsigned int k = 0; k < s; ++k)
-              scale = std::max(scale, std::abs(rates[k] += rate_changes(s * i + k)));
+              scale = std::max(scale, std::abs(rates[k] += rate_changes(s * i + k)) / unit(i));
             forces = stop_forces(system.layout.stops[touched[i]], tableau, gaps[touched[i]], rates, h);
             for (unsigned int k = 0; k < s; ++k)
               {
@@ -158,9 +161,11 @@ namespace samara
         stop_matrix.diagonal().array() += 1;
         const Eigen::VectorXd change =
           stop_matrix.partialPivLu().solve(stop_free - rate_changes - stop_compliance * force_changes);
-        size = change.lpNorm<Eigen::Infinity>();
-        if (!std::isfinite(size))
+        if (!change.allFinite())
           return false;
+        size = 0;
+        for (unsigned int i = 0; i < touched.size(); ++i)
+          size = std::max(size, change.segment(s * i, s).lpNorm<Eigen::Infinity>() / unit(i));
         rate_changes += change;
         // Forces belong to the change itself, not to rates that are rounded: of these, stiff stops make forces with
         // errors k h ε|ġ|, of which the compliance makes rates with errors k h² ε|ġ|/m.

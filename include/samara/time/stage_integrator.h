@@ -128,6 +128,7 @@ namespace samara
     unsigned int                                n_steps_with_factors = 0, fresh_iterations = 0;
     double                                      extra_iterations = 0; ///< more than with fresh factors
     SparseMatrix                                M, C, K;
+    std::vector<double> gap_scale; ///< of multipliers: 1/|row of G|, lengths divided by the size of the model
     std::vector<bool>                           is_constraint_entry, is_nonholonomic;
     std::vector<bool>                           is_active; ///< multipliers: neither released nor left out
 
@@ -178,6 +179,8 @@ namespace samara
     void remember(const State &state, double h);
     void freeze(const State &state, double h);
     void factorize(double h);
+    /** From K: what makes the rows of constraints lengths. */
+    void measure_rows();
     /** Make solvers for a pattern without the rows left out, of their values there are none yet. */
     void make_factors();
     void move_stages(const State &state, double h);
@@ -196,7 +199,7 @@ namespace samara
     double energy_that_counts() const;
     double change_of_force          = 0,
            previous_change_of_force = 0; ///< of multipliers by corrections, relative to the largest
-    /** Violation of constraints, at the end or by velocities over the step. */
+    /** Violation of constraints, at the end or by velocities over the step, as a length [m]. */
     double largest_gap(double h) const;
     /** λ̄ ρ, the force of a correction per rate. */
     double force_of(const Layout::Correction &correction, double h) const;
