@@ -117,7 +117,8 @@ namespace samara
       {
         g[row] += l.function.value(pair) - l.value;
         if constexpr (with_forces)
-          forces.add(l.function, pair, lambda[row]);
+          if (lambda[row] != Number(0)) // most of a joint's rows may be left out
+            forces.add(l.function, pair, lambda[row]);
         ++row;
       }
     for (unsigned int i = 0; i < used.size(); ++i, ++row)
@@ -204,10 +205,11 @@ namespace samara
   {
     const PairValues<double> pair(frame_a, frame_b, point.q, with_axes_of_b);
     PairTangent              twists(pair);
-    Matrix12                 H             = Matrix12::Zero();
-    const double            *lambda        = point.multipliers + first_multiplier;
-    unsigned int             row           = 12 + used.size();
-    const auto               add_symmetric = [&](const unsigned int i, const unsigned int j, const double value) {
+    Matrix12                 H      = Matrix12::Zero();
+    const double            *lambda = point.multipliers + first_multiplier;
+    const bool   has_forces         = std::any_of(lambda, lambda + rows.size(), [](const double l) { return l != 0.; });
+    unsigned int row                = 12 + used.size();
+    const auto   add_symmetric      = [&](const unsigned int i, const unsigned int j, const double value) {
       block.add_entry(i, j, value, K);
       block.add_entry(j, i, value, K);
     };
@@ -260,6 +262,9 @@ namespace samara
         const unsigned int k = 12 + stops[i].motion;
         block.add_entry(k, k, touches(point, i) * used[stops[i].motion]->stop_stiffness, K);
       }
+    // without forces the constraints alone are wanted
+    if (!has_forces)
+      return;
     twists.add_to(H);
     block.add_twists(H, K);
   }
