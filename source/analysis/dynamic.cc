@@ -93,7 +93,7 @@ namespace samara
   DynamicAnalysis::account(const Context &context, const State &state, const StepResult &step)
   {
     // loads with a potential do the work that it loses
-    const auto   energy    = context.system.energy(state);
+    const auto   energy    = step.energy ? *step.energy : context.system.energy(state);
     const double potential = context.system.potential_energy(state.point());
     budget.loads += step.work_of_loads + potential - budget.potential;
     budget.drives += step.work_of_drives;

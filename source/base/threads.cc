@@ -4,12 +4,37 @@
 #include <deal.II/base/multithread_info.h>
 #include <deal.II/base/parallel.h>
 
+#include <atomic>
+#include <mutex>
+
 namespace samara
 {
+  namespace
+  {
+    /** A pool of threads takes milliseconds to start: it is made where it is used first. */
+    std::atomic<unsigned int> wanted{0}, in_force{0};
+
+    void
+    start_threads()
+    {
+      static std::mutex                 mutex;
+      const std::lock_guard<std::mutex> guard(mutex);
+      if (in_force == wanted)
+        return;
+      const unsigned int n = wanted;
+      dealii::MultithreadInfo::set_thread_limit(n);
+      in_force = n;
+    }
+  } // namespace
+
+
+
   void
   set_threads(const unsigned int n)
   {
-    dealii::MultithreadInfo::set_thread_limit(n > 0 ? n : dealii::MultithreadInfo::n_cores());
+    wanted = n > 0 ? n : dealii::MultithreadInfo::n_cores();
+    if (wanted == 1)
+      start_threads();
   }
 
 
@@ -17,6 +42,8 @@ namespace samara
   unsigned int
   n_threads()
   {
+    if (in_force != wanted)
+      start_threads();
     return dealii::MultithreadInfo::n_threads();
   }
 

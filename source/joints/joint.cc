@@ -188,7 +188,8 @@ namespace samara
       {
         g[row] += l.function.value(pair) - l.value;
         if constexpr (with_forces)
-          forces.add(l.function, pair, lambda[row]);
+          if (lambda[row] != Number(0)) // most of a joint's rows may be left out
+            forces.add(l.function, pair, lambda[row]);
         ++row;
       }
     for (unsigned int i = 0; i < used.size(); ++i, ++row)
@@ -254,12 +255,13 @@ namespace samara
   {
     const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
     PairTangent              twists(pair);
-    Matrix12                 H             = Matrix12::Zero();
-    const auto              &used          = joint.used;
-    const Block             &block         = joint.block;
-    const double            *lambda        = point.multipliers + joint.first_multiplier;
-    unsigned int             row           = 12 + used.size();
-    const auto               add_symmetric = [&](const unsigned int i, const unsigned int j, const double value) {
+    Matrix12                 H      = Matrix12::Zero();
+    const auto              &used   = joint.used;
+    const Block             &block  = joint.block;
+    const double            *lambda = point.multipliers + joint.first_multiplier;
+    const bool has_forces = std::any_of(lambda, lambda + joint.rows.size(), [](const double l) { return l != 0.; });
+    unsigned int row                = 12 + used.size();
+    const auto   add_symmetric      = [&](const unsigned int i, const unsigned int j, const double value) {
       block.add_entry(i, j, value, K);
       block.add_entry(j, i, value, K);
     };
@@ -309,6 +311,9 @@ namespace samara
         s.velocity.add_derivative(pair, *lambda++, H);
         block.add_border(row++, coefficients, K);
       }
+    // without forces the constraints alone are wanted
+    if (!has_forces)
+      return;
     twists.add_to(H);
     block.add_twists(H, K);
   }

@@ -134,15 +134,24 @@ namespace samara
 
 
   void
-  System::find_state_rates(State &state) const
+  System::state_rates(const Point<double> &point, double *const rates) const
   {
     if (layout.n_states == 0)
       return;
-    std::vector<double> r(size() + 6, 0.);
+    thread_local std::vector<double> r;
+    r.assign(size() + 6, 0.);
     for (const auto *z : layout.state_equations)
-      z->residual(state.point(), r.data());
+      z->residual(point, r.data());
     for (unsigned int i = 0; i < layout.n_states; ++i)
-      state.state_rates[i] = -r[layout.of_state(i)];
+      rates[i] = -r[layout.of_state(i)];
+  }
+
+
+
+  void
+  System::find_state_rates(State &state) const
+  {
+    state_rates(state.point(), state.state_rates.data());
   }
 
 

@@ -30,9 +30,16 @@ namespace samara
               largest[i]        = std::max(largest[i], size);
               largest[j]        = std::max(largest[j], size);
             }
+        bool has_changed = false;
         for (int i = 0; i < n; ++i)
           if (largest[i] > 0 && std::isfinite(largest[i]))
-            factor[i] /= power_of_two(std::sqrt(largest[i]));
+            if (const double change = power_of_two(std::sqrt(largest[i])); change != 1.)
+              {
+                factor[i] /= change;
+                has_changed = true;
+              }
+        if (!has_changed)
+          break; // as all passes after it
       }
     return factor;
   }

@@ -13,9 +13,6 @@ namespace samara
     /** Gaps that Newton's method leaves, in parts of the model's size, and how much more than of the rows kept. */
     constexpr double round_off = 1e-9, amplification = 10;
 
-    /** Rows nearer than this to the span of others repeat them, but for round-off. */
-    constexpr double exact = 1e-7;
-
     /**
      * What rounded places and axes may change along the motion, in multiples of what they are in the reference
      * position: the distance from the span, and the gap. Bricard's mechanism with axes rounded in many ways has gaps of

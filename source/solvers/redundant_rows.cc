@@ -24,6 +24,9 @@ namespace samara
     /** Largest entry of the combinations that is left as it is. */
     constexpr double good = 2;
 
+    /** How far things move until a choice is looked at again [rad, or parts of the model's size]. */
+    constexpr double least_motion = 0.1, most_motion = 0.5;
+
     /** Up to this many rows dense elimination takes less than a second. */
     constexpr int few_rows = 300;
   } // namespace
@@ -39,6 +42,7 @@ namespace samara
     , unit(n, 1.)
     , scale(m, 0.)
     , is_absent(m, false)
+    , no_multipliers(m, 0.)
   {
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       std::fill_n(unit.begin() + system.layout.of_node(node) + 3, 3, length);
@@ -53,7 +57,9 @@ namespace samara
   RedundantRows::assemble(const State &state)
   {
     K.clear();
-    system.add_constraint_tangent(state.point(), K);
+    Point<double> point = state.point();
+    point.multipliers   = no_multipliers.data(); // the rows alone
+    system.add_constraint_tangent(point, K);
     const Pattern &all = *K.pattern;
     for (int i = 0; i < m; ++i)
       {
@@ -81,29 +87,104 @@ namespace samara
         const double largest = X.cwiseAbs().maxCoeff(&i, &j);
         if (!(largest > good) || !(largest < singular))
           return has_changed;
-        // X ← X X[rows]⁻¹ with row i for the one that was left out
-        const Eigen::RowVectorXd row    = X.row(i);
-        Eigen::RowVectorXd       change = row;
-        change(j) -= 1;
-        X -= (X.col(j) / row(j)).eval() * change;
-        left_out[j]   = i;
-        left_out_of_X = left_out;
-        has_changed   = true;
+        swap(left_out, i, j);
+        has_changed = true;
         ++n_exchanges;
       }
   }
 
 
 
+  void
+  RedundantRows::swap(std::vector<unsigned int> &left_out, const int i, const int j)
+  {
+    // X ← X X[rows]⁻¹ with row i for the one that was left out
+    const Eigen::VectorXd column = X.col(j) / X(i, j);
+    Eigen::RowVectorXd    change = X.row(i);
+    change(j) -= 1;
+    for (int l = 0; l < X.cols(); ++l)
+      if (change(l) != 0.)
+        X.col(l) -= column * change(l);
+    left_out[j]   = i;
+    left_out_of_X = left_out;
+  }
+
+
+
   bool
-  RedundantRows::has_moved(const State &state) const
+  RedundantRows::is_good_swap(const int i, const int j) const
+  {
+    for (int l = 0; l < X.cols(); ++l)
+      if (const double change = (X(i, l) - (l == j ? 1. : 0.)) / X(i, j);
+          std::abs(change) > 1e-12 && !((X.col(l) - X.col(j) * change).lpNorm<Eigen::Infinity>() <= good))
+        return false;
+    return true;
+  }
+
+
+
+  void
+  RedundantRows::spread(std::vector<unsigned int> &left_out)
+  {
+    // what the rows of one joint cost: how many are kept, times the unknowns they couple
+    std::vector<int> joint(m, 0), n_kept;
+    std::string      last;
+    for (int i = 0; i < m; ++i)
+      {
+        const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
+        if (i == 0 || owner != last)
+          n_kept.push_back(0);
+        last     = owner;
+        joint[i] = n_kept.size() - 1;
+        ++n_kept.back();
+      }
+    for (const auto i : left_out)
+      --n_kept[joint[i]];
+    const auto n_entries = [&](const int i) {
+      return K.pattern->column_start[n + i + 1] - K.pattern->column_start[n + i];
+    };
+    for (unsigned int j = 0; j < left_out.size(); ++j)
+      {
+        const int now  = left_out[j];
+        int       best = now, largest = (n_kept[joint[now]] + 1) * n_entries(now);
+        for (int i = 0; i < m; ++i)
+          if (const int cost = n_kept[joint[i]] * n_entries(i);
+              cost > largest && 1 / std::abs(X(i, j)) <= good && is_good_swap(i, j))
+            {
+              best    = i;
+              largest = cost;
+            }
+        if (best == now)
+          continue;
+        swap(left_out, best, j);
+        ++n_kept[joint[now]];
+        --n_kept[joint[best]];
+      }
+  }
+
+
+
+  double
+  RedundantRows::motion_since_look(const State &state) const
   {
     if (checked.left_out != state.left_out || checked.held != state.held || checked.q.size() != state.q.size())
-      return true;
+      return std::nan("");
     double largest = 0;
     for (unsigned int i = 0; i < state.q.size(); ++i)
       largest = std::max(largest, std::abs(state.q[i] - checked.q[i]) / (i % 12 < 3 ? length : 1.));
-    return largest > 0.1;
+    return largest;
+  }
+
+
+
+  double
+  RedundantRows::motion_until_next(const Eigen::MatrixXd &before, const double motion) const
+  {
+    if (before.size() != X.size() || *std::max_element(independence.begin(), independence.end()) > exact)
+      return least_motion;
+    // half of what they may still grow by as they do now
+    const double change = (X - before).lpNorm<Eigen::Infinity>() / motion;
+    return std::clamp(0.5 * (good - X.lpNorm<Eigen::Infinity>()) / change, least_motion, most_motion);
   }
 
 
@@ -144,10 +225,15 @@ namespace samara
   bool
   RedundantRows::choose(State &state)
   {
-    if (state.left_out.empty() || !has_moved(state))
+    const double motion = motion_since_look(state);
+    if (state.left_out.empty() || motion <= next_motion)
       return false;
     if (!rounding.is_known)
       measure_rounding(state);
+    Eigen::MatrixXd before;
+    if (std::isfinite(motion) && left_out_of_X == state.left_out)
+      before = X;
+    next_motion  = least_motion;
     checked.q    = state.q;
     checked.held = state.held;
     assemble(state);
@@ -163,7 +249,8 @@ namespace samara
               take_in_independent(left_out);
             if (!left_out.empty())
               {
-                exchange(left_out);
+                if (!exchange(left_out) && left_out == state.left_out)
+                  next_motion = motion_until_next(before, motion);
                 keep_forces(state, left_out);
               }
           }
@@ -333,7 +420,10 @@ namespace samara
         return rows; // what elimination said must do
       }
     if (!rows.empty() && X.cwiseAbs().maxCoeff() < singular)
-      exchange(rows);
+      {
+        exchange(rows);
+        spread(rows);
+      }
     std::sort(rows.begin(), rows.end());
     generic.left_out = rows;
     return rows;

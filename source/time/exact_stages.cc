@@ -36,7 +36,6 @@ namespace samara
     , M(system.layout.pattern)
     , K_ahead(system.layout.pattern)
     , K_behind(system.layout.pattern)
-    , solver(make_solver(matrix.pattern))
     , x(tableau.s * system.size())
     , kinematics(system.layout.n_nodes - 1)
   {
@@ -235,23 +234,35 @@ namespace samara
           for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p)
             matrix.values[place(k, p, k, j)] += K.values[p];
       }
-    keep_inactive(is_active);
+    make_solver_of(is_active);
+    for (unsigned int i = 0; i < active.size(); ++i)
+      if (const int j = layout.of_multiplier(i); !active[i])
+        for (unsigned int k = 0; k < tableau.s; ++k)
+          matrix.values[place(k, pattern.position(j, j), k, j)] = 1;
   }
 
 
 
   void
-  ExactStages::keep_inactive(const std::vector<bool> &is_active)
+  ExactStages::make_solver_of(const std::vector<bool> &is_active)
   {
-    const Pattern &p = *matrix.pattern;
-    const int      n = system.size(), n_kinematic = system.layout.of_multiplier(0);
-    const auto     is_out = [&](const int i) { return i % n >= n_kinematic && !is_active[i % n - n_kinematic]; };
-    if (std::find(is_active.begin(), is_active.end(), false) == is_active.end())
+    if (solver && is_active == active)
       return;
-    for (int j = 0; j < p.size(); ++j)
-      for (int at = p.column_start[j]; at < p.column_start[j + 1]; ++at)
-        if (is_out(j) || is_out(p.rows[at]))
-          matrix.values[at] = j == p.rows[at] ? 1. : 0.;
+    active                 = is_active;
+    const int  n           = system.size();
+    const int  n_kinematic = system.layout.of_multiplier(0);
+    const auto is_out      = [&](const int i) { return i % n >= n_kinematic && !active[i % n - n_kinematic]; };
+    kept.clear();
+    of_kept.reset();
+    if (std::find(active.begin(), active.end(), false) == active.end())
+      {
+        solver = make_solver(matrix.pattern);
+        return;
+      }
+    PartOfPattern part(*matrix.pattern, [&](const int i, const int j) { return i == j || (!is_out(i) && !is_out(j)); });
+    kept    = std::move(part.kept);
+    of_kept = std::make_unique<SparseMatrix>(part.pattern);
+    solver  = make_solver(part.pattern);
   }
 
 
@@ -276,7 +287,9 @@ namespace samara
     for (unsigned int k = 0; k < tableau.s; ++k)
       for (unsigned int i = 0; i < n; ++i)
         x[k * n + i] = (i < n_kinematic ? -h : -1.) * residuals[k][i];
-    solver->factorize(matrix);
+    for (unsigned int i = 0; i < kept.size(); ++i)
+      of_kept->values[i] = matrix.values[kept[i]];
+    solver->factorize(of_kept ? *of_kept : matrix);
     solver->solve(x.data());
     for (unsigned int k = 0; k < tableau.s; ++k)
       for (unsigned int i = 0; i < n; ++i)

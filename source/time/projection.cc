@@ -13,8 +13,33 @@ namespace samara
     : system(system)
     , K(system.layout.pattern)
     , M(system.layout.pattern)
+    , no_multipliers(system.layout.n_multipliers, 0.)
   {
     system.mass(M);
+    sort_nodes();
+  }
+
+
+
+  void
+  Projection::sort_nodes()
+  {
+    const Layout     &layout = system.layout;
+    std::vector<bool> is_bound(layout.n_nodes, false);
+    for (int j = layout.of_multiplier(0); j < layout.pattern->size(); ++j)
+      for (int k = layout.pattern->column_start[j]; k < layout.pattern->column_start[j + 1]; ++k)
+        if (const int i = layout.pattern->rows[k]; i < layout.of_coordinate(0))
+          is_bound[1 + i / 6] = true;
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const Matrix6             &mass = system.model.nodes[node].inertia;
+        const Eigen::LDLT<Matrix6> of_mass(mass);
+        // where there is none, elimination shall say so
+        if (is_bound[node] || !(of_mass.rcond() > 1e-14))
+          bound.push_back(node);
+        else
+          free.push_back({node, of_mass.solve(Matrix6::Identity())});
+      }
   }
 
 
@@ -25,11 +50,14 @@ namespace samara
     if (solver && left_out == left_out_of_pattern)
       return;
     left_out_of_pattern = left_out;
-    // 6×6 masses of nodes, those of coordinates, and constraints
-    const Layout &layout   = system.layout;
-    const int     n_twists = layout.of_coordinate(0), n_kinematic = layout.of_multiplier(0);
-    PartOfPattern part = part_without(layout, *layout.pattern, left_out, [=](const int i, const int j) {
-      const bool is_mass = i < n_twists && j < n_twists ? i / 6 == j / 6 : i == j;
+    // 6×6 masses of nodes that constraints act on, those of coordinates, and constraints
+    const Layout     &layout   = system.layout;
+    const int         n_twists = layout.of_coordinate(0), n_kinematic = layout.of_multiplier(0);
+    std::vector<bool> is_bound(layout.n_nodes, false);
+    for (const auto node : bound)
+      is_bound[node] = true;
+    PartOfPattern part = part_without(layout, *layout.pattern, left_out, [&](const int i, const int j) {
+      const bool is_mass = i < n_twists && j < n_twists ? i / 6 == j / 6 && (i == j || is_bound[1 + i / 6]) : i == j;
       return is_mass || i >= n_kinematic || j >= n_kinematic;
     });
     pattern            = part.pattern;
@@ -69,10 +97,11 @@ namespace samara
   Projection::factorize_rows(const State &state)
   {
     make_solver_without();
-    Point<double> free = state.point();
-    free.held          = false;
+    Point<double> point = state.point();
+    point.held          = false;
+    point.multipliers   = no_multipliers.data(); // the rows alone
     K.clear();
-    system.add_constraint_tangent(free, K);
+    system.add_constraint_tangent(point, K);
     const int n = system.layout.of_multiplier(0);
     for (int j = 0, k = 0; j < pattern->size(); ++j)
       for (; k < pattern->column_start[j + 1]; ++k)
@@ -86,14 +115,27 @@ namespace samara
 
 
 
-  std::vector<double>
-  Projection::constraint_rates(const State &state) const
+  void
+  Projection::constraint_rates(const Point<double> &point, std::vector<double> &rates) const
   {
-    std::vector<double> rates(system.layout.n_multipliers);
-    system.constraint_rates(state.point(), rates.data());
+    rates.resize(system.layout.n_multipliers);
+    system.constraint_rates(point, rates.data());
     for (const auto i : left_out)
       rates[i] = 0;
-    return rates;
+  }
+
+
+
+  void
+  Projection::solve()
+  {
+    // before elimination, which divides by the diagonal
+    for (const auto &[node, inverse] : free)
+      {
+        Eigen::Map<Vector6> of_node(&b[system.layout.of_node(node)]);
+        of_node = system.model.nodes[node].inertia.diagonal().cwiseProduct(inverse * of_node).eval();
+      }
+    solver->solve(b.data());
   }
 
 
@@ -134,13 +176,13 @@ namespace samara
 
 
   double
-  Projection::project(State &state) const
+  Projection::project(State &state)
   {
-    const std::vector<double> rates = constraint_rates(state);
-    std::vector<double>       b(system.size(), 0.);
+    constraint_rates(state.point(), rates);
+    b.assign(system.size(), 0.);
     for (unsigned int i = 0; i < rates.size(); ++i)
       b[system.layout.of_multiplier(i)] = -rates[i];
-    solver->solve(b.data());
+    solve();
     double change = 0, largest = 1e-300;
     for (unsigned int i = 6; i < state.y.size(); ++i)
       {
@@ -157,27 +199,37 @@ namespace samara
 
 
 
-  std::vector<double>
-  Projection::constraint_rates_after(const State &state, const double dt) const
+  void
+  Projection::constraint_rates_after(const State &state, const double dt, std::vector<double> &rates)
   {
-    State moved = state;
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+    // a straight path will do for the derivative
+    moved_q           = state.q;
+    moved_coordinates = state.coordinates;
+    for (const auto node : bound)
       {
-        // constant twist: the screw motion exp(dt y)
         const Vector3 v = Eigen::Map<const Vector3>(&state.y[6 * node]),
                       w = Eigen::Map<const Vector3>(&state.y[6 * node + 3]);
-        Eigen::Map<Vector3> x(&moved.q[12 * node]);
-        Eigen::Map<Matrix3> D(&moved.q[12 * node + 3]);
-        x += D * (dt * v + 0.5 * dt * dt * w.cross(v) + dt * dt * dt / 6 * w.cross(w.cross(v)));
-        D = (D * rotation_of_vector(dt * w)).eval();
+        const Eigen::Map<const Matrix3> D(&state.q[12 * node + 3]);
+        Eigen::Map<Vector3>(&moved_q[12 * node]) += dt * D * v;
+        Eigen::Map<Matrix3>(&moved_q[12 * node + 3]) += dt * D * skew(w);
       }
     for (unsigned int i = 0; i < state.rates.size(); ++i)
-      moved.coordinates[i] += dt * state.rates[i];
-    for (unsigned int i = 0; i < state.states.size(); ++i)
-      moved.states[i] += dt * state.state_rates[i];
+      moved_coordinates[i] += dt * state.rates[i];
+    Point<double> moved = state.point();
+    moved.q             = moved_q.data();
+    moved.coordinates   = moved_coordinates.data();
     moved.time += dt;
-    system.find_state_rates(moved);
-    return constraint_rates(moved);
+    if (system.layout.n_states > 0)
+      {
+        moved_states = state.states;
+        for (unsigned int i = 0; i < moved_states.size(); ++i)
+          moved_states[i] += dt * state.state_rates[i];
+        moved_state_rates.resize(moved_states.size());
+        moved.states      = moved_states.data();
+        system.state_rates(moved, moved_state_rates.data());
+        moved.state_rates = moved_state_rates.data();
+      }
+    constraint_rates(moved, rates);
   }
 
 
@@ -207,35 +259,36 @@ namespace samara
 
 
   std::vector<double>
-  Projection::solve_for_accelerations(State &state) const
+  Projection::solve_for_accelerations(State &state)
   {
-    State forces = state;
-    forces.held  = false;
-    std::fill(forces.multipliers.begin(), forces.multipliers.end(), 0.);
-    std::vector<double> r, b(system.size(), 0.);
-    system.residual(forces, state.stress, r);
+    const bool was_held = state.held;
+    state.held          = false;
+    std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+    system.residual(state, state.stress, r);
+    state.held = was_held;
+    b.assign(system.size(), 0.);
     for (int i = 0; i < system.layout.of_multiplier(0); ++i)
       b[i] = -r[i];
 
     // Ġ y by differences of fourth order over a time in which nothing turns by more than a thousandth
     double fastest = 1e-3;
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+    for (const auto node : bound)
       fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[6 * node + 3]).norm());
     for (const double rate : state.rates)
       fastest = std::max(fastest, std::abs(rate));
     const double dt = 1e-3 / fastest;
-    for (const auto &[steps, weight] : std::array<std::pair<double, double>, 4>{{{-2, 1}, {-1, -8}, {1, 8}, {2, -1}}})
-      {
-        const auto rates = constraint_rates_after(state, steps * dt);
-        for (unsigned int i = 0; i < rates.size(); ++i)
-          b[system.layout.of_multiplier(i)] -= weight * rates[i] / (12 * dt);
-      }
+    if (system.layout.n_multipliers > 0)
+      for (const auto &[steps, weight] : std::array<std::pair<double, double>, 4>{{{-2, 1}, {-1, -8}, {1, 8}, {2, -1}}})
+        {
+          constraint_rates_after(state, steps * dt, later);
+          for (unsigned int i = 0; i < later.size(); ++i)
+            b[system.layout.of_multiplier(i)] -= weight * later[i] / (12 * dt);
+        }
     for (const auto i : system.released_multipliers())
       b[system.layout.of_multiplier(i)] = 0;
-    solver->solve(b.data());
+    solve();
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       state.multipliers[i] = b[system.layout.of_multiplier(i)];
-    b.resize(system.layout.of_multiplier(0));
-    return b;
+    return {b.begin(), b.begin() + system.layout.of_multiplier(0)};
   }
 } // namespace samara

@@ -167,6 +167,7 @@ namespace samara
       estimate_error(state, h, result.difference);
     remember(state, h);
     finish(state, h);
+    result.energy = system.energy(state, e_end);
     ++n_steps;
     return result;
   }

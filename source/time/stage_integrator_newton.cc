@@ -28,6 +28,7 @@ namespace samara
     frozen       = state;
     frozen.time  = state.time + 0.5 * h;
     frozen.stops = false;
+    frozen.left_out.clear(); // their entries are not used
     for (auto *const values : {&frozen.y, &frozen.rates, &frozen.states, &frozen.multipliers, &frozen.stress})
       std::fill(values->begin(), values->end(), 0.);
     const auto add = [](const double b, const std::vector<double> &from, std::vector<double> &to) {
@@ -129,6 +130,8 @@ namespace samara
     factored_step = step_of_factors = 0;
     system.damping(frozen, C);
     system.tangent(frozen, K);
+    for (const auto i : left_out)
+      K.values[K.pattern->position(system.layout.of_multiplier(i), system.layout.of_multiplier(i))] = 1;
     measure_rows();
     Point<double> point = frozen.point();
     point.multipliers   = no_multipliers.data();

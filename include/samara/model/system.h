@@ -71,7 +71,8 @@ namespace samara
     void constraint_rates(const Point<double> &point, double *rates) const;
     void constraint_time_rates(const Point<double> &point, double *rates) const;
 
-    /** ż of the state: g(q, y, z, t) of all states of first order. */
+    /** ż = g(q, y, z, t) of all states of first order; those of a state into it. */
+    void state_rates(const Point<double> &point, double *rates) const;
     void find_state_rates(State &state) const;
 
     /** Tangent, damping matrix of all terms, added; of constraints alone. */

@@ -28,8 +28,9 @@ namespace samara
 
     /**
      * Look whether the rows left out are a good choice still, once something has moved by a tenth of a radian or of the
-     * model's size, and exchange those that are not: forces of constraints stay the same. A row that no longer depends
-     * on others is taken in again. Returns whether the choice has changed. At singular positions it stays.
+     * model's size (up to five times as far while the combinations change slowly), and exchange those that are not:
+     * forces of constraints stay the same. A row that no longer depends on others is taken in again. Returns whether
+     * the choice has changed. At singular positions it stays.
      */
     bool choose(State &state);
 
@@ -105,6 +106,9 @@ namespace samara
     /** Combinations have larger entries at singular positions only: nothing can be said there. */
     static constexpr double singular = 1e5;
 
+    /** Rows nearer than this to the span of others repeat them, but for round-off. */
+    static constexpr double exact = 1e-7;
+
     const System                  &system;
     const int                      n, m; ///< kinematic unknowns, multipliers
     double                         length;
@@ -118,7 +122,9 @@ namespace samara
     std::vector<bool>              is_absent;    ///< rows that say nothing, and need not be left out
     Eigen::MatrixXd                X;            ///< scaled
     std::vector<double>            independence; ///< of each row left out: distance from the span of those kept
-    State                          checked;      ///< where the choice was looked at last
+    std::vector<double>            no_multipliers;
+    State                          checked;         ///< where the choice was looked at last
+    double                         next_motion = 0; ///< how far from there to the next look [rad, or of the length]
     State                          generic;
 
     /** How far the rows left out are from repeating others where the model is given. */
@@ -133,33 +139,42 @@ namespace samara
     double round_off_of(const Gaps &gaps) const;
     double allowed(const Gaps &gaps) const;
     void   measure_rounding(const State &state);
-    void assemble(const State &state);
-    void factorize(const std::vector<unsigned int> &left_out);
-    void find_combinations(const std::vector<unsigned int> &left_out);
-    void find_combination(const std::vector<unsigned int> &left_out, int j);
+    void   assemble(const State &state);
+    void   factorize(const std::vector<unsigned int> &left_out);
+    void   find_combinations(const std::vector<unsigned int> &left_out);
+    void   find_combination(const std::vector<unsigned int> &left_out, int j);
     /** Those of a group of columns by one solution, as no row had a part in two of them when they were found last. */
     void                          find_together(const std::vector<unsigned int>     &left_out,
                                                 const std::vector<int>              &group,
                                                 const std::vector<std::vector<int>> &rows_of);
     std::vector<std::vector<int>> columns_apart(const std::vector<std::vector<int>> &rows_of) const;
     /** Add the scaled row of G to a sum. */
-    void                      add_row(int i, double factor, double *sum) const;
-    bool                      exchange(std::vector<unsigned int> &left_out);
+    void add_row(int i, double factor, double *sum) const;
+    bool exchange(std::vector<unsigned int> &left_out);
+    /** Leave out row @p i instead of the one of column @p j. */
+    void swap(std::vector<unsigned int> &left_out, int i, int j);
+    /** Whether no entry of the combinations would be too large then. */
+    bool is_good_swap(int i, int j) const;
+    /** Of choices that are equally good one that leaves fewer rows to joints that have many: factors are sparser. */
+    void                      spread(std::vector<unsigned int> &left_out);
     bool                      is_certainly_independent();
     std::vector<unsigned int> dependent_rows();
     void                      take_in_independent(std::vector<unsigned int> &left_out);
     /** To where the rows kept hold. */
     void  close(State &state, const std::vector<unsigned int> &left_out);
-    State                     moved(const State &state, const std::vector<unsigned int> &left_out);
-    bool                      has_moved(const State &state) const;
-    void                      keep_forces(State &state, const std::vector<unsigned int> &left_out) const;
+    State moved(const State &state, const std::vector<unsigned int> &left_out);
+    /** How far from where the choice was looked at last; no number if it was another one. */
+    double motion_since_look(const State &state) const;
+    /** How far the combinations may be trusted, as they were @p before and have changed over a @p motion. */
+    double motion_until_next(const Eigen::MatrixXd &before, double motion) const;
+    void   keep_forces(State &state, const std::vector<unsigned int> &left_out) const;
   };
 
 
 
   /**
-   * The two parts of a multiplier's name: "joint foot" and "displacement 3" of "joint foot, displacement 3"; a joint's own
-   * name may begin with that word.
+   * The two parts of a multiplier's name: "joint foot" and "displacement 3" of "joint foot, displacement 3"; a joint's
+   * own name may begin with that word.
    */
   std::pair<std::string, std::string> owner_and_row(const std::string &name);
 } // namespace samara

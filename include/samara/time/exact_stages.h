@@ -56,6 +56,9 @@ namespace samara
     const System                 &system;
     const Tableau                &tableau;
     SparseMatrix                  matrix, K, C, M, K_ahead, K_behind;
+    std::vector<bool>             active;  ///< multipliers
+    std::vector<int>              kept;    ///< entries of the matrix that couple these and what moves; empty: all
+    std::unique_ptr<SparseMatrix> of_kept; ///< none if all are kept
     std::unique_ptr<LinearSolver> solver;
     double                        h = 0;
     std::vector<double>           x, moved_q, moved_coordinates;
@@ -75,7 +78,8 @@ namespace samara
     void            constraints_moved(const Point<double> &stage, double dt, SparseMatrix &result);
     void            add_columns(unsigned int k, unsigned int first, unsigned int width, const Kinematics &kinematics);
     int             place(unsigned int k, int position, unsigned int l, unsigned int column) const;
-    void            keep_inactive(const std::vector<bool> &is_active);
+    /** Solver without rows and columns of multipliers that are not active: of them only the diagonal. */
+    void make_solver_of(const std::vector<bool> &is_active);
   };
 } // namespace samara
 

@@ -4,6 +4,8 @@
 #include <samara/time/stage_stops.h>
 #include <samara/time/step_error.h>
 
+#include <optional>
+
 namespace samara
 {
   struct Tableau;
@@ -22,6 +24,8 @@ namespace samara
     unsigned int worst           = 0; ///< unknown with the largest force left; if converged, with the most work left
     int          worst_constraint =
       -1; ///< if converged, the multiplier with the largest force of those that act there; -1: none
+
+    std::optional<System::Energy> energy; ///< at the end, where the integrator knows it
 
     std::vector<Touch>       touches; ///< stops that were touched or left in the step
     std::vector<TouchedStop> touched_stops;

@@ -46,22 +46,34 @@ namespace samara
     SparseMatrix                   K, M;
     std::shared_ptr<const Pattern> pattern; ///< of the saddle-point matrix
     std::vector<int>               kept;    ///< its entries among those of K and M
-    std::unique_ptr<SparseMatrix>  saddle;
-    std::unique_ptr<LinearSolver>  solver;
+    std::vector<unsigned int>      bound;   ///< nodes that constraints act on, or without an inverse of the mass
+    struct FreeNode
+    {
+      unsigned int node;
+      Matrix6      inverse; ///< of its mass
+    };
+    std::vector<FreeNode>         free; ///< all others: in the matrix they are a diagonal
+    std::unique_ptr<SparseMatrix> saddle;
+    std::unique_ptr<LinearSolver> solver;
 
     std::vector<unsigned int> left_out_of_pattern;
     std::vector<unsigned int> left_out; ///< in the present matrix: those of the state, at singular positions more
     bool                      is_massless = false; ///< something without mass moves freely, and no choice of rows helps
+    std::vector<double>       no_multipliers, moved_q, moved_coordinates, moved_states,
+      moved_state_rates, rates, later, r, b;
 
-    void                make_solver_without();
-    void                factorize(const State &state, double least_condition = 0);
-    void                factorize_rows(const State &state);
-    double              project(State &state) const;
-    std::vector<double> solve_for_accelerations(State &state) const;
-    std::vector<double> constraint_rates(const State &state) const;
+    void   make_solver_without();
+    void   factorize(const State &state, double least_condition = 0);
+    void   factorize_rows(const State &state);
+    void   sort_nodes();
+    double project(State &state);
+    /** The saddle-point matrix's solution for b: in the place of b. */
+    void                solve();
+    std::vector<double> solve_for_accelerations(State &state);
+    void                constraint_rates(const Point<double> &point, std::vector<double> &rates) const;
 
-    /** Constraint rates a little later or earlier, on the path that keeps the twists; for Ġ y by differences. */
-    std::vector<double> constraint_rates_after(const State &state, double dt) const;
+    /** Constraint rates at these twists where the nodes are after @p dt straight along their velocities. */
+    void constraint_rates_after(const State &state, double dt, std::vector<double> &rates);
   };
 } // namespace samara
 
