@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace samara
 {
@@ -116,18 +118,36 @@ namespace samara
 
 
 
+  const Parameters::Declaration &
+  Parameters::declaration_of(const Wanted &wanted)
+  {
+    static std::mutex                                   mutex;
+    static std::unordered_map<std::string, Declaration> all;
+
+    const std::string key =
+      wanted.name + '\n' + wanted.documentation + '\n' + wanted.identity + (wanted.has_unit ? "\nunit" : "");
+    const std::lock_guard<std::mutex> guard(mutex);
+    if (const auto known = all.find(key); known != all.end())
+      return known->second;
+    Declaration result{wanted.name,
+                       wanted.documentation,
+                       wanted.has_unit ? unit_of(wanted.documentation) : "",
+                       wanted.pattern()};
+    AssertThrow(!wanted.has_unit || Quantities::is_si_unit(result.unit),
+                ExcMessage("The documentation of the entry <" + result.name + "> declares [" + result.unit +
+                           "], which is not an SI unit."));
+    return all.emplace(key, std::move(result)).first->second;
+  }
+
+
+
   void
-  Parameters::declare(Entry entry, const bool has_unit)
+  Parameters::declare(Entry entry)
   {
     for (const auto &other : entries)
-      AssertThrow(other.name != entry.name, ExcMessage("The entry <" + entry.name + "> is added twice."));
-    entry.value = entry.default_value;
-    entry.unit  = has_unit ? unit_of(entry.documentation) : "";
-    AssertThrow(!has_unit || Quantities::is_si_unit(entry.unit),
-                ExcMessage("The documentation of the entry <" + entry.name + "> declares [" + entry.unit +
-                           "], which is not an SI unit."));
-    AssertThrow(entry.pattern->match(entry.default_value),
-                ExcMessage("The default <" + entry.default_value + "> of the entry <" + entry.name +
+      AssertThrow(other.name() != entry.name(), ExcMessage("The entry <" + entry.name() + "> is added twice."));
+    AssertThrow(entry.declaration->pattern->match(entry.value),
+                ExcMessage("The default <" + entry.value + "> of the entry <" + entry.name() +
                            "> is not accepted by its pattern."));
     entries.push_back(std::move(entry));
   }
@@ -138,8 +158,11 @@ namespace samara
   Parameters::take_unit(const std::string &name, const std::function<std::string(const Quantities &)> &unit)
   {
     for (auto &entry : entries)
-      if (entry.name == name)
-        entry.unit_when_read = unit;
+      if (entry.name() == name)
+        {
+          units_when_read.push_back(std::make_shared<std::function<std::string(const Quantities &)>>(unit));
+          entry.unit_when_read = units_when_read.back().get();
+        }
   }
 
 
@@ -149,9 +172,10 @@ namespace samara
   {
     add(wanted, variable, documentation);
     // what is printed holds wherever it is read
-    entries.back().read = [&variable](const std::string &text, const Quantities &, const Entry &self) {
+    entries.back().read = [](const std::string &text, const Quantities &, const Entry &self) {
       // "file:line"; "--set" has no folder
-      variable = text.empty() ? "" : file_beside(self.where.substr(0, self.where.rfind(':')), text);
+      auto &variable = *static_cast<std::string *>(self.variable);
+      variable       = text.empty() ? "" : file_beside(self.where.substr(0, self.where.rfind(':')), text);
       std::error_code ignored;
       const auto      absolute = std::filesystem::absolute(variable, ignored);
       return variable.empty() || ignored ? variable : absolute.string();
@@ -197,14 +221,13 @@ namespace samara
                     Complaints       &all_complaints,
                     const bool        is_copy)
   {
-    entries.shrink_to_fit(); // none is added any more, and there are as many tables as objects
     set_place(section.where);
     Complaints of_original;
     for (const auto &given : section.entries)
       {
         Complaints &complaints = is_copy && given.inherited ? of_original : all_complaints;
         const auto  mine =
-          std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == given.name; });
+          std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name() == given.name; });
         if (mine != entries.end())
           read_entry(*mine, given, quantities, complaints);
         else if (given.name != "Type" && given.name != "Copy of")
@@ -245,7 +268,7 @@ namespace samara
     catch (const std::invalid_argument &e)
       {
         complaints.add(given.where,
-                       "<" + entry.name + ">" + (name.empty() ? "" : " of " + description()) + ": " + e.what());
+                       "<" + entry.name() + ">" + (name.empty() ? "" : " of " + description()) + ": " + e.what());
       }
   }
 
@@ -254,15 +277,16 @@ namespace samara
   void
   Parameters::check_pattern(const std::string &users_text, const std::string &si_text, const Entry &entry)
   {
-    if (entry.pattern->match(si_text))
+    const Declaration &declaration = *entry.declaration;
+    if (declaration.pattern->match(si_text))
       return;
-    const auto choices = choices_of(*entry.pattern);
+    const auto choices = choices_of(*declaration.pattern);
     if (!choices.empty())
       throw std::invalid_argument("<" + users_text + "> is not a choice" + did_you_mean(users_text, choices));
-    const bool is_plain = entry.unit.empty() || entry.unit == "1";
+    const bool is_plain = declaration.unit.empty() || declaration.unit == "1";
     throw std::invalid_argument("<" + users_text + "> is not accepted: wanted is " +
-                                in_words(entry.pattern->description(PatternBase::Machine)) +
-                                (is_plain ? "" : ", in [" + entry.unit + "]") + ".");
+                                in_words(declaration.pattern->description(PatternBase::Machine)) +
+                                (is_plain ? "" : ", in [" + declaration.unit + "]") + ".");
   }
 
 
@@ -272,7 +296,7 @@ namespace samara
   {
     std::vector<std::string> names;
     for (const auto &e : entries)
-      names.push_back(e.name);
+      names.push_back(e.name());
     complaints.add(given.where,
                    "<" + given.name + "> is not a parameter " + (name.empty() ? "here" : "of " + description()) +
                      did_you_mean(given.name, names));
@@ -297,6 +321,7 @@ namespace samara
   Parameters::set_place(const std::string &where)
   {
     place = where;
+    entries.shrink_to_fit(); // none is added any more, and there are as many tables as objects
     for (const auto &s : subsections)
       s->set_place(where);
   }
@@ -335,7 +360,7 @@ namespace samara
     if (!is_given)
       complaints.add(where(wanted),
                      (name.empty() ? "" : description() + ": ") + "<" + wanted +
-                       "> must be given: " + existing(wanted).documentation);
+                       "> must be given: " + existing(wanted).declaration->documentation);
     return is_given;
   }
 
@@ -345,7 +370,7 @@ namespace samara
   Parameters::print(std::ostream &out, const std::string &indent) const
   {
     for (const auto &e : entries)
-      out << indent << (e.where.empty() ? "# set " : "set ") << e.name << " = " << e.value << '\n';
+      out << indent << (e.where.empty() ? "# set " : "set ") << e.name() << " = " << e.value << '\n';
     for (const auto &s : subsections)
       {
         out << indent << "subsection " << s->step << '\n';
@@ -370,9 +395,10 @@ namespace samara
   {
     for (const auto &e : entries)
       {
-        const auto choices = choices_of(*e.pattern);
-        out << "| " << cell(prefix + e.name) << " | " << cell(e.default_value) << " | "
-            << (e.unit == "1" ? "" : cell(e.unit)) << " | " << cell(e.documentation)
+        const Declaration &declaration = *e.declaration;
+        const auto         choices     = choices_of(*declaration.pattern);
+        out << "| " << cell(prefix + e.name()) << " | " << cell(e.value) << " | "
+            << (declaration.unit == "1" ? "" : cell(declaration.unit)) << " | " << cell(declaration.documentation)
             << (choices.empty() ? "" : " One of: " + cell(join(choices, ", ")) + ".") << " |\n";
       }
     for (const auto &s : subsections)
@@ -384,7 +410,7 @@ namespace samara
   const Parameters::Entry &
   Parameters::existing(const std::string &wanted) const
   {
-    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == wanted; });
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name() == wanted; });
     AssertThrow(entry != entries.end(), ExcMessage("There is no entry <" + wanted + "> in " + description() + "."));
     return *entry;
   }

@@ -12,6 +12,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace samara
@@ -34,10 +35,14 @@ namespace samara
 
     /** Bind the entry @p name to @p variable, whose present value is the default. */
     template <typename T>
+    void add(const std::string &name, T &variable, const std::string &documentation);
+
+    /** The same with what must hold of its value, instead of Value<T>::pattern(). */
+    template <typename T>
     void add(const std::string                   &name,
              T                                   &variable,
              const std::string                   &documentation,
-             const dealii::Patterns::PatternBase &pattern = *Value<T>::pattern());
+             const dealii::Patterns::PatternBase &pattern);
 
     /** The same for the name of a file, which is relative to the file that says it. */
     void add_file(const std::string &name, std::string &variable, const std::string &documentation);
@@ -75,30 +80,61 @@ namespace samara
      */
     void print(std::ostream &out, const std::string &indent = "") const;
 
-    /** A Markdown table of all entries. */
+    /** A Markdown table of all entries, to be asked before anything is read: values are the defaults. */
     void document(std::ostream &out) const;
 
   private:
+    using Pattern = dealii::Patterns::PatternBase;
+
+    /** What the entries of all objects of a kind have in common: there may be many objects, and it is kept once. */
+    struct Declaration
+    {
+      std::string              name, documentation, unit;
+      std::unique_ptr<Pattern> pattern;
+    };
+
+    /** What declares an entry; @p identity is as different as patterns are, and the pattern is made when it is new. */
+    struct Wanted
+    {
+      const std::string                               &name, &documentation;
+      bool                                             has_unit;
+      std::string                                      identity;
+      const std::function<std::unique_ptr<Pattern>()> &pattern;
+    };
+
     struct Entry
     {
-      std::string                                    name;
-      std::string                                    documentation;
-      std::string                                    unit;
-      std::string                                    default_value;
-      std::string                                    value; ///< in SI units
-      std::string                                    where;
-      std::unique_ptr<dealii::Patterns::PatternBase> pattern;
-
-      std::function<std::string(const Quantities &)> unit_when_read; ///< in place of the unit, if given
+      const Declaration *declaration;
+      std::string        value; ///< in SI units
+      std::string        where;
+      void              *variable;
 
       /** Make SI text from the user's, refuse it or write the variable. */
-      std::function<std::string(const std::string &text, const Quantities &, const Entry &)> read;
+      std::string (*read)(const std::string &text, const Quantities &, const Entry &);
+
+      /** Of an entry whose unit is only known when it is read; null otherwise. */
+      const std::function<std::string(const Quantities &)> *unit_when_read = nullptr;
+
+      const std::string &
+      name() const
+      {
+        return declaration->name;
+      }
     };
+
+    /** That of all entries like it. It lives as long as the program. */
+    static const Declaration &declaration_of(const Wanted &wanted);
 
     /** Throws std::invalid_argument if the pattern does not match. */
     static void check_pattern(const std::string &users_text, const std::string &si_text, const Entry &entry);
 
-    void declare(Entry entry, bool has_unit);
+    template <typename T>
+    static std::string read_value(const std::string &text, const Quantities &quantities, const Entry &entry);
+
+    template <typename T>
+    void declare(T &variable, const Wanted &wanted);
+
+    void declare(Entry entry);
 
     /** With @p is_copy, mistakes in what is inherited are left to the original, which is of the same kind. */
     void parse(const Outline &section, const Quantities &quantities, Complaints &complaints, bool is_copy);
@@ -124,8 +160,42 @@ namespace samara
     std::vector<Entry>                       entries;
     std::vector<std::unique_ptr<Parameters>> subsections;
     std::vector<std::string>                 ignored;
+    std::vector<std::shared_ptr<const std::function<std::string(const Quantities &)>>> units_when_read;
     std::string                              step; ///< name of this subsection in the one around it
   };
+
+
+
+  template <typename T>
+  std::string
+  Parameters::read_value(const std::string &text, const Quantities &quantities, const Entry &entry)
+  {
+    T                 value   = Value<T>::read(
+      text, entry.unit_when_read ? (*entry.unit_when_read)(quantities) : entry.declaration->unit, quantities);
+    const std::string si_text = Value<T>::write(value);
+    check_pattern(text, si_text, entry);
+    *static_cast<T *>(entry.variable) = std::move(value);
+    return si_text;
+  }
+
+
+
+  template <typename T>
+  void
+  Parameters::declare(T &variable, const Wanted &wanted)
+  {
+    declare({&declaration_of(wanted), Value<T>::write(variable), "", &variable, &read_value<T>, nullptr});
+  }
+
+
+
+  template <typename T>
+  void
+  Parameters::add(const std::string &name, T &variable, const std::string &documentation)
+  {
+    static const std::function<std::unique_ptr<Pattern>()> pattern = [] { return Value<T>::pattern(); };
+    declare(variable, {name, documentation, Value<T>::has_unit, typeid(T).name(), pattern});
+  }
 
 
 
@@ -136,19 +206,9 @@ namespace samara
                   const std::string                   &documentation,
                   const dealii::Patterns::PatternBase &pattern)
   {
-    Entry entry;
-    entry.name          = name;
-    entry.documentation = documentation;
-    entry.default_value = Value<T>::write(variable);
-    entry.pattern       = pattern.clone();
-    entry.read          = [&variable](const std::string &text, const Quantities &quantities, const Entry &self) {
-      T                 value   = Value<T>::read(text, self.unit_when_read ? self.unit_when_read(quantities) : self.unit, quantities);
-      const std::string si_text = Value<T>::write(value);
-      check_pattern(text, si_text, self);
-      variable = std::move(value);
-      return si_text;
-    };
-    declare(std::move(entry), Value<T>::has_unit);
+    declare(variable, {name, documentation, Value<T>::has_unit, pattern.description(Pattern::Machine), [&] {
+                         return pattern.clone();
+                       }});
   }
 } // namespace samara
 
