@@ -12,10 +12,8 @@ namespace samara
   Projection::Projection(const System &system)
     : system(system)
     , K(system.layout.pattern)
-    , M(system.layout.pattern)
     , no_multipliers(system.layout.n_multipliers, 0.)
   {
-    system.mass(M);
     sort_nodes();
   }
 
@@ -64,6 +62,12 @@ namespace samara
     kept               = std::move(part.kept);
     saddle             = std::make_unique<SparseMatrix>(pattern);
     solver             = make_solver(pattern);
+    // of the mass the entries in use alone: all of them take as much memory as K
+    SparseMatrix M(layout.pattern);
+    system.mass(M);
+    mass.clear();
+    for (const int k : kept)
+      mass.push_back(M.values[k]);
   }
 
 
@@ -105,7 +109,7 @@ namespace samara
     const int n = system.layout.of_multiplier(0);
     for (int j = 0, k = 0; j < pattern->size(); ++j)
       for (; k < pattern->column_start[j + 1]; ++k)
-        saddle->values[k] = (j < n && pattern->rows[k] < n ? M : K).values[kept[k]];
+        saddle->values[k] = j < n && pattern->rows[k] < n ? mass[k] : K.values[kept[k]];
     // ż = g
     for (int i = system.layout.of_state(0); i < n; ++i)
       saddle->values[pattern->position(i, i)] = 1.;

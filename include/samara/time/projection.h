@@ -43,9 +43,10 @@ namespace samara
 
   private:
     const System                  &system;
-    SparseMatrix                   K, M;
+    SparseMatrix                   K;
     std::shared_ptr<const Pattern> pattern; ///< of the saddle-point matrix
-    std::vector<int>               kept;    ///< its entries among those of K and M
+    std::vector<int>               kept;    ///< its entries among those of K
+    std::vector<double>            mass;    ///< of these entries
     std::vector<unsigned int>      bound;   ///< nodes that constraints act on, or without an inverse of the mass
     struct FreeNode
     {
