@@ -111,7 +111,7 @@ namespace samara
           paths.emplace(trim(probe.substr(0, dot)), trim(probe.substr(dot + 1)));
       for (unsigned int i = 0; i < model.items.size() && !paths.empty(); ++i)
         {
-          Item &c            = *model.items[i];
+          Item &c = *model.items[i];
           const auto [first, beyond] = paths.equal_range(c.name);
           if (first == beyond || c.is_faulty)
             continue;
@@ -181,7 +181,10 @@ namespace samara
           quantities.signals.add_object(object.name);
     if (const auto *const section = outline.section("States"))
       for (const auto &object : section->sections)
-        quantities.signals.add_state(object.name, object.value("Unit"));
+        if (const std::string fault = quantities.fault_of_state(object.name); fault.empty())
+          quantities.signals.add_state(object.name, object.value("Unit"));
+        else
+          complaints.add(object.where, "state <" + object.name + ">: " + fault);
     root.parse(outline, quantities, complaints);
     says_redundant = !redundant.empty();
     use_library(library_by_name(linear_solver));
@@ -313,7 +316,7 @@ namespace samara
         for (const auto &object : section->sections)
           {
             const auto *const type = object.entry("Type");
-            const std::string kind = type == nullptr && object.entry("Copy of") == nullptr ? group.usual_kind : object.value("Type");
+            const std::string kind = type == nullptr ? group.usual_kind : type->value;
             if (kind.empty() && object.entry("Copy of") != nullptr)
               {
                 // there is a complaint about the original, or that there is none

@@ -109,6 +109,9 @@ namespace samara
   std::unique_ptr<Integrator>
   DynamicAnalysis::make_integrator(const System &system, const double tolerance) const
   {
+    if (integrator != "family" && system.layout.n_states > 0)
+      throw InputError(parameters.where("Integrator") + ": <" + integrator +
+                       "> knows no states of first order; the integrator <family> does");
     if (integrator != "family")
       return make_rival(integrator, system, {spectral_radius, tolerance, max_iterations, this->tolerance});
     return std::make_unique<StageIntegrator>(system, Tableau(n_stages, spectral_radius), tolerance, max_iterations);
@@ -150,6 +153,10 @@ namespace samara
     complaints.throw_if_any();
 
     const bool is_adaptive = control == "adaptive";
+    if (is_adaptive && system.layout.n_states > 0)
+      context.log.warning("dynamic",
+                          "adaptive steps are chosen by what moves, and so is the error that is told: states of first order do not "
+                          "count. Let the <Largest step> be small beside what they follow");
     report                 = {};
     budget                 = {};
     contacts               = {};

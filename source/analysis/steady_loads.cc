@@ -110,6 +110,24 @@ namespace samara
 
 
 
+    /** Whether states of first order, at rest in one state of the model, would not be in the other. */
+    bool
+    state_rates_change(const System &system, const State &from, const State &to)
+    {
+      std::vector<double> before(system.layout.n_states), after(before);
+      system.state_rates(from.point(), before.data());
+      system.state_rates(to.point(), after.data());
+      double fastest = 0;
+      for (const auto &motion : from.motion)
+        fastest = std::max(fastest, motion.spin.norm());
+      for (unsigned int i = 0; i < before.size(); ++i)
+        if (std::abs(after[i] - before[i]) > 1e-9 * fastest * system.model.states[i].scale)
+          return true;
+      return false;
+    }
+
+
+
     /** Look at the imbalance of a state, and keep what is larger. */
     void
     keep_larger(const System &system, State turned, Imbalance &largest)
@@ -169,7 +187,7 @@ namespace samara
         Forces changed(system);
         system.residual(turned, turned.stress, changed.r);
         changed.subtract(all);
-        if (changed.largest().first <= 1e-9 * reference)
+        if (changed.largest().first <= 1e-9 * reference && !state_rates_change(system, state, turned))
           continue; // not even reactions change
         if (!turned.left_out.empty())
           RedundantRows(system).choose(turned);

@@ -125,9 +125,14 @@ namespace samara
                     const unsigned int base,
                     const double       scale) const
   {
+    // different ones, or differences of variables would vanish
+    double factor = 1;
     for (auto &u : used)
       if (u.is_variable)
-        u.seen = variable * (natural_units ? std::pow(scale, u.natural[base]) : 1);
+        {
+          u.seen = factor * variable * (natural_units ? std::pow(scale, u.natural[base]) : 1);
+          factor += 0.7320508076;
+        }
       else
         u.seen = u.meaning.readings[reading].si * std::pow(scale, u.meaning.readings[reading].dimension[base]);
     return parser->Eval();

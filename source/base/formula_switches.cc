@@ -181,4 +181,64 @@ namespace samara
       places.clear();
     std::sort(places.begin(), places.end(), [](const Interval &a, const Interval &b) { return a.end < b.end; });
   }
+
+
+
+  std::vector<Formula>
+  Formula::switches_of_first_variable() const
+  {
+    // what is on the stack: where its instructions begin, and whether other variables occur in them
+    struct Part
+    {
+      std::size_t begin;
+      bool        has_others;
+    };
+    struct Branch
+    {
+      std::size_t end; ///< of the second one
+      Part        both;
+    };
+    std::vector<Part>   stack, conditions;
+    std::vector<Branch> branches;
+    std::vector<Formula> result;
+    for (std::size_t i = 0; i < program.size(); ++i)
+      {
+        const Instruction &instruction = program[i];
+        for (; !branches.empty() && branches.back().end == i; branches.pop_back())
+          stack.back() = {branches.back().both.begin, branches.back().both.has_others || stack.back().has_others};
+        if (instruction.kind == Instruction::number || instruction.kind == Instruction::variable)
+          stack.push_back({i, instruction.kind == Instruction::variable && instruction.index > 0});
+        else if (instruction.kind == Instruction::skip_if_zero)
+          {
+            conditions.push_back(stack.back());
+            stack.pop_back();
+          }
+        else if (instruction.kind == Instruction::skip)
+          {
+            const Part condition = conditions.back();
+            conditions.pop_back();
+            branches.push_back(
+              {i + instruction.n_skipped + 1, {condition.begin, condition.has_others || stack.back().has_others}});
+            stack.pop_back();
+          }
+        else
+          {
+            Part part = stack[stack.size() - instruction.n_arguments];
+            for (unsigned int k = 1; k < instruction.n_arguments; ++k)
+              part.has_others = part.has_others || stack[stack.size() - k].has_others;
+            part.has_others = part.has_others || stack.back().has_others;
+            stack.resize(stack.size() - instruction.n_arguments);
+            stack.push_back(part);
+            if (instruction.piece != nullptr && !part.has_others)
+              {
+                Formula formula;
+                formula.program.assign(program.begin() + part.begin, program.begin() + i + 1);
+                formula.find_switches();
+                if (!formula.is_constant())
+                  result.push_back(formula);
+              }
+          }
+      }
+    return result;
+  }
 } // namespace samara

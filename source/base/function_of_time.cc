@@ -65,6 +65,14 @@ namespace samara
 
 
 
+  ScalarFunction::ScalarFunction(const Formula &formula)
+    : formula(formula)
+    , constant(formula.is_constant())
+    , at_zero(formula(0).value)
+  {}
+
+
+
   double
   ScalarFunction::derivative(const double x) const
   {

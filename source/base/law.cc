@@ -11,6 +11,22 @@
 
 namespace samara
 {
+  const std::string Law::reserved = "_signal_";
+
+
+
+  std::string
+  Law::with_paths(std::string text, const std::vector<std::string> &paths)
+  {
+    // from the last on: word(1) is the beginning of word(10)
+    for (unsigned int i = paths.size(); i-- > 0;)
+      for (std::size_t at = 0; (at = text.find(word(i), at)) != std::string::npos; at += paths[i].size())
+        text.replace(at, word(i).size(), paths[i]);
+    return text;
+  }
+
+
+
   Law::Law(const std::string &text, const std::vector<std::string> &signals)
     : paths(signals)
   {
@@ -23,11 +39,9 @@ namespace samara
     for (unsigned int i = 0; i < paths.size(); ++i)
       variables.push_back(word(i));
     formula = Formula(text, variables);
-    source  = text;
-    // from the last on: signal_1 is the beginning of signal_10
-    for (unsigned int i = paths.size(); i-- > 0;)
-      for (std::size_t at; (at = source.find(word(i))) != std::string::npos;)
-        source.replace(at, word(i).size(), paths[i]);
+    source  = with_paths(text, paths);
+
+    switches_of_time = formula.switches_of_first_variable();
   }
 
 
@@ -44,7 +58,12 @@ namespace samara
   double
   Law::next_corner(const double from, const double to) const
   {
-    return paths.empty() ? time_function.next_corner(from, to) : std::numeric_limits<double>::infinity();
+    if (paths.empty())
+      return time_function.next_corner(from, to);
+    double first = std::numeric_limits<double>::infinity();
+    for (const auto &part : switches_of_time)
+      first = std::min(first, ScalarFunction(part).next_corner(from, to));
+    return first;
   }
 
 

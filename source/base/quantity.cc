@@ -61,9 +61,15 @@ namespace samara
         throw std::invalid_argument("<" + text + ">: cycles a second are wanted; write them in <Hz>.");
     }
 
-    /** The reading of `lb` under which the evaluation has the dimension of @p unit; "" wants no particular one. */
+    /**
+     * The reading of `lb` under which the evaluation has the dimension of @p unit; "" wants no particular one. With variables,
+     * dimensions that are not consistent are accepted unless it is @p strict.
+     */
     unsigned int
-    fitting_reading(const std::string &text, const Evaluation &evaluation, const std::string &unit)
+    fitting_reading(const std::string &text,
+                    const Evaluation  &evaluation,
+                    const std::string &unit,
+                    const bool         strict = false)
     {
       const Evaluation declared(unit.empty() ? "1" : unit, known_to_all());
       const auto       wanted = declared.measure(0).dimension;
@@ -86,7 +92,7 @@ namespace samara
         throw std::invalid_argument("<" + text + "> is " + describe(found) + ", but " +
                                     (unit.empty() || unit == "1" ? "a number without unit" : "[" + unit + "]") +
                                     " is wanted.");
-      if (!evaluation.has_variables())
+      if (!evaluation.has_variables() || strict)
         throw std::invalid_argument("<" + text + "> mixes dimensions; give each number its unit.");
       if (evaluation.is_ambiguous())
         throw std::invalid_argument("<" + text + ">: <lb> could be a mass or a force; write lbf if it is a force, " +
@@ -144,6 +150,15 @@ namespace samara
         nothing.is_faulty = true;
         words.emplace(name, nothing);
       }
+  }
+
+
+
+  std::string
+  Quantities::fault_of_state(const std::string &name) const
+  {
+    return name == "t" ? "<t> is the time; choose another." :
+           name.find(Law::reserved) != std::string::npos ? "choose another name." : fault_of_name(name);
   }
 
 
@@ -243,10 +258,33 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Whether two laws of the same signals have different values at some places. */
+    bool
+    differ(const Law &a, const Law &b)
+    {
+      for (const double size : {0.6180339887, 3.3166247904, 17.2626765016})
+        {
+          std::vector<double> x;
+          for (unsigned int i = 0; i <= a.signals().size(); ++i)
+            x.push_back(size * (1 + 0.7320508076 * i));
+          const double at_a = a.value(x.data()), at_b = b.value(x.data());
+          if (std::abs(at_a - at_b) > 1e-12 * std::max(std::abs(at_a), std::abs(at_b)))
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
+
+
   Law
   Quantities::law(const std::string &text, const std::string &unit) const
   {
     const auto found = signals.find(text);
+    if (!found.empty() && text.find(Law::reserved) != std::string::npos)
+      throw std::invalid_argument("<" + text + ">: <" + Law::reserved + "> must not be in a name here.");
     if (found.empty())
       return Law(FunctionOfTime(expression(text, unit, {"t"})));
 
@@ -269,39 +307,25 @@ namespace samara
       }
     with_words += text.substr(from);
 
-    const auto with_paths = [&](std::string message) {
-      for (unsigned int i = paths.size(); i-- > 0;)
-        for (std::size_t at; (at = message.find(Law::word(i))) != std::string::npos;)
-          message.replace(at, Law::word(i).size(), paths[i]);
-      return message;
-    };
-    const auto law_of = [&](const std::string &candidate) {
-      const Evaluation evaluation(trim(candidate), words, dimensions);
-      return Law(evaluation.si_text(fitting_reading(trim(candidate), evaluation, unit)), paths);
-    };
-    try
-      {
-        try
-          {
-            return law_of(with_words);
-          }
-        catch (const std::invalid_argument &)
-          {
-            return law_of(with_units_tied(with_words, words));
-          }
-      }
-    catch (const std::invalid_argument &)
-      {
-        try
-          {
-            law_of(with_words); // for its message, of what was written
-          }
-        catch (const std::invalid_argument &problem)
-          {
-            throw std::invalid_argument(with_paths(problem.what()));
-          }
-        throw;
-      }
+    // a number and the units behind it may be one; where that makes a difference, one of the readings must not fit
+    std::vector<Law>         readings;
+    std::vector<std::string> problems;
+    for (const auto &candidate : {trim(with_words), trim(with_units_tied(with_words, words))})
+      try
+        {
+          const Evaluation evaluation(candidate, words, dimensions);
+          readings.emplace_back(evaluation.si_text(fitting_reading(candidate, evaluation, unit, true)), paths);
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          problems.push_back(problem.what());
+        }
+    if (readings.empty())
+      throw std::invalid_argument(Law::with_paths(problems[0], paths));
+    if (readings.size() == 2 && differ(readings[0], readings[1]))
+      throw std::invalid_argument("<" + text + "> can be read in two ways; put parentheses around a number and its unit, (5 deg/s), "
+                                               "or around what is divided.");
+    return readings[0];
   }
 
 

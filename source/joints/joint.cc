@@ -42,6 +42,7 @@ namespace samara
     void   time_rates(const Point<double> &point, double *rates) const override;
     void   follow_angles(State &state) const override;
     double next_corner(double from, double to) const override;
+    void   pieces(const Point<double> &point, std::vector<double> &result) const override;
 
   private:
     const Joint &joint;
@@ -168,6 +169,16 @@ namespace samara
     for (const auto *m : joint.used)
       corner = std::min(corner, m->prescribed.next_corner(from, to));
     return corner;
+  }
+
+
+
+  void
+  Joint::Constraints::pieces(const Point<double> &point, std::vector<double> &result) const
+  {
+    for (const auto *m : joint.used)
+      if (m->drive)
+        m->drive->pieces(point, result);
   }
 
 

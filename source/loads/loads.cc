@@ -156,8 +156,8 @@ namespace samara
   void
   WrenchLoad::find_signals(Model &model)
   {
-    const auto find = [&](Responses &responses) {
-      for (unsigned int i = 0; i < 6; ++i)
+    const auto find = [&](Responses &responses, const unsigned int first) {
+      for (unsigned int i = first; i < first + 3; ++i)
         if (const Law &law = i < 3 ? force[i] : moment[i - 3]; law.depends_on_state())
           responses[i] = std::make_unique<Response>(law, model);
     };
@@ -165,17 +165,19 @@ namespace samara
       return std::any_of(laws.begin(), laws.end(), [](const Law &law) { return law.depends_on_state(); });
     };
     depends_on_state = any(force) || any(moment);
-    try
-      {
-        for (auto &load : points)
-          find(load.responses);
-        for (auto &span : spans)
-          find(span.responses);
-      }
-    catch (const std::invalid_argument &problem)
-      {
-        model.complaints.add(parameters.where(any(force) ? "Force" : "Moment"), problem.what());
-      }
+    for (const bool is_force : {true, false})
+      try
+        {
+          const unsigned int first = is_force ? 0 : 3;
+          for (auto &load : points)
+            find(load.responses, first);
+          for (auto &span : spans)
+            find(span.responses, first);
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          model.complaints.add(parameters.where(is_force ? "Force" : "Moment"), problem.what());
+        }
   }
 
 

@@ -287,6 +287,8 @@ namespace samara
   System::pieces(const Point<double> &point, std::vector<double> &result) const
   {
     result.clear();
+    for (const auto *c : layout.constraints)
+      c->pieces(point, result);
     for (const auto *f : layout.forces)
       f->pieces(point, result);
     for (const auto *z : layout.state_equations)

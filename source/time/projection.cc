@@ -290,7 +290,11 @@ namespace samara
         }
     for (const auto i : system.released_multipliers())
       b[system.layout.of_multiplier(i)] = 0;
+    // rates of states are known, and in Ġ y already
+    std::fill_n(b.begin() + system.layout.of_state(0), system.layout.n_states, 0.);
     solve();
+    system.find_state_rates(state);
+    std::copy(state.state_rates.begin(), state.state_rates.end(), b.begin() + system.layout.of_state(0));
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       state.multipliers[i] = b[system.layout.of_multiplier(i)];
     return {b.begin(), b.begin() + system.layout.of_multiplier(0)};

@@ -39,7 +39,7 @@ namespace samara
   Stepper::Memory
   Stepper::memory() const
   {
-    const std::vector<double> window = {window_start, double(n_in_window), across};
+    const std::vector<double> window = {window_start, double(n_in_window), across, first_switch, double(n_switches)};
     if (!controller)
       return {next_step, {}, {}, steady_twists, window};
     return {next_step, controller->memory(), error->memory(), steady_twists, window};
@@ -57,6 +57,8 @@ namespace samara
         window_start = memory.window.at(0);
         n_in_window  = memory.window.at(1);
         across       = memory.window.at(2);
+        first_switch = memory.window.at(3);
+        n_switches   = memory.window.at(4);
       }
     if (!controller || memory.of_controller.empty())
       return;
@@ -181,6 +183,23 @@ namespace samara
 
 
   void
+  Stepper::count_switch(const double time)
+  {
+    constexpr unsigned int most = 200;
+    if (n_switches == 0 || time - first_switch > fixed_step || time < first_switch)
+      {
+        first_switch = time;
+        n_switches   = 0;
+      }
+    if (++n_switches > most)
+      throw NotConverged("t = " + number_to_text(time) + " s: laws of the state have switched " + std::to_string(most) +
+                         " times within " + number_to_text(fixed_step) +
+                         " s: the motion slides along a switch. Give it a smooth law there, tanh(x/width) for sign(x)");
+  }
+
+
+
+  void
   Stepper::stop_before_switch(const State &state, double &h, Advance &result)
   {
     constexpr double resolution = 1e-6; // of a step
@@ -193,6 +212,7 @@ namespace samara
     };
     if (!has_switched())
       return;
+    count_switch(state.time);
     // bisection; from the first time on that is not beyond the switch, steps have a solution
     const auto step_of = [&](const double size) {
       integrator.step_back();

@@ -232,3 +232,26 @@ end
     EXPECT_NEAR(projected.rates[0], rate, tableau.s == 1 ? 3e-2 : 1e-4);
   });
 }
+
+
+
+// A mass on a slide that a state drives has the reaction of its acceleration, not of its velocity.
+TEST(FirstOrderStates, ReactionsOfWhatTheyDrive)
+{
+  const auto force = [](const bool by_state) {
+    const Scene scene("subsection States\n subsection v\n set Rate = -100*z\n set Initial = 10\n end\n subsection z\n"
+                      " set Rate = v\n end\nend\n"
+                      "subsection Bodies\n subsection m\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\n"
+                      "end\nsubsection Joints\n subsection slide\n set Type = prismatic\n set Body A = ground\n"
+                      " set Body B = m.centre\n subsection displacement\n set Prescribed = " +
+                      std::string(by_state ? "1 m*z" : "sin(10*t)") + "\n end\n end\nend\n");
+    Record record = run(scene.system, started(scene.system), Tableau(3, 1.), 0.01, 100);
+    Projection(scene.system).report(record.state);
+    EXPECT_NEAR(record.state.accelerations[6 + 2], -100 * std::sin(10.), 1e-3);
+    if (by_state)
+      EXPECT_NEAR(record.state.accelerations.back(), 10 * std::cos(10.), 1e-3); // ż
+    return scene.input.model.probe("slide.force 3").value(record.state);
+  };
+  EXPECT_NEAR(force(false), 100 * std::sin(10.), 1e-2);
+  EXPECT_NEAR(force(true), force(false), 1e-3);
+}

@@ -70,9 +70,73 @@ TEST(Laws, AreReadWithUnits)
 
 
 
+// A number and the unit behind it are one where only that fits; where both readings do, who writes must say which is meant.
+TEST(Laws, UnitsBehindNumbers)
+{
+  const auto value = [](const std::string &text, const std::string &unit, const double signal) {
+    const double at[] = {0.5, signal};
+    return quantities().law(text, unit).value(at);
+  };
+  EXPECT_DOUBLE_EQ(value("-2 N*tanh(slider.displacement rate / 10 mm/s)", "N", 0.004), -2 * std::tanh(0.4));
+  EXPECT_DOUBLE_EQ(value("sin(slider.displacement / 10 mm)", "1", 0.004), std::sin(0.4));
+  EXPECT_DOUBLE_EQ(value("slider.displacement / 10 mm > 0.3 ? 1 N : 2 N", "N", 0.004), 1.);
+  EXPECT_NE(problem_of("-2 N*flap 1.rotation / 5 deg", "N").find("two ways"), std::string::npos);
+  EXPECT_DOUBLE_EQ(value("-2 N*flap 1.rotation / (5 deg)", "N", 0.1), -0.2 / (5 * M_PI / 180));
+  // what fits in no reading is refused
+  EXPECT_NE(problem_of("-2 N*tanh(slider.displacement/1 s) + 3 m", "N"), "");
+  EXPECT_NE(problem_of("-2 kN*slider.displacement rate - 1 kg*slider.displacement", "N"), "");
+}
+
+
+
+// Variables count with different values, or a difference would be zero, which fits any unit.
+TEST(Laws, DifferencesAreMeasured)
+{
+  EXPECT_NE(problem_of("(slider.displacement - blade.tip.position x) / 50 ms", "m/s"), "");
+  EXPECT_NE(problem_of("5 kg*(slider.displacement rate - blade.tip.velocity x)", "N"), "");
+  EXPECT_EQ(problem_of("5 kg/s*(slider.displacement rate - blade.tip.velocity x)", "N"), "");
+}
+
+
+
+TEST(Laws, StatesHaveNamesOfTheirOwn)
+{
+  for (const std::string name : {"N", "s", "t", "pi", "sin", "x-y", "a b", "_signal_0"})
+    {
+      std::string text = oscillator_with_lag();
+      text.replace(text.find("subsection lag"), 14, "subsection " + name);
+      EXPECT_NE(complaint(text).find("state <" + name + ">"), std::string::npos) << name << ": " << complaint(text);
+    }
+}
+
+
+
+// A copy of a state that does not say its type is one of the same kind.
+TEST(Laws, CopiesOfStates)
+{
+  std::string text = oscillator_with_lag();
+  text.replace(text.find("end\nsubsection Bodies"), 3, " subsection second\n set Copy of = lag\n set Initial = 2\n end\nend");
+  const Scene scene(text);
+  ASSERT_EQ(scene.system.layout.n_states, 2u);
+  EXPECT_EQ(scene.system.reference().states, (std::vector<double>{0.4, 2}));
+}
+
+
+
+// What switches with time alone is a corner, whatever else is in the law.
+TEST(Laws, CornersInTime)
+{
+  const Law law = quantities().law("(sin(2*pi*t/(0.05 s)) > 0 ? 2 N : 0 N)*abs(slider.displacement) + (t < 0.3 s ? 1 N : 0 N)", "N");
+  EXPECT_NEAR(law.next_corner(0.001, 0.05), 0.025, 1e-12);
+  EXPECT_NEAR(law.next_corner(0.2751, 0.31), 0.3, 1e-12);
+  EXPECT_EQ(quantities().law("abs(slider.displacement)*1 N*t/(1 s)", "N").next_corner(0, 1), std::numeric_limits<double>::infinity());
+}
+
+
+
 TEST(Laws, NamesMayHaveBlanksAndNumbers)
 {
-  const Law law = quantities().law("3 N m * flap 1.rotation - 2*flap 1.rotation rate + blade.at 0.5.velocity z*blade.tip.velocity z", "N*m");
+  const Law law = quantities().law("3*flap 1.rotation - 2*flap 1.rotation rate + blade.at 0.5.velocity z*blade.tip.velocity z", "N*m");
   EXPECT_EQ(law.signals(),
             (std::vector<std::string>{
               "flap 1.rotation", "flap 1.rotation rate", "blade.at 0.5.velocity z", "blade.tip.velocity z"}));

@@ -107,3 +107,29 @@ TEST(LawScenes, LagDamper)
   const double I = 140, k = 0.3 * 40 * 900, tau = 0.05;
   expect_roots(scene.modes(), {tau * I, I, tau * k + 400, k});
 }
+
+
+
+// Where a controller slides along its switch, time does not go on: the run says so.
+TEST(LawScenes, SlidingIsRefused)
+{
+  const Scene scene("prm/examples/laws/relay.prm",
+                    {"Joints/slide/displacement/Force = slide.displacement rate > 0 ? -3 N : slide.displacement rate < 0 ? 3 N : 0 N",
+                     "Joints/slide/displacement/Spring = 1"});
+  StageIntegrator integrator(scene.system, Tableau(2, 0.5), 1e-12);
+  Stepper         stepper(scene.system, integrator, 0.07, 1e-12);
+  State           state = scene.system.reference();
+  scene.system.add_initial_velocities(state);
+  state.held = false;
+  Projection(scene.system).velocities(state);
+  try
+    {
+      while (state.time < 2)
+        stepper.advance(state, 2.);
+      ADD_FAILURE() << "it came to t = " << state.time;
+    }
+  catch (const NotConverged &problem)
+    {
+      EXPECT_NE(std::string(problem.what()).find("slides along a switch"), std::string::npos) << problem.what();
+    }
+}

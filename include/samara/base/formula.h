@@ -53,6 +53,9 @@ namespace samara
     /** On which of its pieces each operation is that is done there: equal where nothing has switched in between. */
     void pieces(const double *variables, std::vector<double> &result) const;
 
+    /** The parts of the formula that switch and depend on the first variable alone, as formulas of it. */
+    std::vector<Formula> switches_of_first_variable() const;
+
     /**
      * The first x in [from, to] where a comparison changes sides, the argument of abs() or sign() its sign, min() or
      * max() its choice, floor(), ceil() or rint() its value, atan2() its half plane, all only where they count (not in

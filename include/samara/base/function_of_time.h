@@ -24,6 +24,8 @@ namespace samara
     /** Throws std::invalid_argument if @p text cannot be read. */
     ScalarFunction(const std::string &text, const std::string &variable);
 
+    explicit ScalarFunction(const Formula &formula);
+
     double
     operator()(const double x) const
     {

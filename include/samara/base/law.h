@@ -35,12 +35,18 @@ namespace samara
      */
     Law(const std::string &text, const std::vector<std::string> &signals);
 
+    /** What words of signals begin with; users do not write it. */
+    static const std::string reserved;
+
     /** The word that stands for signal @p i. */
     static std::string
     word(const unsigned int i)
     {
-      return "signal_" + std::to_string(i);
+      return reserved + std::to_string(i);
     }
+
+    /** @p text with the paths in place of these words. */
+    static std::string with_paths(std::string text, const std::vector<std::string> &paths);
 
     /** The paths of the signals it depends on; none for a function of time. */
     const std::vector<std::string> &
@@ -98,7 +104,10 @@ namespace samara
       return paths.empty() && time_function.is_constant();
     }
 
-    /** The next corner in time of a law without signals, see ScalarFunction::next_corner(). */
+    /**
+     * The next corner in time, see ScalarFunction::next_corner(); of a law with signals where something switches that
+     * depends on time alone.
+     */
     double next_corner(double from, double to) const;
 
     /** Text in SI units that reads as this law. */
@@ -109,6 +118,7 @@ namespace samara
     Formula                  formula;
     std::string              source;
     std::vector<std::string> paths;
+    std::vector<Formula>     switches_of_time; ///< parts of the formula
   };
 
 

@@ -57,6 +57,9 @@ namespace samara
      */
     Law law(const std::string &text, const std::string &unit) const;
 
+    /** Why no state can be called @p name; "" if one can. */
+    std::string fault_of_state(const std::string &name) const;
+
     /** What laws may name. */
     SignalNames signals;
 

@@ -26,7 +26,7 @@ namespace samara
 
   /**
    * A picture of the model: surfaces made of quadrilaterals, so that all of it goes into one file of one cell type.
-   * Contributions draw themselves with the shapes below; each object gets a number by which it can be selected and
+   * Items draw themselves with the shapes below; each object gets a number by which it can be selected and
    * coloured. Quadrilaterals of one object share their points, and points share what is known of the sample they belong
    * to: the memory is in proportion to the number of points.
    */

@@ -43,7 +43,7 @@ namespace samara
       double              next_step; ///< to be tried next [s]
       std::vector<double> of_controller, of_error;
       std::vector<double> steady_twists;
-      std::vector<double> window; ///< start [s] and number of the steps that are watched for progress; across [s]
+      std::vector<double> window; ///< start [s] and number of the steps that are watched for progress; across [s]; switches that are counted
     };
     Memory memory() const;
     /** @p with_steps: go on with the step sequence; otherwise with the step that was given. */
@@ -67,6 +67,8 @@ namespace samara
 
     std::vector<double> pieces, pieces_after; ///< of laws that switch
     double              across = 0;           ///< length of the step that goes across a switch; 0: none is near [s]
+    double              first_switch = 0;     ///< time of the first of the switches that are counted [s]
+    unsigned int        n_switches   = 0;     ///< since, without as much as a step of the given size between them all
 
     double       window_start = 0; ///< of a tenth of the time that a full step takes [s]
     unsigned int n_in_window  = 0; ///< steps of the fixed size, or halves of it, since
@@ -78,6 +80,8 @@ namespace samara
     std::string about_reactions(const State &state) const;
 
     double corner(double from, double to) const;
+    /** @throws NotConverged if laws switch again and again, and time does not go on. */
+    void   count_switch(double time);
     /** Shorten a step within which a law switches, so that it ends before. */
     void   stop_before_switch(const State &state, double &h, Advance &result);
     bool   attempt(const State &state, double &h, Advance &result);
