@@ -181,10 +181,13 @@ namespace samara
           quantities.signals.add_object(object.name);
     if (const auto *const section = outline.section("States"))
       for (const auto &object : section->sections)
-        if (const std::string fault = quantities.fault_of_state(object.name); fault.empty())
-          quantities.signals.add_state(object.name, object.value("Unit"));
-        else
-          complaints.add(object.where, "state <" + object.name + ">: " + fault);
+        {
+          const std::string fault = quantities.fault_of_state(object.name);
+          if (fault.empty())
+            quantities.signals.add_state(object.name, object.value("Unit"));
+          else
+            complaints.add(object.where, "state <" + object.name + ">: " + fault);
+        }
     root.parse(outline, quantities, complaints);
     says_redundant = !redundant.empty();
     use_library(library_by_name(linear_solver));

@@ -120,7 +120,7 @@ namespace samara
 
   double
   Evaluation::value(const unsigned int reading,
-                    const bool         natural_units,
+                    const Natural      natural,
                     const double       variable,
                     const unsigned int base,
                     const double       scale) const
@@ -130,7 +130,7 @@ namespace samara
     for (auto &u : used)
       if (u.is_variable)
         {
-          u.seen = factor * variable * (natural_units ? std::pow(scale, u.natural[base]) : 1);
+          u.seen = factor * variable * ((u.name == "t" ? natural.time : natural.units) ? std::pow(scale, u.natural[base]) : 1);
           factor += 0.7320508076;
         }
       else
@@ -141,23 +141,24 @@ namespace samara
 
 
   Evaluation::Measure
-  Evaluation::measure(const unsigned int reading, const bool natural_units) const
+  Evaluation::measure(const unsigned int reading, const bool natural_units, const bool natural_time) const
   {
+    const Natural natural = {natural_units, natural_time};
     // Where variables are chosen such that something is there: many functions are zero at the beginning, or later.
     Measure result;
     double  variable = 0;
     for (const double x : {0.6180339887, 0.0141421356, 3.3166247904, 17.2626765016})
       {
         variable     = x;
-        result.value = value(reading, natural_units, variable, 0, 1);
+        result.value = value(reading, natural, variable, 0, 1);
         if (!has_variables() || (std::isfinite(result.value) && result.value != 0))
           break;
       }
 
     for (unsigned int base = 0; base < result.dimension.size(); ++base)
       {
-        const double twice   = value(reading, natural_units, variable, base, 2);
-        const double eight   = value(reading, natural_units, variable, base, 8);
+        const double twice   = value(reading, natural, variable, base, 2);
+        const double eight   = value(reading, natural, variable, base, 8);
         const bool   is_zero = result.value == 0 && twice == 0 && eight == 0;
         const double power   = is_zero ? 0 : std::log2(twice / result.value);
         const bool   agrees  = is_zero || std::abs(std::log2(eight / result.value) - 3 * power) < 1e-9;

@@ -78,8 +78,9 @@ namespace samara
       Dimension found{{0, 0, 0, 0, 0}};
       bool      is_found = false;
       for (const unsigned int reading : {0, 1})
-        for (const bool natural_units : {false, true})
-          if (const auto measure = evaluation.measure(reading, natural_units); measure.is_consistent)
+        for (const auto &[natural_units, natural_time] :
+             std::initializer_list<std::pair<bool, bool>>{{false, false}, {true, true}, {true, false}, {false, true}})
+          if (const auto measure = evaluation.measure(reading, natural_units, natural_time); measure.is_consistent)
             {
               if (unit.empty() || fits(measure, wanted))
                 return reading;

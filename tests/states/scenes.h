@@ -31,7 +31,7 @@ subsection Joints
     set Body B = m.centre
     subsection displacement
       set Spring = 50
-      set Force = 3*cos(2*t) - 20 N * lag - 4 N * tanh(slide.displacement rate / 0.5 m/s)
+      set Force = 3 N*cos(2*t) - 20 N * lag - 4 N * tanh(slide.displacement rate / 0.5 m/s)
     end
   end
 end

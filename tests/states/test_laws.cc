@@ -79,7 +79,8 @@ TEST(Laws, UnitsBehindNumbers)
   };
   EXPECT_DOUBLE_EQ(value("-2 N*tanh(slider.displacement rate / 10 mm/s)", "N", 0.004), -2 * std::tanh(0.4));
   EXPECT_DOUBLE_EQ(value("sin(slider.displacement / 10 mm)", "1", 0.004), std::sin(0.4));
-  EXPECT_DOUBLE_EQ(value("slider.displacement / 10 mm > 0.3 ? 1 N : 2 N", "N", 0.004), 1.);
+  EXPECT_NE(problem_of("slider.displacement / 10 mm > 0.3 ? 1 N : 2 N", "N").find("two ways"), std::string::npos);
+  EXPECT_DOUBLE_EQ(value("slider.displacement > 3 mm ? 1 N : 2 N", "N", 0.004), 1.);
   EXPECT_NE(problem_of("-2 N*flap 1.rotation / 5 deg", "N").find("two ways"), std::string::npos);
   EXPECT_DOUBLE_EQ(value("-2 N*flap 1.rotation / (5 deg)", "N", 0.1), -0.2 / (5 * M_PI / 180));
   // what fits in no reading is refused
@@ -92,7 +93,8 @@ TEST(Laws, UnitsBehindNumbers)
 // Variables count with different values, or a difference would be zero, which fits any unit.
 TEST(Laws, DifferencesAreMeasured)
 {
-  EXPECT_NE(problem_of("(slider.displacement - blade.tip.position x) / 50 ms", "m/s"), "");
+  const double at[] = {0, 3, 1};
+  EXPECT_DOUBLE_EQ(quantities().law("(slider.displacement - blade.tip.position x) / 50 ms", "m/s").value(at), 40.);
   EXPECT_NE(problem_of("5 kg*(slider.displacement rate - blade.tip.velocity x)", "N"), "");
   EXPECT_EQ(problem_of("5 kg/s*(slider.displacement rate - blade.tip.velocity x)", "N"), "");
 }
@@ -126,7 +128,7 @@ TEST(Laws, CopiesOfStates)
 // What switches with time alone is a corner, whatever else is in the law.
 TEST(Laws, CornersInTime)
 {
-  const Law law = quantities().law("(sin(2*pi*t/(0.05 s)) > 0 ? 2 N : 0 N)*abs(slider.displacement) + (t < 0.3 s ? 1 N : 0 N)", "N");
+  const Law law = quantities().law("(sin(2*pi*t/(0.05 s)) > 0 ? 2 N : 0 N)*abs(slider.displacement)/(1 m) + (t < 0.3 s ? 1 N : 0 N)", "N");
   EXPECT_NEAR(law.next_corner(0.001, 0.05), 0.025, 1e-12);
   EXPECT_NEAR(law.next_corner(0.2751, 0.31), 0.3, 1e-12);
   EXPECT_EQ(quantities().law("abs(slider.displacement)*1 N*t/(1 s)", "N").next_corner(0, 1), std::numeric_limits<double>::infinity());
@@ -170,10 +172,10 @@ TEST(Laws, RefuseWhatDoesNotFit)
 TEST(Laws, UnknownSignalsHaveTheirLine)
 {
   std::string text = oscillator_with_lag();
-  text.replace(text.find("20 N * lag"), 10, "m.velocity q");
+  text.replace(text.find("20 N * lag"), 10, "20 N*s/m * m.velocity q");
   EXPECT_NE(complaint(text).find(":2"), std::string::npos) << complaint(text);
   text = oscillator_with_lag();
-  text.replace(text.find("20 N * lag"), 10, "m.tip.velocity x");
+  text.replace(text.find("20 N * lag"), 10, "20 N*s/m * m.tip.velocity x");
   EXPECT_NE(complaint(text).find("has no point <tip>"), std::string::npos) << complaint(text);
 }
 

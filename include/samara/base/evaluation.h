@@ -52,10 +52,10 @@ namespace samara
     };
 
     /**
-     * Evaluate and measure. With @p natural_units, variables have the dimensions given for them, otherwise they are pure
-     * numbers.
+     * Evaluate and measure. With @p natural_units, variables have the dimensions given for them, with @p natural_time t has;
+     * otherwise they are pure numbers.
      */
-    Measure measure(unsigned int reading, bool natural_units = false) const;
+    Measure measure(unsigned int reading, bool natural_units = false, bool natural_time = false) const;
 
     /** Whether the two readings may differ. */
     bool is_ambiguous() const;
@@ -85,7 +85,12 @@ namespace samara
 
     void prepare_parser();
 
-    double value(unsigned int reading, bool natural_units, double variable, unsigned int base, double scale) const;
+    /** Which variables have their dimensions. */
+    struct Natural
+    {
+      bool units, time;
+    };
+    double value(unsigned int reading, Natural natural, double variable, unsigned int base, double scale) const;
 
     const std::string           text;
     std::vector<Token>          tokens;
