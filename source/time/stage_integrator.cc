@@ -28,7 +28,6 @@ namespace samara
     , max_iterations(max_iterations)
     , length(model_length(system.model))
     , stages(tableau.s)
-    , M(system.layout.pattern)
     , C(system.layout.pattern)
     , K(system.layout.pattern)
     , gap_scale(system.layout.n_multipliers, 1.)
@@ -51,7 +50,6 @@ namespace samara
     for (const auto i : system.released_multipliers())
       is_active[i] = false;
     frozen_strains = system.linear_strains();
-    system.mass(M);
 
     x.resize(n);
     x_real.resize(n);

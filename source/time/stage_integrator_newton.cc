@@ -82,6 +82,13 @@ namespace samara
         pattern            = part.pattern;
         entries_in_use     = std::move(part.kept);
       }
+    SparseMatrix M(system.layout.pattern);
+    system.mass(M);
+    mass.clear();
+    for (int k = 0; k < pattern->n_nonzeros(); ++k)
+      if (const int i = entries_in_use.empty() ? k : entries_in_use[k]; M.values[i] != 0. && !is_constraint_entry[i])
+        mass.push_back({static_cast<unsigned int>(k), M.values[i]});
+
     factored_step = 0;
     factors.clear();
     real_matrix.pattern = pattern;
@@ -140,7 +147,7 @@ namespace samara
     const auto         value = [&](const unsigned int k, const auto &hm) {
       const int i  = entries_in_use.empty() ? k : entries_in_use[k];
       using Number = std::decay_t<decltype(hm)>;
-      return is_constraint_entry[i] ? Number(K.values[i]) : M.values[i] + hm * (C.values[i] + hm * K.values[i]);
+      return is_constraint_entry[i] ? Number(K.values[i]) : Number(hm * (C.values[i] + hm * K.values[i]));
     };
     n_factorizations += factors.size();
     for_factors([&](const unsigned int j) {
@@ -150,6 +157,8 @@ namespace samara
           const double hr = hm.real();
           for (unsigned int i = 0; i < n; ++i)
             real_matrix.values[i] = value(i, hr);
+          for (const auto &m : mass)
+            real_matrix.values[m.at] += m.value;
           factors[j].real->factorize(real_matrix);
         }
       else
@@ -157,6 +166,8 @@ namespace samara
           matrix.resize(n);
           for (unsigned int i = 0; i < n; ++i)
             matrix[i] = value(i, hm);
+          for (const auto &m : mass)
+            matrix[m.at] += m.value;
           factors[j].complex->factorize(matrix);
         }
     });

@@ -127,7 +127,14 @@ namespace samara
     std::unique_ptr<LinearStrains>              frozen_strains;     ///< of the same configuration
     unsigned int                                n_steps_with_factors = 0, fresh_iterations = 0;
     double                                      extra_iterations = 0; ///< more than with fresh factors
-    SparseMatrix                                M, C, K;
+    SparseMatrix                                C, K;
+    /** Of the mass matrix, where it is not zero, and where that is in the pattern of the factors. */
+    struct MassEntry
+    {
+      unsigned int at;
+      double       value;
+    };
+    std::vector<MassEntry> mass;
     std::vector<double> gap_scale; ///< of multipliers: 1/|row of G|, lengths divided by the size of the model
     std::vector<bool>                           is_constraint_entry, is_nonholonomic;
     std::vector<bool>                           is_active; ///< multipliers: neither released nor left out
