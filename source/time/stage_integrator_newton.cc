@@ -86,7 +86,7 @@ namespace samara
     system.mass(M);
     mass.clear();
     for (int k = 0; k < pattern->n_nonzeros(); ++k)
-      if (const int i = entries_in_use.empty() ? k : entries_in_use[k]; M.values[i] != 0. && !is_constraint_entry[i])
+      if (const int i = entries_in_use.empty() ? k : entries_in_use[k]; M.values[i] != 0.)
         mass.push_back({static_cast<unsigned int>(k), M.values[i]});
 
     factored_step = 0;
