@@ -111,7 +111,7 @@ namespace samara
           paths.emplace(trim(probe.substr(0, dot)), trim(probe.substr(dot + 1)));
       for (unsigned int i = 0; i < model.items.size() && !paths.empty(); ++i)
         {
-          Item &c = *model.items[i];
+          Item &c                    = *model.items[i];
           const auto [first, beyond] = paths.equal_range(c.name);
           if (first == beyond || c.is_faulty)
             continue;
@@ -199,8 +199,7 @@ namespace samara
     use_probed_angles(model, probes);
     outlines.clear();
     const auto turns = [](const auto &c) { return c->kind == "steady rotation"; };
-    if (!rotor_speeds.empty() && model.unmade.empty() &&
-        std::none_of(model.items.begin(), model.items.end(), turns))
+    if (!rotor_speeds.empty() && model.unmade.empty() && std::none_of(model.items.begin(), model.items.end(), turns))
       model.complaints.add(root.where("Rotor speeds"),
                            "<Rotor speeds> need a load of type <steady rotation> that says what turns");
     complaints.add_all(model.complaints.all());
@@ -256,7 +255,7 @@ namespace samara
     // in the order of the catalogue, so that what is referred to comes before what refers to it
     for (unsigned int i = 0; i < model.items.size(); ++i)
       {
-        Item &item = *model.items[i];
+        Item         &item         = *model.items[i];
         const auto    before       = model.complaints.count();
         if (item.is_faulty)
           check_references(*outlines[i], model);
@@ -288,7 +287,7 @@ namespace samara
     const auto is_right     = [](const auto &c) { return !c->is_faulty; };
     const auto first_faulty = std::stable_partition(model.items.begin(), model.items.end(), is_right);
     const std::vector<std::unique_ptr<Item>> faulty(std::make_move_iterator(first_faulty),
-                                                            std::make_move_iterator(model.items.end()));
+                                                    std::make_move_iterator(model.items.end()));
     model.items.erase(first_faulty, model.items.end());
     try
       {

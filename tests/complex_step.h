@@ -16,8 +16,8 @@ namespace samara
   {
   public:
     /**
-     * Triads are not @p orthonormal unless wanted: tangents must not rely on that. Stops act if @p with_stops. Nodes and
-     * coordinates move if @p moves: what depends on velocities is looked at where they are not zero.
+     * Triads are not @p orthonormal unless wanted: tangents must not rely on that. Stops act if @p with_stops. Nodes
+     * and coordinates move if @p moves: what depends on velocities is looked at where they are not zero.
      */
     explicit ComplexStep(const System &system,
                          const bool    orthonormal = false,

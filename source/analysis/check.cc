@@ -98,7 +98,8 @@ namespace samara
     out << file << ": no mistakes found\n"
         << "  unknowns          " << layout.n_unknowns() << ": 6 for each of " << layout.n_nodes - 1 << " nodes, "
         << layout.n_coordinates << " joint coordinates, "
-        << (layout.n_states > 0 ? std::to_string(layout.n_states) + " states of first order, " : "") << layout.n_multipliers << " multipliers (constraints)\n"
+        << (layout.n_states > 0 ? std::to_string(layout.n_states) + " states of first order, " : "")
+        << layout.n_multipliers << " multipliers (constraints)\n"
         << "  total mass        " << mass.mass << " kg\n"
         << "  centre of mass    " << mass.centre.transpose().format(vector) << " m\n"
         << "  inertia about it  " << mass.inertia.format(rows) << " kg m^2\n"

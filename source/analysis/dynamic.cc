@@ -154,9 +154,10 @@ namespace samara
 
     const bool is_adaptive = control == "adaptive";
     if (is_adaptive && system.layout.n_states > 0)
-      context.log.warning("dynamic",
-                          "adaptive steps are chosen by what moves, and so is the error that is told: states of first order do not "
-                          "count. Let the <Largest step> be small beside what they follow");
+      context.log.warning(
+        "dynamic",
+        "adaptive steps are chosen by what moves, and so is the error that is told: states of first order do not "
+        "count. Let the <Largest step> be small beside what they follow");
     report                 = {};
     budget                 = {};
     contacts               = {};

@@ -130,7 +130,8 @@ namespace samara
     for (auto &u : used)
       if (u.is_variable)
         {
-          u.seen = factor * variable * ((u.name == "t" ? natural.time : natural.units) ? std::pow(scale, u.natural[base]) : 1);
+          u.seen =
+            factor * variable * ((u.name == "t" ? natural.time : natural.units) ? std::pow(scale, u.natural[base]) : 1);
           factor += 0.7320508076;
         }
       else

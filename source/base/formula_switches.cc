@@ -198,8 +198,8 @@ namespace samara
       std::size_t end; ///< of the second one
       Part        both;
     };
-    std::vector<Part>   stack, conditions;
-    std::vector<Branch> branches;
+    std::vector<Part>    stack, conditions;
+    std::vector<Branch>  branches;
     std::vector<Formula> result;
     for (std::size_t i = 0; i < program.size(); ++i)
       {

@@ -93,12 +93,12 @@ namespace samara
         of_directions("angular velocity", "rad/s");
         for (const std::string number : {"", " 1", " 2", " 3"})
           {
-            all["rotation" + number]                = "rad";
-            all["rotation" + number + " rate"]      = "rad/s";
-            all["displacement" + number]            = "m";
-            all["displacement" + number + " rate"]  = "m/s";
-            all["force" + number]                   = "N";
-            all["moment" + number]                  = "N*m";
+            all["rotation" + number]               = "rad";
+            all["rotation" + number + " rate"]     = "rad/s";
+            all["displacement" + number]           = "m";
+            all["displacement" + number + " rate"] = "m/s";
+            all["force" + number]                  = "N";
+            all["moment" + number]                 = "N*m";
           }
         all["length"]      = "m";
         all["length rate"] = "m/s";
@@ -211,11 +211,10 @@ namespace samara
                                  (i == 0 || (!is_word_character(text[i - 1]) && text[i - 1] != '.'));
         if (!begins_word)
           continue;
-        std::size_t end = i;
-        const auto  object =
-          std::find_if(objects.begin(), objects.end(), [&](const auto &name) {
-            return has_words(text, i, name, end) && end < text.size() && text[end] == '.';
-          });
+        std::size_t end    = i;
+        const auto  object = std::find_if(objects.begin(), objects.end(), [&](const auto &name) {
+          return has_words(text, i, name, end) && end < text.size() && text[end] == '.';
+        });
         if (object != objects.end())
           {
             const std::size_t after_object = end + 1, quantity = end_of_point(text, after_object);
@@ -234,7 +233,8 @@ namespace samara
                   ++stop;
                 const std::string given = trim(text.substr(quantity, stop - quantity));
                 throw std::invalid_argument("<" + text + ">: <" + given + "> of <" + *object +
-                                            "> cannot stand in an expression" + did_you_mean(given, known_quantities()));
+                                            "> cannot stand in an expression" +
+                                            did_you_mean(given, known_quantities()));
               }
             result.push_back({i,
                               end_of_longest,

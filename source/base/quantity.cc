@@ -62,8 +62,8 @@ namespace samara
     }
 
     /**
-     * The reading of `lb` under which the evaluation has the dimension of @p unit; "" wants no particular one. With variables,
-     * dimensions that are not consistent are accepted unless it is @p strict.
+     * The reading of `lb` under which the evaluation has the dimension of @p unit; "" wants no particular one. With
+     * variables, dimensions that are not consistent are accepted unless it is @p strict.
      */
     unsigned int
     fitting_reading(const std::string &text,
@@ -158,8 +158,9 @@ namespace samara
   std::string
   Quantities::fault_of_state(const std::string &name) const
   {
-    return name == "t" ? "<t> is the time; choose another." :
-           name.find(Law::reserved) != std::string::npos ? "choose another name." : fault_of_name(name);
+    return name == "t"                                   ? "<t> is the time; choose another." :
+           name.find(Law::reserved) != std::string::npos ? "choose another name." :
+                                                           fault_of_name(name);
   }
 
 
@@ -205,7 +206,7 @@ namespace samara
     if (trimmed.compare(0, prefix.size(), prefix) == 0)
       return expression_of_table(trimmed.substr(prefix.size()), unit, variables.empty() ? "" : variables[0]);
 
-    const Dimension                  a_number = {{0, 0, 0, 0, 0}}, a_length = {{1, 0, 0, 0, 0}}, a_time = {{0, 0, 1, 0, 0}};
+    const Dimension a_number = {{0, 0, 0, 0, 0}}, a_length = {{1, 0, 0, 0, 0}}, a_time = {{0, 0, 1, 0, 0}};
     std::map<std::string, Dimension> dimensions;
     for (const auto &name : variables)
       dimensions[name] = name == "t" ? a_time : name == "s" ? a_length : a_number;
@@ -223,8 +224,8 @@ namespace samara
     std::string
     with_units_tied(const std::string &text, const Words &words)
     {
-      const auto  tokens = tokens_of(text);
-      const auto  is_unit = [&](const Token &token) {
+      const auto tokens  = tokens_of(text);
+      const auto is_unit = [&](const Token &token) {
         const auto word = words.find(token.text);
         return token.kind == Token::word && word != words.end() && word->second.is_unit;
       };
@@ -301,7 +302,8 @@ namespace samara
         if (known == paths.end())
           {
             paths.push_back(signal.path);
-            dimensions[Law::word(i)] = Evaluation(signal.unit.empty() ? "1" : signal.unit, known_to_all()).measure(0).dimension;
+            dimensions[Law::word(i)] =
+              Evaluation(signal.unit.empty() ? "1" : signal.unit, known_to_all()).measure(0).dimension;
           }
         with_words += text.substr(from, signal.begin - from) + Law::word(i);
         from = signal.end;
@@ -324,8 +326,9 @@ namespace samara
     if (readings.empty())
       throw std::invalid_argument(Law::with_paths(problems[0], paths));
     if (readings.size() == 2 && differ(readings[0], readings[1]))
-      throw std::invalid_argument("<" + text + "> can be read in two ways; put parentheses around a number and its unit, (5 deg/s), "
-                                               "or around what is divided.");
+      throw std::invalid_argument("<" + text +
+                                  "> can be read in two ways; put parentheses around a number and its unit, (5 deg/s), "
+                                  "or around what is divided.");
     return readings[0];
   }
 

@@ -270,9 +270,9 @@ namespace samara
     const auto              &used   = joint.used;
     const Block             &block  = joint.block;
     const double            *lambda = point.multipliers + joint.first_multiplier;
-    const bool has_forces = std::any_of(lambda, lambda + joint.rows.size(), [](const double l) { return l != 0.; });
-    unsigned int row                = 12 + used.size();
-    const auto   add_symmetric      = [&](const unsigned int i, const unsigned int j, const double value) {
+    const bool   has_forces = std::any_of(lambda, lambda + joint.rows.size(), [](const double l) { return l != 0.; });
+    unsigned int row        = 12 + used.size();
+    const auto   add_symmetric = [&](const unsigned int i, const unsigned int j, const double value) {
       block.add_entry(i, j, value, K);
       block.add_entry(j, i, value, K);
     };

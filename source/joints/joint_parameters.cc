@@ -30,8 +30,12 @@ namespace samara
     prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched " + damping + ".", Double(0));
     if (turns)
       {
-        prm.add("Moment", force, "Moment on body B, its reaction on body A; an expression of time t and signals [N*m].");
-        prm.add("Prescribed", prescribed, "Prescribed angle of B seen from A; an expression of time t and of states [rad].");
+        prm.add("Moment",
+                force,
+                "Moment on body B, its reaction on body A; an expression of time t and signals [N*m].");
+        prm.add("Prescribed",
+                prescribed,
+                "Prescribed angle of B seen from A; an expression of time t and of states [rad].");
       }
     else if (is_length())
       {
@@ -41,7 +45,9 @@ namespace samara
     else
       {
         prm.add("Force", force, "Force on body B, its reaction on body A; an expression of time t and signals [N].");
-        prm.add("Prescribed", prescribed, "Prescribed displacement of B seen from A; an expression of time t and of states [m].");
+        prm.add("Prescribed",
+                prescribed,
+                "Prescribed displacement of B seen from A; an expression of time t and of states [m].");
       }
   }
 
@@ -129,7 +135,7 @@ namespace samara
 
   void
   check_gap(Model                      &model,
-            const Item &joint,
+            const Item                 &joint,
             const std::array<Frame, 2> &ends,
             const std::string          &body_a,
             const std::string          &body_b,
@@ -330,7 +336,8 @@ namespace samara
   void
   Joint::find_signals(Model &model)
   {
-    const auto find = [&](const FreeMotion &motion, const std::string &entry, const Law &law) -> std::unique_ptr<Response> {
+    const auto find =
+      [&](const FreeMotion &motion, const std::string &entry, const Law &law) -> std::unique_ptr<Response> {
       if (law.depends_on_state())
         try
           {
@@ -347,9 +354,10 @@ namespace samara
         motion.response = find(motion, motion.is_angle() ? "Moment" : "Force", motion.force);
         motion.drive    = find(motion, "Prescribed", motion.prescribed);
         if (motion.drive && !motion.drive->is_of_states())
-          model.complaints.add(parameters.subsection(motion.name).where("Prescribed"),
-                               "what is prescribed may depend on time and on states of first order only; let a state follow the "
-                               "motion, or a force");
+          model.complaints.add(
+            parameters.subsection(motion.name).where("Prescribed"),
+            "what is prescribed may depend on time and on states of first order only; let a state follow the "
+            "motion, or a force");
       }
   }
 
@@ -359,8 +367,8 @@ namespace samara
   Joint::signal(Model &model, const std::string &path)
   {
     const std::string rate = " rate";
-    const bool        is_rate = path.size() > rate.size() && path.compare(path.size() - rate.size(), rate.size(), rate) == 0;
-    const std::string wanted  = is_rate ? path.substr(0, path.size() - rate.size()) : path;
+    const bool is_rate = path.size() > rate.size() && path.compare(path.size() - rate.size(), rate.size(), rate) == 0;
+    const std::string wanted = is_rate ? path.substr(0, path.size() - rate.size()) : path;
     for (const auto &motion : free)
       if (motion.name == wanted)
         {

@@ -116,9 +116,8 @@ namespace samara
   bool
   Joint::Springs::are_any() const
   {
-    return !stops.empty() || std::any_of(used.begin(), used.end(), [](const FreeMotion *m) {
-      return m->spring != 0 || m->damper != 0;
-    });
+    return !stops.empty() ||
+           std::any_of(used.begin(), used.end(), [](const FreeMotion *m) { return m->spring != 0 || m->damper != 0; });
   }
 
 
@@ -192,7 +191,7 @@ namespace samara
   void
   Joint::Springs::strain_rows(const Point<double> &point, StrainRows &strain_rows) const
   {
-    using One          = Eigen::Matrix<double, 1, 1>;
+    using One           = Eigen::Matrix<double, 1, 1>;
     unsigned int strain = first_strain;
     const auto   add    = [&](const unsigned int motion, const double k, const double c, const double on) {
       strain_rows.add_point(strain++, 1., One(k), One(c));
@@ -257,8 +256,8 @@ namespace samara
     residual_at(const Point<Number> &point, Number *r) const
     {
       for (unsigned int i = 0; i < used.size(); ++i)
-        r[block.row(12 + i)] -=
-          point.factor * (used[i]->response ? (*used[i]->response)(point) : Number(used[i]->force.of_time()(point.time)));
+        r[block.row(12 + i)] -= point.factor * (used[i]->response ? (*used[i]->response)(point) :
+                                                                    Number(used[i]->force.of_time()(point.time)));
     }
 
     void

@@ -334,7 +334,9 @@ namespace samara
   WrenchLoad::pieces(const Point<double> &point, std::vector<double> &result) const
   {
     // the laws are the same at all points
-    const Responses *const responses = !points.empty() ? &points[0].responses : !spans.empty() ? &spans[0].responses : nullptr;
+    const Responses *const responses = !points.empty() ? &points[0].responses :
+                                       !spans.empty()  ? &spans[0].responses :
+                                                         nullptr;
     for (unsigned int i = 0; i < 6 && responses != nullptr; ++i)
       if ((*responses)[i])
         (*responses)[i]->pieces(point, result);

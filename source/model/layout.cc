@@ -202,7 +202,8 @@ namespace samara
   {
     static const std::array<std::string, 6> directions = {
       {"displacement 1", "displacement 2", "displacement 3", "rotation 1", "rotation 2", "rotation 3"}};
-    const unsigned int first_coordinate = of_coordinate(0), first_state = of_state(0), first_multiplier = of_multiplier(0);
+    const unsigned int first_coordinate = of_coordinate(0), first_state = of_state(0),
+                       first_multiplier = of_multiplier(0);
     if (unknown >= first_multiplier)
       return multiplier_names[unknown - first_multiplier];
     if (unknown >= first_state)

@@ -15,7 +15,7 @@ namespace samara
     const auto        dot      = path.rfind('.');
     const std::string point    = dot == std::string::npos ? "" : trim(path.substr(0, dot)),
                       quantity = dot == std::string::npos ? path : trim(path.substr(dot + 1));
-    const Frame at = frame(point);
+    const Frame at             = frame(point);
     return frame_signal(quantity, at, model.position(at));
   }
 
@@ -198,7 +198,7 @@ namespace samara
     for (; n_indexed < items.size(); ++n_indexed)
       items_by_name[items[n_indexed]->name].push_back(items[n_indexed].get());
     static const std::vector<Item *> none;
-    const auto                               found = items_by_name.find(name);
+    const auto                       found = items_by_name.find(name);
     return found == items_by_name.end() ? none : found->second;
   }
 
@@ -235,7 +235,7 @@ namespace samara
     const auto        dot    = path.find('.');
     const std::string name   = trim(path.substr(0, dot)),
                       motion = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
-    Item *joint      = &find<Item>(name, "joint");
+    Item *joint              = &find<Item>(name, "joint");
     for (auto *const c : named(name)) // a body may have the same name
       if (!c->rotation_names().empty())
         joint = c;

@@ -134,8 +134,9 @@ namespace samara
         if (kind == position)
           return frame.position(point.q)(direction) + offset;
         // of the node's twist, with the arm for the velocity of the point
-        const Vec6<Number> twist = Frame{frame.node, kind == velocity ? frame.arm : Vector3::Zero().eval()}.twist(point.y);
-        const Mat3<Number> D     = Frame{frame.node}.triad(point.q);
+        const Vec6<Number> twist =
+          Frame{frame.node, kind == velocity ? frame.arm : Vector3::Zero().eval()}.twist(point.y);
+        const Mat3<Number> D = Frame{frame.node}.triad(point.q);
         Number             sum(0);
         for (int i = 0; i < 3; ++i)
           sum += D(direction, i) * twist(kind == velocity ? i : 3 + i);
@@ -146,17 +147,17 @@ namespace samara
       add_gradient(const Point<double> &point, double *by_place, double *by_velocity) const override
       {
         // with e a row of D: δ(e·w) = e·(θ × w) + e·δw, θ the turn of the node
-        const Frame   &frame = frames[0];
-        const Matrix3  D     = Frame{frame.node}.triad(point.q);
-        const Vector3  e     = D.row(direction).transpose();
-        const auto     add   = [](double *to, const Vector3 &v) { Eigen::Map<Vector3>(to) += v; };
+        const Frame  &frame = frames[0];
+        const Matrix3 D     = Frame{frame.node}.triad(point.q);
+        const Vector3 e     = D.row(direction).transpose();
+        const auto    add   = [](double *to, const Vector3 &v) { Eigen::Map<Vector3>(to) += v; };
         if (kind == position)
           {
             add(by_place, e);
             add(by_place + 3, frame.arm.cross(e));
             return;
           }
-        const Vector6 y = Eigen::Map<const Vector6>(point.y + 6 * frame.node);
+        const Vector6 y    = Eigen::Map<const Vector6>(point.y + 6 * frame.node);
         const Vector3 spin = y.tail<3>(), w = kind == velocity ? Vector3(y.head<3>() + spin.cross(frame.arm)) : spin;
         add(by_place + 3, w.cross(e));
         if (kind == angular_velocity)
@@ -201,10 +202,10 @@ namespace samara
   SignalPointer
   frame_signal(const std::string &quantity, const Frame &frame, const Vector3 &x_reference)
   {
-    const auto         blank     = quantity.rfind(' ');
-    const std::string  what      = quantity.substr(0, blank),
-                       direction = blank == std::string::npos ? "" : quantity.substr(blank + 1);
-    const std::size_t  i         = std::string("xyz").find(direction);
+    const auto        blank     = quantity.rfind(' ');
+    const std::string what      = quantity.substr(0, blank),
+                      direction = blank == std::string::npos ? "" : quantity.substr(blank + 1);
+    const std::size_t i         = std::string("xyz").find(direction);
     if (direction.size() != 1 || i == std::string::npos)
       return nullptr;
     if (what == "position")

@@ -26,8 +26,7 @@ namespace samara
     {
       return state.q.size() == 12 * layout.n_nodes && state.y.size() == 6 * layout.n_nodes &&
              state.coordinates.size() == layout.n_coordinates && state.states.size() == layout.n_states &&
-             state.state_rates.size() == layout.n_states &&
-             state.rates.size() == layout.n_coordinates &&
+             state.state_rates.size() == layout.n_states && state.rates.size() == layout.n_coordinates &&
              state.multipliers.size() == layout.n_multipliers && state.stress.size() == layout.n_strains;
     }
 

@@ -43,7 +43,7 @@ namespace samara
     , length(model_length(system.model))
   {
     const Model &model = system.model;
-    rates = system.relative_rates(state.q.data());
+    rates              = system.relative_rates(state.q.data());
     is_driven.assign(rates.size(), false);
     unsigned int hold = 0;
     for (unsigned int i = 0; i < speeds.size(); ++i)

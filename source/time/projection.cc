@@ -229,7 +229,7 @@ namespace samara
         for (unsigned int i = 0; i < moved_states.size(); ++i)
           moved_states[i] += dt * state.state_rates[i];
         moved_state_rates.resize(moved_states.size());
-        moved.states      = moved_states.data();
+        moved.states = moved_states.data();
         system.state_rates(moved, moved_state_rates.data());
         moved.state_rates = moved_state_rates.data();
       }

@@ -146,7 +146,7 @@ namespace samara
     const std::vector<double> zeros(system.layout.n_multipliers, 0.);
     std::vector<double>       with(system.size() + 6, 0.), without(system.size() + 6, 0.);
     Point<double>             point = state.point();
-    point.multipliers                   = zeros.data();
+    point.multipliers               = zeros.data();
     system.add_constraints(point, without.data());
     point.multipliers = mu;
     system.add_constraints(point, with.data());

@@ -154,7 +154,8 @@ namespace samara
     account(const System &system, const State &before, const State &after, const Powers &work, StepResult &result)
     {
       const auto start = system.energy(before), end = system.energy(after);
-      result.work_of_loads  = work.loads + system.potential_energy(before.point()) - system.potential_energy(after.point());
+      result.work_of_loads =
+        work.loads + system.potential_energy(before.point()) - system.potential_energy(after.point());
       result.work_of_drives = work.drives;
       result.viscous_loss   = work.viscous;
       result.dissipated     = start.kinetic + start.strain - end.kinetic - end.strain + result.work_of_loads +

@@ -185,7 +185,8 @@ namespace samara
   {
     // corrections are measured against the largest velocity, or one that would matter over the step
     const Layout &layout = system.layout;
-    double        size = 0, size_of_states = 0, scale = 1e-3 / h, largest_force = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
+    double        size = 0, size_of_states = 0, scale = 1e-3 / h,
+           largest_force     = 1e-8 * std::max(energy_scale, kinetic_energy) / length;
     previous_change_of_force = change_of_force;
     change_of_force          = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)

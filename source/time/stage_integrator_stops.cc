@@ -135,7 +135,7 @@ namespace samara
     double                 rates[3];
     // what would not be noticed in a step counts as small, as in the corrections of all unknowns
     double     scale = 1e-3 / h, size = 0;
-    const auto unit  = [&](const unsigned int i) {
+    const auto unit = [&](const unsigned int i) {
       return system.model.coordinate_units[system.layout.stops[touched[i]].coordinate] == "m" ? length : 1.;
     };
     StopForces forces;

@@ -231,7 +231,7 @@ namespace samara
     double before = 0, after = h;
     while (after - before > resolution * h)
       {
-        const double middle = 0.5 * (before + after);
+        const double middle                                   = 0.5 * (before + after);
         (step_of(middle) && !has_switched() ? before : after) = middle;
       }
     across = 2 * resolution * h;

@@ -12,7 +12,7 @@ namespace
   corners(const std::string &load)
   {
     const Scene scene(bodies("", "", "") + "subsection Loads\nsubsection l\n" + load + "end\nend\n");
-    const auto &c = scene.system;
+    const auto         &c = scene.system;
     std::vector<double> result;
     for (double t = c.next_corner(0, 10); t < 10 && result.size() < 100; t = c.next_corner(t, 10))
       result.push_back(t);

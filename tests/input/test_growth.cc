@@ -139,8 +139,7 @@ TEST(Growth, OfNamesThatAreLookedFor)
                          model.items.back()->name = "joint " + std::to_string(i);
                        }
                      for (unsigned int i = 0; i < n; ++i)
-                       EXPECT_EQ(&model.find<Item>("joint " + std::to_string(i), "joint"),
-                                 model.items[i].get());
+                       EXPECT_EQ(&model.find<Item>("joint " + std::to_string(i), "joint"), model.items[i].get());
                    }),
             between_linear_and_quadratic);
 }

@@ -112,9 +112,9 @@ TEST(JointEvaluations, LinearStrainsAreStrainRatesAndTheirForces)
   for (const auto &joint : joints)
     {
       const Scene         scene(model(joint));
-      const System      &system    = scene.system;
-      const unsigned int n_strains = system.layout.n_strains;
-      State              state     = some_state(system);
+      const System       &system    = scene.system;
+      const unsigned int  n_strains = system.layout.n_strains;
+      State               state     = some_state(system);
       if (n_strains == 0)
         continue;
       std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);

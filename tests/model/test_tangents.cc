@@ -151,8 +151,9 @@ subsection Joints
   end
 )";
     s["gear"].rest            = hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n end\nend\n";
-    s["first order"].rest     = "subsection States\n subsection z\n set Rate = 3*z - z^2*block.far.velocity y + rod.end.position x*t\n"
-                           " end\nend\n";
+    s["first order"].rest =
+      "subsection States\n subsection z\n set Rate = 3*z - z^2*block.far.velocity y + rod.end.position x*t\n"
+      " end\nend\n";
     s["gravity"].rest         = "subsection Loads\n subsection w\n set Type = gravity\n set Acceleration = 1, 2, -9\n end\nend\n";
     s["point load"].rest      = "subsection Loads\n subsection f\n set Type = point load\n set At = block.far\n set Force = 1, t, 3\n"
                            " set Moment = 2, 1, t^2\n end\n subsection g\n set Type = point load\n set At = rod.end\n"

@@ -1,14 +1,14 @@
 // States of first order: orders of the family, stiff lags, statics, and what they may not do.
 
-#include "../scene.h"
-#include "../time/systems.h"
-#include "scenes.h"
-
 #include <samara/time/projection.h>
 #include <samara/time/rivals.h>
 #include <samara/time/stage_integrator.h>
 
+#include "../scene.h"
+#include "../time/systems.h"
 #include <gtest/gtest.h>
+
+#include "scenes.h"
 
 using namespace samara;
 
@@ -40,13 +40,18 @@ namespace
   }
 
   void
-  expect_orders(const std::string &text, const double T, const unsigned int n, const unsigned int s, const double rho, const double order)
+  expect_orders(const std::string &text,
+                const double       T,
+                const unsigned int n,
+                const unsigned int s,
+                const double       rho,
+                const double       order)
   {
     SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
     const Scene   scene(text);
     const System &system = scene.system;
     const End     exact = end_of(system, Tableau(3, 1.), T, 16 * n), coarse = end_of(system, Tableau(s, rho), T, n),
-              fine = end_of(system, Tableau(s, rho), T, 2 * n);
+              fine      = end_of(system, Tableau(s, rho), T, 2 * n);
     const auto observed = [&](std::vector<double> End::*part) {
       return std::log2(distance(coarse.*part, exact.*part) / distance(fine.*part, exact.*part));
     };
@@ -82,9 +87,10 @@ TEST(FirstOrderStates, OrdersOfATopWithControls)
 // With hλ = 3e4 a lag forgets where it began if there is numerical dissipation; without any it never does.
 TEST(FirstOrderStates, StiffLagsAreFollowedWithDissipation)
 {
-  const std::string text = "subsection States\n subsection lag\n set Rate = (sin(t) - lag)/(1e-6 s)\n set Initial = 1\n end\n"
-                           "end\n" +
-                           systems::pushed("0");
+  const std::string text =
+    "subsection States\n subsection lag\n set Rate = (sin(t) - lag)/(1e-6 s)\n set Initial = 1\n end\n"
+    "end\n" +
+    systems::pushed("0");
   for (const unsigned int s : {1, 2, 3})
     for (const double rho : {1., 0.5, 0.})
       {
@@ -159,7 +165,7 @@ subsection Loads
   end
 end
 )";
-  Scene scene(text);
+  Scene             scene(text);
   scene.equilibrium();
   EXPECT_NEAR(scene.value("h.rotation"), 0.3 * 180 / M_PI, 1e-9);
   EXPECT_NEAR(scene.value("integral"), -2 * 9.80665 * 0.5 * std::cos(0.3) / 60, 1e-10);
@@ -218,7 +224,8 @@ end
   const double      T = 0.4, lag = std::exp(-T / 0.2), angle = 0.1 * std::sin(20 * T) + 0.3 * (1 - lag),
                rate = 2 * std::cos(20 * T) + 0.3 * lag / 0.2;
   for_all_members([&](const Tableau &tableau) {
-    const Record coarse = run(system, started(system), tableau, T / 20, 20), fine = run(system, started(system), tableau, T / 40, 40);
+    const Record coarse = run(system, started(system), tableau, T / 20, 20),
+                 fine   = run(system, started(system), tableau, T / 40, 40);
     ASSERT_EQ(fine.n_steps, 40u);
     EXPECT_LT(fine.gap, 1e-12);
     EXPECT_LT(fine.balance, 1e-12);
@@ -240,12 +247,13 @@ end
 TEST(FirstOrderStates, ReactionsOfWhatTheyDrive)
 {
   const auto force = [](const bool by_state) {
-    const Scene scene("subsection States\n subsection v\n set Rate = -100*z\n set Initial = 10\n end\n subsection z\n"
-                      " set Rate = v\n end\nend\n"
-                      "subsection Bodies\n subsection m\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\n"
-                      "end\nsubsection Joints\n subsection slide\n set Type = prismatic\n set Body A = ground\n"
-                      " set Body B = m.centre\n subsection displacement\n set Prescribed = " +
-                      std::string(by_state ? "1 m*z" : "sin(10*t)") + "\n end\n end\nend\n");
+    const Scene scene(
+      "subsection States\n subsection v\n set Rate = -100*z\n set Initial = 10\n end\n subsection z\n"
+      " set Rate = v\n end\nend\n"
+      "subsection Bodies\n subsection m\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\n"
+      "end\nsubsection Joints\n subsection slide\n set Type = prismatic\n set Body A = ground\n"
+      " set Body B = m.centre\n subsection displacement\n set Prescribed = " +
+      std::string(by_state ? "1 m*z" : "sin(10*t)") + "\n end\n end\nend\n");
     Record record = run(scene.system, started(scene.system), Tableau(3, 1.), 0.01, 100);
     Projection(scene.system).report(record.state);
     EXPECT_NEAR(record.state.accelerations[6 + 2], -100 * std::sin(10.), 1e-3);

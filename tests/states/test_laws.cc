@@ -1,12 +1,12 @@
 // Laws of the state: derivatives of all signals, units, and what is refused.
 
-#include "../complex_step.h"
-#include "../scene.h"
-#include "scenes.h"
-
 #include <samara/base/quantity.h>
 
+#include "../complex_step.h"
+#include "../scene.h"
 #include <gtest/gtest.h>
+
+#include "scenes.h"
 
 using namespace samara;
 
@@ -70,7 +70,8 @@ TEST(Laws, AreReadWithUnits)
 
 
 
-// A number and the unit behind it are one where only that fits; where both readings do, who writes must say which is meant.
+// A number and the unit behind it are one where only that fits; where both readings do, who writes must say which is
+// meant.
 TEST(Laws, UnitsBehindNumbers)
 {
   const auto value = [](const std::string &text, const std::string &unit, const double signal) {
@@ -117,7 +118,9 @@ TEST(Laws, StatesHaveNamesOfTheirOwn)
 TEST(Laws, CopiesOfStates)
 {
   std::string text = oscillator_with_lag();
-  text.replace(text.find("end\nsubsection Bodies"), 3, " subsection second\n set Copy of = lag\n set Initial = 2\n end\nend");
+  text.replace(text.find("end\nsubsection Bodies"),
+               3,
+               " subsection second\n set Copy of = lag\n set Initial = 2\n end\nend");
   const Scene scene(text);
   ASSERT_EQ(scene.system.layout.n_states, 2u);
   EXPECT_EQ(scene.system.reference().states, (std::vector<double>{0.4, 2}));
@@ -128,17 +131,22 @@ TEST(Laws, CopiesOfStates)
 // What switches with time alone is a corner, whatever else is in the law.
 TEST(Laws, CornersInTime)
 {
-  const Law law = quantities().law("(sin(2*pi*t/(0.05 s)) > 0 ? 2 N : 0 N)*abs(slider.displacement)/(1 m) + (t < 0.3 s ? 1 N : 0 N)", "N");
+  const Law law =
+    quantities().law("(sin(2*pi*t/(0.05 s)) > 0 ? 2 N : 0 N)*abs(slider.displacement)/(1 m) + (t < 0.3 s ? 1 N : 0 N)",
+                     "N");
   EXPECT_NEAR(law.next_corner(0.001, 0.05), 0.025, 1e-12);
   EXPECT_NEAR(law.next_corner(0.2751, 0.31), 0.3, 1e-12);
-  EXPECT_EQ(quantities().law("abs(slider.displacement)*1 N*t/(1 s)", "N").next_corner(0, 1), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(quantities().law("abs(slider.displacement)*1 N*t/(1 s)", "N").next_corner(0, 1),
+            std::numeric_limits<double>::infinity());
 }
 
 
 
 TEST(Laws, NamesMayHaveBlanksAndNumbers)
 {
-  const Law law = quantities().law("3*flap 1.rotation - 2*flap 1.rotation rate + blade.at 0.5.velocity z*blade.tip.velocity z", "N*m");
+  const Law law =
+    quantities().law("3*flap 1.rotation - 2*flap 1.rotation rate + blade.at 0.5.velocity z*blade.tip.velocity z",
+                     "N*m");
   EXPECT_EQ(law.signals(),
             (std::vector<std::string>{
               "flap 1.rotation", "flap 1.rotation rate", "blade.at 0.5.velocity z", "blade.tip.velocity z"}));
@@ -214,7 +222,9 @@ TEST(Laws, ModesWithStatesAgainstDenseMatrices)
   const Eigen::MatrixXd G     = Kd.bottomRows(n - first).leftCols(first);
   const Eigen::MatrixXd Z     = G.fullPivLu().kernel();
   ASSERT_EQ(Z.cols(), 2);
-  const auto            part = [&](const Eigen::MatrixXd &A) { return (Z.transpose() * A.topLeftCorner(first, first) * Z).eval(); };
+  const auto part = [&](const Eigen::MatrixXd &A) {
+    return (Z.transpose() * A.topLeftCorner(first, first) * Z).eval();
+  };
   const Eigen::MatrixXd m = part(Md), c = part(Cd), k = part(Kd);
   for (const Mode &mode : scene.modes())
     {

@@ -1,12 +1,11 @@
 // The shipped scenes with laws of the state against closed forms.
 
-#include "../scene.h"
-
 #include <samara/analysis/dynamic.h>
 #include <samara/time/projection.h>
 #include <samara/time/stage_integrator.h>
 #include <samara/time/stepper.h>
 
+#include "../scene.h"
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -47,7 +46,8 @@ namespace
       absolute.push_back(std::abs(c));
     EXPECT_GE(modes.size(), 2u); // one of a pair, one real
     for (const auto &mode : modes)
-      EXPECT_LT(std::abs(polynomial(coefficients, mode.lambda)), 1e-9 * polynomial(absolute, std::abs(mode.lambda)).real())
+      EXPECT_LT(std::abs(polynomial(coefficients, mode.lambda)),
+                1e-9 * polynomial(absolute, std::abs(mode.lambda)).real())
         << mode.lambda;
   }
 } // namespace
@@ -71,7 +71,8 @@ TEST(LawScenes, HardeningSpring)
 
 
 
-// Between the switches the motion is a parabola, which the family follows to round-off; what is left is where steps end.
+// Between the switches the motion is a parabola, which the family follows to round-off; what is left is where steps
+// end.
 TEST(LawScenes, Relay)
 {
   const Scene scene("prm/examples/laws/relay.prm");
@@ -113,9 +114,10 @@ TEST(LawScenes, LagDamper)
 // Where a controller slides along its switch, time does not go on: the run says so.
 TEST(LawScenes, SlidingIsRefused)
 {
-  const Scene scene("prm/examples/laws/relay.prm",
-                    {"Joints/slide/displacement/Force = slide.displacement rate > 0 ? -3 N : slide.displacement rate < 0 ? 3 N : 0 N",
-                     "Joints/slide/displacement/Spring = 1"});
+  const Scene scene(
+    "prm/examples/laws/relay.prm",
+    {"Joints/slide/displacement/Force = slide.displacement rate > 0 ? -3 N : slide.displacement rate < 0 ? 3 N : 0 N",
+     "Joints/slide/displacement/Spring = 1"});
   StageIntegrator integrator(scene.system, Tableau(2, 0.5), 1e-12);
   Stepper         stepper(scene.system, integrator, 0.07, 1e-12);
   State           state = scene.system.reference();

@@ -224,8 +224,7 @@ TEST(Sections, StationsInsideOfElementsAreIntegrated)
               {
                 EXPECT_NEAR(scene.value("beam.end.rotation y") * M_PI / 180 / -angle, 1, 1e-8) << where;
               }
-            EXPECT_EQ(dynamic_cast<const Beam &>(*scene.input.model.items[3]).n_elements(),
-                      std::stoul(elements));
+            EXPECT_EQ(dynamic_cast<const Beam &>(*scene.input.model.items[3]).n_elements(), std::stoul(elements));
           }
     }
 }

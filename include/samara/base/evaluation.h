@@ -52,8 +52,8 @@ namespace samara
     };
 
     /**
-     * Evaluate and measure. With @p natural_units, variables have the dimensions given for them, with @p natural_time t has;
-     * otherwise they are pure numbers.
+     * Evaluate and measure. With @p natural_units, variables have the dimensions given for them, with @p natural_time t
+     * has; otherwise they are pure numbers.
      */
     Measure measure(unsigned int reading, bool natural_units = false, bool natural_time = false) const;
 

@@ -124,8 +124,8 @@ namespace samara
 
 
   /**
-   * What may be named in laws: the objects of a model, whose signals are known by the words they end with, and the states
-   * of first order with their units.
+   * What may be named in laws: the objects of a model, whose signals are known by the words they end with, and the
+   * states of first order with their units.
    */
   class SignalNames
   {

@@ -170,8 +170,9 @@ namespace samara
   std::string
   Parameters::read_value(const std::string &text, const Quantities &quantities, const Entry &entry)
   {
-    T                 value   = Value<T>::read(
-      text, entry.unit_when_read ? (*entry.unit_when_read)(quantities) : entry.declaration->unit, quantities);
+    T                 value   = Value<T>::read(text,
+                             entry.unit_when_read ? (*entry.unit_when_read)(quantities) : entry.declaration->unit,
+                             quantities);
     const std::string si_text = Value<T>::write(value);
     check_pattern(text, si_text, entry);
     *static_cast<T *>(entry.variable) = std::move(value);

@@ -52,8 +52,9 @@ namespace samara
     expression(const std::string &text, const std::string &unit, const std::vector<std::string> &variables) const;
 
     /**
-     * A law of time and of signals. Signals are in their units, t is in seconds; each may count as a pure number, too. Where
-     * the dimensions do not fit otherwise, a number and the unit behind it are one: "v / 0.01 m/s" is v/(0.01 m/s).
+     * A law of time and of signals. Signals are in their units, t is in seconds; each may count as a pure number, too.
+     * Where the dimensions do not fit otherwise, a number and the unit behind it are one: "v / 0.01 m/s" is v/(0.01
+     * m/s).
      */
     Law law(const std::string &text, const std::string &unit) const;
 

@@ -145,7 +145,7 @@ namespace samara
    * the ground do not say where.
    */
   void check_gap(Model                      &model,
-                 const Item &joint,
+                 const Item                 &joint,
                  const std::array<Frame, 2> &ends,
                  const std::string          &body_a,
                  const std::string          &body_b,

@@ -1,8 +1,8 @@
 #ifndef samara_model_frame_probe_h
 #define samara_model_frame_probe_h
 
-#include <samara/model/item.h>
 #include <samara/model/frame.h>
+#include <samara/model/item.h>
 
 namespace samara
 {

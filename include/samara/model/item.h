@@ -51,8 +51,8 @@ namespace samara
     virtual void initialize(Model &model) = 0;
 
     /**
-     * Make a relative motion ("rotation", "displacement"; "" if there is only one) an unknown and return its number among
-     * the model's coordinates; nothing if there is no such motion. To be called from initialize().
+     * Make a relative motion ("rotation", "displacement"; "" if there is only one) an unknown and return its number
+     * among the model's coordinates; nothing if there is no such motion. To be called from initialize().
      */
     virtual std::optional<unsigned int>
     use_coordinate(Model &, const std::string & /*motion*/)

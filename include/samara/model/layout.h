@@ -8,8 +8,8 @@ namespace samara
 {
   /**
    * The numbering of all unknowns: 6 twists of each node but the ground, joint coordinates, states of first order,
-   * multipliers; the six of the ground follow behind the last unknown, where residuals collect the total reaction of the
-   * ground.
+   * multipliers; the six of the ground follow behind the last unknown, where residuals collect the total reaction of
+   * the ground.
    */
   class Layout
   {
@@ -74,8 +74,8 @@ namespace samara
     std::vector<std::string> multiplier_names;
 
     /**
-     * A constraint that is not quadratic: its force gets a correction along the rate of a coordinate, so that it does no
-     * work over a step (doc/theory/integrators.md).
+     * A constraint that is not quadratic: its force gets a correction along the rate of a coordinate, so that it does
+     * no work over a step (doc/theory/integrators.md).
      */
     struct Correction
     {
@@ -118,8 +118,8 @@ namespace samara
 
   private:
     friend class System; // that alone goes over terms
-    std::vector<const Deformation *> deformations;
-    std::vector<const Constraint *>  constraints;
+    std::vector<const Deformation *>   deformations;
+    std::vector<const Constraint *>    constraints;
     std::vector<const Force *>         forces;
     std::vector<const StateEquation *> state_equations;
 

@@ -3,8 +3,8 @@
 
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
-#include <samara/model/item.h>
 #include <samara/model/frame.h>
+#include <samara/model/item.h>
 
 #include <map>
 #include <memory>
@@ -127,7 +127,7 @@ namespace samara
     };
     std::vector<Rotation> rotations;
 
-    std::vector<std::unique_ptr<Item>> items;
+    std::vector<std::unique_ptr<Item>>         items;
     std::vector<Node>                          nodes; ///< after close(): those that are left
     std::vector<std::string>                   coordinates, coordinate_units;
 
@@ -162,7 +162,7 @@ namespace samara
     Frame              root_of(const Frame &frame) const;
 
     mutable std::unordered_map<std::string, std::vector<Item *>> items_by_name;
-    mutable std::size_t                                                  n_indexed = 0; ///< items in it
+    mutable std::size_t                                          n_indexed = 0; ///< items in it
   };
 
 

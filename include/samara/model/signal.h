@@ -13,8 +13,8 @@ namespace samara
   class Model;
 
   /**
-   * A number that the model tells of itself and that laws may depend on, with its derivatives: a coordinate of a joint, the
-   * velocity of a point, a state of first order, a reaction. In SI units, angles in rad.
+   * A number that the model tells of itself and that laws may depend on, with its derivatives: a coordinate of a joint,
+   * the velocity of a point, a state of first order, a reaction. In SI units, angles in rad.
    */
   class Signal
   {
@@ -38,8 +38,8 @@ namespace samara
 
     /**
      * Its derivatives by these unknowns in the order above, 6 a frame, are added: those by increments of the nodes (in
-     * the nodes' axes), coordinates, states and multipliers to @p by_place; those by twists y and rates of coordinates to
-     * the same places of @p by_velocity.
+     * the nodes' axes), coordinates, states and multipliers to @p by_place; those by twists y and rates of coordinates
+     * to the same places of @p by_velocity.
      */
     virtual void add_gradient(const Point<double> &, double *by_place, double *by_velocity) const = 0;
   };
@@ -55,7 +55,8 @@ namespace samara
   SignalPointer state_signal(unsigned int state);
 
   /**
-   * "position", "displacement", "velocity" or "angular velocity" and one of the directions x, y, z of a frame that is at
+   * "position", "displacement", "velocity" or "angular velocity" and one of the directions x, y, z of a frame that is
+   * at
    * @p x_reference in the reference configuration; null if it is none of these.
    */
   SignalPointer frame_signal(const std::string &quantity, const Frame &frame, const Vector3 &x_reference);

@@ -8,8 +8,8 @@
 namespace samara
 {
   /**
-   * The assembled model, all that analyses see of it. No function here knows an element or a joint, and nobody else goes
-   * over the terms of the equations.
+   * The assembled model, all that analyses see of it. No function here knows an element or a joint, and nobody else
+   * goes over the terms of the equations.
    */
   class System
   {
@@ -45,8 +45,8 @@ namespace samara
 
     /**
      * @name Terms of the equations at a point, see terms.h
-     * Arrays are global: n_strains strains, rates of strains and stresses; n_multipliers rates of constraints; size() + 6
-     * rows of a residual, to which the terms are added. Inertia is not in them, and what the state leaves out is.
+     * Arrays are global: n_strains strains, rates of strains and stresses; n_multipliers rates of constraints; size() +
+     * 6 rows of a residual, to which the terms are added. Inertia is not in them, and what the state leaves out is.
      * @{
      */
     template <typename Number>

@@ -16,9 +16,9 @@
  *                     −g_z                   of states of first order, ż = g_z
  *                     g                      of multipliers
  *
- * with the stresses σ of Deformations, the multipliers λ of Constraints and the Forces f. A tangent is the derivative of
- * the residual by the increments ζ of nodes (twists in the nodes' frames), coordinates and multipliers with δσ = C B ζ; a
- * damping matrix that by their rates ζ̇, with δσ = C_d B ζ̇ (doc/theory/statics.md).
+ * with the stresses σ of Deformations, the multipliers λ of Constraints and the Forces f. A tangent is the derivative
+ * of the residual by the increments ζ of nodes (twists in the nodes' frames), coordinates and multipliers with δσ = C B
+ * ζ; a damping matrix that by their rates ζ̇, with δσ = C_d B ζ̇ (doc/theory/statics.md).
  *
  * Signs: the residual is internal minus applied force. Units: SI throughout. Residuals and matrices are global.
  */
@@ -41,20 +41,24 @@ namespace samara
     virtual void residual(const Point<double> &, double *r) const                             = 0;
     virtual void residual(const Point<std::complex<double>> &, std::complex<double> *r) const = 0;
 
-    virtual void tangent(const Point<double> &, SparseMatrix &) const {}
-    virtual void damping(const Point<double> &, SparseMatrix &) const {}
+    virtual void
+    tangent(const Point<double> &, SparseMatrix &) const
+    {}
+    virtual void
+    damping(const Point<double> &, SparseMatrix &) const
+    {}
 
     /**
-     * On which of their pieces laws of the state are that switch, by comparisons, abs(), min(), …: appended to @p pieces. Time
-     * steps end where any of them changes.
+     * On which of their pieces laws of the state are that switch, by comparisons, abs(), min(), …: appended to @p
+     * pieces. Time steps end where any of them changes.
      */
     virtual void
     pieces(const Point<double> &, std::vector<double> & /*pieces*/) const
     {}
 
     /**
-     * First time in (from, to) where something this term prescribes has a corner or a jump; infinity if none. Time steps
-     * end there.
+     * First time in (from, to) where something this term prescribes has a corner or a jump; infinity if none. Time
+     * steps end there.
      */
     virtual double
     next_corner(double /*from*/, double /*to*/) const
@@ -84,9 +88,8 @@ namespace samara
     virtual void strain_rates(const Point<double> &, double *) const = 0;
 
     /** σ = C e + C_d ė */
-    virtual void stresses(const double * /*e*/, const double * /*rates*/, double * /*stress*/) const = 0;
-    virtual void
-    stresses(const std::complex<double> *, const std::complex<double> *, std::complex<double> *) const = 0;
+    virtual void stresses(const double * /*e*/, const double * /*rates*/, double * /*stress*/) const                = 0;
+    virtual void stresses(const std::complex<double> *, const std::complex<double> *, std::complex<double> *) const = 0;
 
     /** ½ eᵀ C e, integrated [J]. */
     virtual double strain_energy(const double *e) const = 0;
@@ -108,21 +111,25 @@ namespace samara
       return false;
     }
 
-    /** For repeated use of one B. By default strain_rates() and residual() do it; what has many strains can be faster. */
+    /** For repeated use of one B. By default strain_rates() and residual() do it; what has many strains can be faster.
+     */
     virtual std::unique_ptr<LinearStrains> linear_strains() const;
 
     /**
      * Offer B, C and C_d of all strains, for matrices in which stresses are unknowns. Whoever does leaves BᵀCB and
      * BᵀC_dB out of tangent() and damping() where the point is without material.
      */
-    virtual void strain_rows(const Point<double> &, StrainRows &) const {}
+    virtual void
+    strain_rows(const Point<double> &, StrainRows &) const
+    {}
   };
 
 
 
   /**
    * Constraints with multipliers. The residual is Gᵀλ in the rows of nodes and coordinates and g in those of the
-   * multipliers; 0 for constraints on velocities alone, whose tangent row is what they prescribe (Layout::nonholonomic).
+   * multipliers; 0 for constraints on velocities alone, whose tangent row is what they prescribe
+   * (Layout::nonholonomic).
    */
   class Constraint : public Term
   {
@@ -138,7 +145,9 @@ namespace samara
     virtual void rates(const Point<double> &, double *) const = 0;
 
     /** The part ∂g/∂t alone. */
-    virtual void time_rates(const Point<double> &, double *) const {}
+    virtual void
+    time_rates(const Point<double> &, double *) const
+    {}
 
     /** Give coordinates that are angles those of the nodes, in the turn nearest to what they are. */
     virtual void
@@ -168,15 +177,16 @@ namespace samara
 
 
   /**
-   * Equations of states of first order, ż = g(q, y, z, t): the residual of their rows is −g. Where nothing moves in time
-   * they say g = 0.
+   * Equations of states of first order, ż = g(q, y, z, t): the residual of their rows is −g. Where nothing moves in
+   * time they say g = 0.
    */
   class StateEquation : public Term
   {};
 
 
 
-  /** Writes the residual of a term for double and std::complex<double> from the template @p Derived has, residual_at. */
+  /** Writes the residual of a term for double and std::complex<double> from the template @p Derived has, residual_at.
+   */
   template <typename Derived, typename Base>
   class Evaluated : public Base
   {

@@ -6,8 +6,8 @@
 namespace samara
 {
   /**
-   * A state of first order, ż = g with a law g of time, signals and states: a filter, a lag, an actuator, the integral of
-   * a controller. Statics look for the z at which g vanishes (the paper has no such states; doc/theory/states.md).
+   * A state of first order, ż = g with a law g of time, signals and states: a filter, a lag, an actuator, the integral
+   * of a controller. Statics look for the z at which g vanishes (the paper has no such states; doc/theory/states.md).
    */
   class FirstOrder : public Item, public Evaluated<FirstOrder, StateEquation>
   {

@@ -60,8 +60,7 @@ namespace samara
     std::vector<unsigned int> left_out_of_pattern;
     std::vector<unsigned int> left_out; ///< in the present matrix: those of the state, at singular positions more
     bool                      is_massless = false; ///< something without mass moves freely, and no choice of rows helps
-    std::vector<double>       no_multipliers, moved_q, moved_coordinates, moved_states,
-      moved_state_rates, rates, later, r, b;
+    std::vector<double> no_multipliers, moved_q, moved_coordinates, moved_states, moved_state_rates, rates, later, r, b;
 
     void   make_solver_without();
     void   factorize(const State &state, double least_condition = 0);

@@ -69,7 +69,7 @@ namespace samara
     std::vector<Matrix3> middle; ///< orthonormal triads in the middle of the step
 
     State                                       frozen;         ///< where the matrix was made, without multipliers
-    std::unique_ptr<LinearStrains> frozen_strains; ///< where the matrix was made
+    std::unique_ptr<LinearStrains>              frozen_strains; ///< where the matrix was made
 
     void   predict(const State &state, double h);
     void   means(const State &state, double h);

@@ -135,13 +135,13 @@ namespace samara
       double       value;
     };
     std::vector<MassEntry> mass;
-    std::vector<double> gap_scale; ///< of multipliers: 1/|row of G|, lengths divided by the size of the model
+    std::vector<double>    gap_scale; ///< of multipliers: 1/|row of G|, lengths divided by the size of the model
     std::vector<bool>                           is_constraint_entry, is_nonholonomic;
     std::vector<bool>                           is_active; ///< multipliers: neither released nor left out
 
     std::unique_ptr<ExactStages> exact;            ///< the exact matrix, made when it is needed first
     bool                         is_exact = false; ///< whether it is in use
-    std::vector<std::unique_ptr<LinearStrains>> stage_strains; ///< for it
+    std::vector<std::unique_ptr<LinearStrains>> stage_strains;    ///< for it
 
     std::unique_ptr<RedundantRows> redundant; ///< made when a state has rows left out
     std::vector<unsigned int>      left_out;  ///< those that are not active in this step
@@ -149,7 +149,8 @@ namespace samara
     std::vector<double> e_start, final_q, final_coordinates, final_states, constraints_at_end;
     std::vector<double> e_end; ///< strains where the last step ended; empty: not known
 
-    /** Velocities, and states, at the start and the stages of the last step, and whether extrapolating them was a good start. */
+    /** Velocities, and states, at the start and the stages of the last step, and whether extrapolating them was a good
+     * start. */
     std::vector<std::vector<double>> previous;
     double                           previous_step = 0;
     double                           offset        = 1; ///< 0 after step_back(): where the next step begins

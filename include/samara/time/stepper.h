@@ -20,9 +20,9 @@ namespace samara
 
   /**
    * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner or a law of the
-   * state switches, halved where Newton's method finds no solution. Nothing is lost by a step that is rejected. Steps of
-   * fixed size that crawl, two thousand in a tenth of the time of one, end the run: speeds grow without bounds where no
-   * motion goes on, or a law switches for ever.
+   * state switches, halved where Newton's method finds no solution. Nothing is lost by a step that is rejected. Steps
+   * of fixed size that crawl, two thousand in a tenth of the time of one, end the run: speeds grow without bounds where
+   * no motion goes on, or a law switches for ever.
    */
   class Stepper
   {
@@ -43,7 +43,8 @@ namespace samara
       double              next_step; ///< to be tried next [s]
       std::vector<double> of_controller, of_error;
       std::vector<double> steady_twists;
-      std::vector<double> window; ///< start [s] and number of the steps that are watched for progress; across [s]; switches that are counted
+      std::vector<double> window; ///< start [s] and number of the steps that are watched for progress; across [s];
+                                  ///< switches that are counted
     };
     Memory memory() const;
     /** @p with_steps: go on with the step sequence; otherwise with the step that was given. */
@@ -66,7 +67,7 @@ namespace samara
     std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
 
     std::vector<double> pieces, pieces_after; ///< of laws that switch
-    double              across = 0;           ///< length of the step that goes across a switch; 0: none is near [s]
+    double              across       = 0;     ///< length of the step that goes across a switch; 0: none is near [s]
     double              first_switch = 0;     ///< time of the first of the switches that are counted [s]
     unsigned int        n_switches   = 0;     ///< since, without as much as a step of the given size between them all
 
@@ -81,7 +82,7 @@ namespace samara
 
     double corner(double from, double to) const;
     /** @throws NotConverged if laws switch again and again, and time does not go on. */
-    void   count_switch(double time);
+    void count_switch(double time);
     /** Shorten a step within which a law switches, so that it ends before. */
     void   stop_before_switch(const State &state, double &h, Advance &result);
     bool   attempt(const State &state, double &h, Advance &result);
