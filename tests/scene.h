@@ -105,6 +105,23 @@ namespace samara
       return input.model.probe(probe).value(context.state);
     }
   };
+
+
+
+  /** What is said of a faulty model; "" if it is right. */
+  inline std::string
+  complaint_of(const std::string &model)
+  {
+    try
+      {
+        Scene scene(model);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
 } // namespace samara
 
 #endif

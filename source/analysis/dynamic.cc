@@ -109,12 +109,16 @@ namespace samara
   std::unique_ptr<Integrator>
   DynamicAnalysis::make_integrator(const System &system, const double tolerance) const
   {
-    if (integrator != "family" && system.layout.n_states > 0)
-      throw InputError(parameters.where("Integrator") + ": <" + integrator +
-                       "> knows no states of first order; the integrator <family> does");
-    if (integrator != "family")
-      return make_rival(integrator, system, {spectral_radius, tolerance, max_iterations, this->tolerance});
-    return std::make_unique<StageIntegrator>(system, Tableau(n_stages, spectral_radius), tolerance, max_iterations);
+    if (integrator == "family")
+      return std::make_unique<StageIntegrator>(system, Tableau(n_stages, spectral_radius), tolerance, max_iterations);
+    try
+      {
+        return make_rival(integrator, system, {spectral_radius, tolerance, max_iterations, this->tolerance});
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        throw InputError(parameters.where("Integrator") + ": " + problem.what());
+      }
   }
 
 

@@ -78,11 +78,8 @@ namespace samara
     {
       const double        length = model_length(system.model);
       std::vector<double> units(system.layout.of_multiplier(0), 1.);
-      for (int i = 0; i < system.layout.of_coordinate(0); ++i)
-        units[i] = i % 6 < 3 ? length : 1.;
-      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        if (system.model.coordinate_units[i] == "m")
-          units[system.layout.of_coordinate(i)] = length;
+      for (int i = 0; i < system.layout.n_kinematic(); ++i)
+        units[i] = system.layout.is_length(i) ? length : 1.;
       for (unsigned int i = 0; i < system.layout.n_states; ++i)
         units[system.layout.of_state(i)] = system.model.states[i].scale;
       return units;

@@ -47,10 +47,7 @@ namespace samara
               {
                 number[i] = unknowns.size();
                 unknowns.push_back(i);
-                const bool is_node = i < layout.of_coordinate(0);
-                const bool is_length =
-                  is_node ? i % 6 < 3 : system.model.coordinate_units[i - layout.of_coordinate(0)] == "m";
-                unit.push_back(is_length ? 1. : length);
+                unit.push_back(layout.is_length(i) ? 1. : length);
               }
       }
 

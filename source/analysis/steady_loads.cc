@@ -88,7 +88,7 @@ namespace samara
       const unsigned int coordinate = system.layout.of_coordinate(0);
       const bool         at_node    = row < coordinate;
       result.share                  = reference > 0 ? std::min(1., size / reference) : 1.;
-      result.is_moment              = at_node ? row % 6 == 3 : system.model.coordinate_units[row - coordinate] != "m";
+      result.is_moment              = !system.layout.is_length(row);
       result.force                  = result.is_moment ? size * change.length : size;
       result.body = at_node ? system.model.nodes[row / 6 + 1].name : system.model.coordinates[row - coordinate];
       double most = 0;

@@ -41,7 +41,8 @@ namespace samara
     formula = Formula(text, variables);
     source  = with_paths(text, paths);
 
-    switches_of_time = formula.switches_of_first_variable();
+    for (const auto &part : formula.switches_of_first_variable())
+      switches_of_time.emplace_back(part);
   }
 
 
@@ -62,7 +63,7 @@ namespace samara
       return time_function.next_corner(from, to);
     double first = std::numeric_limits<double>::infinity();
     for (const auto &part : switches_of_time)
-      first = std::min(first, ScalarFunction(part).next_corner(from, to));
+      first = std::min(first, part.next_corner(from, to));
     return first;
   }
 
@@ -133,6 +134,18 @@ namespace samara
       return i == text.size() || !is_word_character(text[i]);
     }
 
+    std::string
+    with_single_blanks(const std::string &text)
+    {
+      std::string result;
+      for (const char c : text)
+        if (std::isspace(static_cast<unsigned char>(c)) == 0)
+          result += c;
+        else if (!result.empty() && result.back() != ' ')
+          result += ' ';
+      return result;
+    }
+
     /** Where the point "tip" of "tip.velocity x" ends, with its dot; @p at if there is no point. */
     std::size_t
     end_of_point(const std::string &text, const std::size_t at)
@@ -155,9 +168,8 @@ namespace samara
   void
   SignalNames::add_object(const std::string &name)
   {
-    const auto shorter =
-      std::find_if(objects.begin(), objects.end(), [&](const auto &other) { return other.size() < name.size(); });
-    objects.insert(shorter, name);
+    objects.insert(name);
+    longest = std::max(longest, name.size());
   }
 
 
@@ -165,7 +177,7 @@ namespace samara
   void
   SignalNames::add_state(const std::string &name, const std::string &unit)
   {
-    states.emplace_back(name, unit);
+    states[name] = unit;
   }
 
 
@@ -173,10 +185,8 @@ namespace samara
   std::string
   SignalNames::unit_of_state(const std::string &name) const
   {
-    for (const auto &[state, unit] : states)
-      if (state == name)
-        return unit;
-    return "";
+    const auto found = states.find(name);
+    return found == states.end() ? "" : found->second;
   }
 
 
@@ -201,6 +211,38 @@ namespace samara
 
 
 
+  SignalNames::Found
+  SignalNames::signal_of_object(const std::string &text,
+                                const std::size_t  begin,
+                                const std::string &object,
+                                const std::size_t  after_object)
+  {
+    const std::size_t quantity = end_of_point(text, after_object);
+    std::string       longest;
+    std::size_t       end_of_longest = quantity, end = quantity;
+    for (const auto &[name, unit] : units_of_quantities())
+      if (name.size() > longest.size() && has_words(text, quantity, name, end))
+        {
+          longest        = name;
+          end_of_longest = end;
+        }
+    if (longest.empty())
+      {
+        std::size_t stop = quantity;
+        while (stop < text.size() && (is_word_character(text[stop]) || text[stop] == ' '))
+          ++stop;
+        const std::string given = trim(text.substr(quantity, stop - quantity));
+        throw std::invalid_argument("<" + text + ">: <" + given + "> of <" + object +
+                                    "> cannot stand in an expression" + did_you_mean(given, known_quantities()));
+      }
+    return {begin,
+            end_of_longest,
+            object + "." + text.substr(after_object, quantity - after_object) + longest,
+            unit_of(longest)};
+  }
+
+
+
   std::vector<SignalNames::Found>
   SignalNames::find(const std::string &text) const
   {
@@ -211,48 +253,23 @@ namespace samara
                                  (i == 0 || (!is_word_character(text[i - 1]) && text[i - 1] != '.'));
         if (!begins_word)
           continue;
-        std::size_t end    = i;
-        const auto  object = std::find_if(objects.begin(), objects.end(), [&](const auto &name) {
-          return has_words(text, i, name, end) && end < text.size() && text[end] == '.';
-        });
-        if (object != objects.end())
+        // the name of an object goes up to a dot, that of a state is a word
+        const std::size_t dot = text.find('.', i);
+        const std::string object =
+          dot == std::string::npos || dot - i > 2 * longest ? "" : with_single_blanks(text.substr(i, dot - i));
+        if (objects.count(object) > 0)
           {
-            const std::size_t after_object = end + 1, quantity = end_of_point(text, after_object);
-            std::string       longest;
-            std::size_t       end_of_longest = quantity;
-            for (const auto &name : known_quantities())
-              if (name.size() > longest.size() && has_words(text, quantity, name, end))
-                {
-                  longest        = name;
-                  end_of_longest = end;
-                }
-            if (longest.empty())
-              {
-                std::size_t stop = quantity;
-                while (stop < text.size() && (is_word_character(text[stop]) || text[stop] == ' '))
-                  ++stop;
-                const std::string given = trim(text.substr(quantity, stop - quantity));
-                throw std::invalid_argument("<" + text + ">: <" + given + "> of <" + *object +
-                                            "> cannot stand in an expression" +
-                                            did_you_mean(given, known_quantities()));
-              }
-            result.push_back({i,
-                              end_of_longest,
-                              *object + "." + text.substr(after_object, quantity - after_object) + longest,
-                              unit_of(longest)});
-            i = end_of_longest - 1;
+            result.push_back(signal_of_object(text, i, object, dot + 1));
+            i = result.back().end - 1;
             continue;
           }
-        const auto state =
-          std::find_if(states.begin(), states.end(), [&](const auto &s) { return has_words(text, i, s.first, end); });
+        std::size_t end = i;
+        while (end < text.size() && is_word_character(text[end]))
+          ++end;
+        const auto state = states.find(text.substr(i, end - i));
         if (state != states.end() && (end == text.size() || text[end] != '('))
-          {
-            result.push_back({i, end, state->first, state->second});
-            i = end - 1;
-            continue;
-          }
-        while (i + 1 < text.size() && is_word_character(text[i + 1]))
-          ++i;
+          result.push_back({i, end, state->first, state->second});
+        i = end - 1;
       }
     return result;
   }

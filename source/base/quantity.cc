@@ -256,12 +256,9 @@ namespace samara
         }
       return result;
     }
-  } // namespace
 
 
 
-  namespace
-  {
     /** Whether two laws of the same signals have different values at some places. */
     bool
     differ(const Law &a, const Law &b)

@@ -61,13 +61,14 @@ namespace samara
 
 
 
-  std::vector<double>
+  const double *
   Response::variables(const Point<double> &point) const
   {
-    std::vector<double> result = {point.time};
+    thread_local std::vector<double> result;
+    result.assign(1, point.time);
     for (const auto &signal : signals)
       result.push_back(signal->value(point));
-    return result;
+    return result.data();
   }
 
 
@@ -76,7 +77,7 @@ namespace samara
   double
   Response::operator()(const Point<double> &point) const
   {
-    return law.value(variables(point).data());
+    return law.value(variables(point));
   }
 
 
@@ -114,10 +115,10 @@ namespace samara
   double
   Response::rate(const Point<double> &point) const
   {
-    const std::vector<double> x   = variables(point);
-    double                    sum = law.derivative(x.data(), 0);
+    const double *const x   = variables(point);
+    double              sum = law.derivative(x, 0);
     for (unsigned int i = 0; i < signals.size(); ++i)
-      sum += law.derivative(x.data(), i + 1) * signals[i]->rate(point);
+      sum += law.derivative(x, i + 1) * signals[i]->rate(point);
     return sum;
   }
 
@@ -129,7 +130,7 @@ namespace samara
     if (!law.has_pieces())
       return;
     std::vector<double> own;
-    law.pieces(variables(point).data(), own);
+    law.pieces(variables(point), own);
     result.insert(result.end(), own.begin(), own.end());
   }
 
@@ -140,14 +141,14 @@ namespace samara
   Response::add(const Point<double> &point, const Eigen::VectorXd &c, SparseMatrix &A) const
   {
     AssertDimension(c.size(), n_rows);
-    const std::vector<double> x = variables(point);
-    std::vector<double>       place, velocity;
+    const double *const              x = variables(point);
+    thread_local std::vector<double> place, velocity;
     // one row of the local matrix for each coefficient, as if it were 1
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(block.size());
     for (unsigned int s = 0; s < signals.size(); ++s)
       {
         const Signal &signal = *signals[s];
-        const double  slope  = law.derivative(x.data(), s + 1);
+        const double  slope  = law.derivative(x, s + 1);
         if (slope == 0)
           continue;
         place.assign(signal_places[s].size(), 0.);

@@ -25,84 +25,51 @@ namespace samara
 
 
 
-    class CoordinateSignal : public EvaluatedSignal<CoordinateSignal>
+    /** One number of the state: a coordinate of a joint, more by an offset, its rate, a state of first order. */
+    class NumberSignal : public EvaluatedSignal<NumberSignal>
     {
     public:
-      CoordinateSignal(const unsigned int coordinate, const double offset)
-        : offset(offset)
+      enum Kind
       {
-        coordinates = {coordinate};
+        coordinate,
+        coordinate_rate,
+        state
+      };
+
+      NumberSignal(const Kind kind, const unsigned int number, const double offset = 0)
+        : kind(kind)
+        , number(number)
+        , offset(offset)
+      {
+        (kind == state ? states : coordinates) = {number};
       }
 
       template <typename Number>
       Number
       value_at(const Point<Number> &point) const
       {
-        return point.coordinates[coordinates[0]] + offset;
-      }
-
-      void
-      add_gradient(const Point<double> &, double *by_place, double *) const override
-      {
-        by_place[0] += 1;
-      }
-
-    private:
-      double offset;
-    };
-
-
-
-    class RateSignal : public EvaluatedSignal<RateSignal>
-    {
-    public:
-      explicit RateSignal(const unsigned int coordinate)
-      {
-        coordinates = {coordinate};
-      }
-
-      template <typename Number>
-      Number
-      value_at(const Point<Number> &point) const
-      {
-        return point.rates[coordinates[0]];
-      }
-
-      void
-      add_gradient(const Point<double> &, double *, double *by_velocity) const override
-      {
-        by_velocity[0] += 1;
-      }
-    };
-
-
-
-    class StateSignal : public EvaluatedSignal<StateSignal>
-    {
-    public:
-      explicit StateSignal(const unsigned int state)
-      {
-        states = {state};
-      }
-
-      template <typename Number>
-      Number
-      value_at(const Point<Number> &point) const
-      {
-        return point.states[states[0]];
+        return (kind == coordinate      ? point.coordinates :
+                kind == coordinate_rate ? point.rates :
+                                          point.states)[number] +
+               offset;
       }
 
       double
       rate(const Point<double> &point) const override
       {
-        return point.state_rates[states[0]];
+        return kind == state ? point.state_rates[number] : 0.;
       }
 
       void
-      add_gradient(const Point<double> &, double *by_place, double *) const override
+      add_gradient(const Point<double> &, double *by_place, double *by_velocity) const override
       {
-        by_place[0] += 1;
+        (kind == coordinate_rate ? by_velocity : by_place)[0] += 1;
       }
+
+    private:
+      Kind         kind;
+      unsigned int number;
+      double       offset;
     };
 
 
@@ -178,7 +145,7 @@ namespace samara
   SignalPointer
   coordinate_signal(const unsigned int coordinate, const double offset)
   {
-    return std::make_shared<CoordinateSignal>(coordinate, offset);
+    return std::make_shared<NumberSignal>(NumberSignal::coordinate, coordinate, offset);
   }
 
 
@@ -186,7 +153,7 @@ namespace samara
   SignalPointer
   rate_signal(const unsigned int coordinate)
   {
-    return std::make_shared<RateSignal>(coordinate);
+    return std::make_shared<NumberSignal>(NumberSignal::coordinate_rate, coordinate);
   }
 
 
@@ -194,7 +161,7 @@ namespace samara
   SignalPointer
   state_signal(const unsigned int state)
   {
-    return std::make_shared<StateSignal>(state);
+    return std::make_shared<NumberSignal>(NumberSignal::state, state);
   }
 
 

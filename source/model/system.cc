@@ -201,8 +201,7 @@ namespace samara
     Point<double> point = state.point();
     point.material      = with_material;
     add_damping(point, C);
-    for (unsigned int i = 0; i < layout.n_states; ++i)
-      C.values[C.pattern->position(layout.of_state(i), layout.of_state(i))] += 1.;
+    add_state_damping(C);
     add_nodal(layout, C, [&](const unsigned int node) -> Matrix6 {
       const Eigen::Map<const Vector6> y(&state.y[6 * node]);
       const Matrix6                  &M = model.nodes[node].inertia;

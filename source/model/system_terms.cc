@@ -188,6 +188,15 @@ namespace samara
 
 
   void
+  System::add_state_damping(SparseMatrix &C) const
+  {
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      C.values[C.pattern->position(layout.of_state(i), layout.of_state(i))] += 1.;
+  }
+
+
+
+  void
   System::add_constraint_tangent(const Point<double> &point, SparseMatrix &K) const
   {
     for (const auto *c : layout.constraints)

@@ -139,9 +139,7 @@ namespace samara
     std::vector<double> disorder(layout.n_kinematic());
     for (unsigned int i = 0; i < disorder.size(); ++i)
       {
-        const unsigned int coordinate = layout.of_coordinate(0);
-        const bool in_metres = i < coordinate ? i % 6 < 3 : system.model.coordinate_units[i - coordinate] == "m";
-        disorder[i]          = speed * (in_metres ? length : 1.) * std::cos(1. + 2.4 * i);
+        disorder[i] = speed * (layout.is_length(i) ? length : 1.) * std::cos(1. + 2.4 * i);
       }
     const auto stresses = [&](const std::vector<double> &y) {
       std::vector<double> twists(6 * layout.n_nodes, 0.), e(layout.n_strains, 0.), none(e), result(e);

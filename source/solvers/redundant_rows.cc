@@ -1,5 +1,6 @@
 #include <samara/solvers/newton.h>
 #include <samara/solvers/redundant_rows.h>
+#include <samara/solvers/row_scale.h>
 
 #include <Eigen/SparseQR>
 
@@ -44,11 +45,8 @@ namespace samara
     , is_absent(m, false)
     , no_multipliers(m, 0.)
   {
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      std::fill_n(unit.begin() + system.layout.of_node(node) + 3, 3, length);
-    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-      if (system.model.coordinate_units[i] != "m")
-        unit[system.layout.of_coordinate(i)] = length;
+    for (int i = 0; i < system.layout.n_kinematic(); ++i)
+      unit[i] = system.layout.is_length(i) ? 1. : length;
   }
 
 
@@ -60,18 +58,10 @@ namespace samara
     Point<double> point = state.point();
     point.multipliers   = no_multipliers.data(); // the rows alone
     system.add_constraint_tangent(point, K);
-    const Pattern &all = *K.pattern;
     for (int i = 0; i < m; ++i)
       {
-        const int column = n + i;
-        double    square = 0, diagonal = 0;
-        for (int k = all.column_start[column]; k < all.column_start[column + 1]; ++k)
-          if (all.rows[k] < n)
-            square += std::pow(K.values[k] / unit[all.rows[k]], 2);
-          else if (all.rows[k] == column)
-            diagonal = K.values[k];
-        scale[i]     = square > 0 ? 1 / std::sqrt(square) : 0.;
-        is_absent[i] = square == 0 && diagonal != 0;
+        scale[i]     = row_scale(system.layout, K, i, length);
+        is_absent[i] = scale[i] == 0 && K.values[K.pattern->position(n + i, n + i)] != 0;
       }
   }
 

@@ -119,13 +119,5 @@ namespace samara
 
 
 
-  std::vector<std::string>
-  FirstOrder::probe_names() const
-  {
-    return {};
-  }
-
-
-
   template class Evaluated<FirstOrder, StateEquation>;
 } // namespace samara

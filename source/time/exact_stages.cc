@@ -153,8 +153,7 @@ namespace samara
     C.clear();
     system.add_tangent(stage, K);
     system.add_damping(stage, C);
-    for (unsigned int i = 0; i < layout.n_states; ++i)
-      C.values[C.pattern->position(layout.of_state(i), layout.of_state(i))] += 1.;
+    system.add_state_damping(C);
     // rows of constraints: G to C, Ġ to K. G N is quadratic in q, or nearly so, and differences along q̇ are its
     // derivative
     const double dt = 0.1 * h;

@@ -250,10 +250,12 @@ namespace samara
   void
   Projection::report(State &state)
   {
-    system.find_state_rates(state);
     factorize(state);
     if (system.layout.n_multipliers > 0)
-      project(state);
+      {
+        system.find_state_rates(state);
+        project(state);
+      }
     system.stresses(state, state.stress);
     const std::vector<double> a = solve_for_accelerations(state);
     state.accelerations.assign(6, 0.);
@@ -265,6 +267,7 @@ namespace samara
   std::vector<double>
   Projection::solve_for_accelerations(State &state)
   {
+    system.find_state_rates(state);
     const bool was_held = state.held;
     state.held          = false;
     std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
@@ -293,7 +296,6 @@ namespace samara
     // rates of states are known, and in Ġ y already
     std::fill_n(b.begin() + system.layout.of_state(0), system.layout.n_states, 0.);
     solve();
-    system.find_state_rates(state);
     std::copy(state.state_rates.begin(), state.state_rates.end(), b.begin() + system.layout.of_state(0));
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       state.multipliers[i] = b[system.layout.of_multiplier(i)];

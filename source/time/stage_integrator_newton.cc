@@ -2,6 +2,7 @@
 
 #include <samara/base/threads.h>
 #include <samara/solvers/part_without.h>
+#include <samara/solvers/row_scale.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -109,28 +110,6 @@ namespace samara
 
 
   void
-  StageIntegrator::measure_rows()
-  {
-    const Layout &layout = system.layout;
-    gap_scale.assign(layout.n_multipliers, 0.);
-    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
-      {
-        const int column = layout.of_multiplier(i);
-        for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
-          if (const int j = K.pattern->rows[k]; j < layout.n_kinematic())
-            {
-              const bool is_length = j < layout.of_coordinate(0) ?
-                                       j % 6 < 3 :
-                                       system.model.coordinate_units[j - layout.of_coordinate(0)] == "m";
-              gap_scale[i] += std::pow(K.values[k] / (is_length ? 1. : length), 2);
-            }
-        gap_scale[i] = gap_scale[i] > 0 ? 1 / std::sqrt(gap_scale[i]) : 1.;
-      }
-  }
-
-
-
-  void
   StageIntegrator::factorize(const double h)
   {
     // where a matrix is singular there are no factors, whatever the next step is
@@ -139,7 +118,12 @@ namespace samara
     system.tangent(frozen, K);
     for (const auto i : left_out)
       K.values[K.pattern->position(system.layout.of_multiplier(i), system.layout.of_multiplier(i))] = 1;
-    measure_rows();
+    // what has no row in the matrix is measured as it is
+    for (unsigned int i = 0; i < gap_scale.size(); ++i)
+      {
+        const double scale = row_scale(system.layout, K, i, length);
+        gap_scale[i]       = scale > 0 ? scale : 1.;
+      }
     Point<double> point = frozen.point();
     point.multipliers   = no_multipliers.data();
     frozen_strains->renew(point);

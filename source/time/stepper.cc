@@ -39,7 +39,7 @@ namespace samara
   Stepper::Memory
   Stepper::memory() const
   {
-    const std::vector<double> window = {window_start, double(n_in_window), across, first_switch, double(n_switches)};
+    const std::vector<double> window = {steps.start, double(steps.n), across, switches.start, double(switches.n)};
     if (!controller)
       return {next_step, {}, {}, steady_twists, window};
     return {next_step, controller->memory(), error->memory(), steady_twists, window};
@@ -53,12 +53,10 @@ namespace samara
     steady_twists = memory.steady_twists;
     if (with_steps)
       {
-        next_step    = memory.next_step;
-        window_start = memory.window.at(0);
-        n_in_window  = memory.window.at(1);
-        across       = memory.window.at(2);
-        first_switch = memory.window.at(3);
-        n_switches   = memory.window.at(4);
+        next_step = memory.next_step;
+        steps     = {memory.window.at(0), static_cast<unsigned int>(memory.window.at(1))};
+        across    = memory.window.at(2);
+        switches  = {memory.window.at(3), static_cast<unsigned int>(memory.window.at(4))};
       }
     if (!controller || memory.of_controller.empty())
       return;
@@ -132,17 +130,25 @@ namespace samara
 
 
 
+  unsigned int
+  Stepper::Count::add(const double time, const double window)
+  {
+    if (n == 0 || time - start >= window || time < start)
+      {
+        start = time;
+        n     = 0;
+      }
+    return ++n;
+  }
+
+
+
   void
   Stepper::require_progress(const State &before)
   {
     constexpr unsigned int most_in_window = 2000;
     constexpr double       window         = 0.1;
-    if (n_in_window == 0 || before.time - window_start >= window * fixed_step || before.time < window_start)
-      {
-        window_start = before.time;
-        n_in_window  = 0;
-      }
-    if (++n_in_window <= most_in_window)
+    if (steps.add(before.time, window * fixed_step) <= most_in_window)
       return;
     std::ostringstream text;
     text << "t = " << before.time << " s: " << most_in_window << " steps together have not come as far as " << window
@@ -153,7 +159,7 @@ namespace samara
 
 
   bool
-  Stepper::attempt(const State &state, double &h, Advance &result)
+  Stepper::has_solution(const State &state, const double h, Advance &result)
   {
     trial       = state;
     result.step = {};
@@ -165,7 +171,15 @@ namespace samara
       {
         // gone astray: no solution
       }
-    if (result.step.converged)
+    return result.step.converged;
+  }
+
+
+
+  bool
+  Stepper::attempt(const State &state, double &h, Advance &result)
+  {
+    if (has_solution(state, h, result))
       return true;
     ++result.n_failed;
     if (h / 2 < smallest_step)
@@ -186,12 +200,7 @@ namespace samara
   Stepper::count_switch(const double time)
   {
     constexpr unsigned int most = 200;
-    if (n_switches == 0 || time - first_switch > fixed_step || time < first_switch)
-      {
-        first_switch = time;
-        n_switches   = 0;
-      }
-    if (++n_switches > most)
+    if (switches.add(time, fixed_step) > most)
       throw NotConverged("t = " + number_to_text(time) + " s: laws of the state have switched " + std::to_string(most) +
                          " times within " + number_to_text(fixed_step) +
                          " s: the motion slides along a switch. Give it a smooth law there, tanh(x/width) for sign(x)");
@@ -216,17 +225,7 @@ namespace samara
     // bisection; from the first time on that is not beyond the switch, steps have a solution
     const auto step_of = [&](const double size) {
       integrator.step_back();
-      trial       = state;
-      result.step = {};
-      try
-        {
-          result.step = integrator.step(trial, size);
-        }
-      catch (const SingularMatrix &)
-        {
-          // no solution
-        }
-      return result.step.converged;
+      return has_solution(state, size, result);
     };
     double before = 0, after = h;
     while (after - before > resolution * h)

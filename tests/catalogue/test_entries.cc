@@ -2,6 +2,8 @@
 // written must differ. An entry that nobody has listed here or in test_analysis_entries.cc fails; so does one that changes
 // nothing.
 
+#include "../states/scenes.h"
+
 #include "catalogued.h"
 
 using namespace samara;
@@ -228,41 +230,13 @@ TEST_F(Catalogued, Bodies)
 
 TEST_F(Catalogued, States)
 {
-  const std::string model = R"(
-set Analyses = dynamic
-subsection States
-  subsection it
-    set Rate    = 3*sin(t) - 30*it^3 + 0.01*slide.displacement rate
-    set Initial = 1
-  end
-end
-subsection Bodies
-  subsection mass
-    set Type     = rigid body
-    set Mass     = 2
-    set Inertia  = 1, 1, 1
-    set Velocity = 0, 0, 1
-  end
-end
-subsection Joints
-  subsection slide
-    set Type   = prismatic
-    set Body A = ground
-    set Body B = mass.centre
-    subsection displacement
-      set Force = -2*it
-    end
-  end
-end
-subsection Dynamic
-  set End time  = 0.5
-  set Step     = 0.05
-  set Newton tolerance = 1e-4
-end
-subsection Output
-  set Probes = it, slide.displacement
-end
-)";
+  const std::string model =
+    "set Analyses = dynamic\n" +
+    on_a_slide("subsection it\n set Rate = 3*sin(t) - 30*it^3 + 0.01*slide.displacement rate\n"
+               " set Initial = 1\n end\n",
+               "set Force = -2*it") +
+    "subsection Dynamic\n set End time = 0.5\n set Step = 0.05\n set Newton tolerance = 1e-4\nend\n"
+    "subsection Output\n set Probes = it, slide.displacement\nend\n";
   check("first order",
         model,
         "States/it",

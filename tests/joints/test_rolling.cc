@@ -111,15 +111,7 @@ namespace
   std::string
   complaint(const std::string &joint)
   {
-    try
-      {
-        Scene scene(two_bodies(joint));
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
+    return complaint_of(two_bodies(joint));
   }
 } // namespace
 

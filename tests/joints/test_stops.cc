@@ -19,20 +19,6 @@ namespace
   }
 
   const std::string both_stops = "set Lower stop = -0.5\nset Upper stop = 0.4\nset Stop stiffness = 10\n";
-
-  std::string
-  complaint(const std::string &text)
-  {
-    try
-      {
-        Scene scene(text);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
 } // namespace
 
 
@@ -164,7 +150,7 @@ TEST(Stops, DampingIsDissipation)
 TEST(Stops, RefusesWhatIsSenseless)
 {
   const auto refused = [](const std::string &entries, const std::string &words) {
-    const std::string text = complaint(model("revolute", "rotation", entries));
+    const std::string text = complaint_of(model("revolute", "rotation", entries));
     EXPECT_NE(text.find(words), std::string::npos) << entries << text;
   };
   refused("set Lower stop = -1\n", "the stop of the rotation needs a <Stop stiffness> above zero");
@@ -174,5 +160,5 @@ TEST(Stops, RefusesWhatIsSenseless)
   refused("set Upper stop = 1 m\nset Stop stiffness = 3\n", "<Upper stop>");
   refused("set Lower stop = 1\nset Upper stop = 1\nset Stop stiffness = 3\n",
           "the <Upper stop> of the rotation must be above its <Lower stop>");
-  EXPECT_EQ(complaint(model("revolute", "rotation", both_stops)), "");
+  EXPECT_EQ(complaint_of(model("revolute", "rotation", both_stops)), "");
 }

@@ -5,17 +5,11 @@
 
 namespace samara
 {
-  /** A mass on a spring with a lag of its motion that pushes back, and a damper that saturates. */
+  /** 2 kg on a slide along z, with @p states of first order and the entries of the slide's displacement. */
   inline std::string
-  oscillator_with_lag()
+  on_a_slide(const std::string &states, const std::string &displacement)
   {
-    return R"(
-subsection States
-  subsection lag
-    set Rate = (slide.displacement + 0.2*slide.displacement^3 - lag + 0.1*sin(3*t))/(0.15 s)
-    set Initial = 0.4
-  end
-end
+    return "subsection States\n" + states + R"(end
 subsection Bodies
   subsection m
     set Type = rigid body
@@ -30,12 +24,26 @@ subsection Joints
     set Body A = ground
     set Body B = m.centre
     subsection displacement
+)" + displacement +
+           "\n    end\n  end\nend\n";
+  }
+
+
+
+  /** On a spring with a lag of its motion that pushes back, and a damper that saturates. */
+  inline std::string
+  oscillator_with_lag()
+  {
+    return on_a_slide(R"(
+  subsection lag
+    set Rate = (slide.displacement + 0.2*slide.displacement^3 - lag + 0.1*sin(3*t))/(0.15 s)
+    set Initial = 0.4
+  end
+)",
+                      R"(
       set Spring = 50
       set Force = 3 N*cos(2*t) - 20 N * lag - 4 N * tanh(slide.displacement rate / 0.5 m/s)
-    end
-  end
-end
-)";
+)");
   }
 
 

@@ -39,6 +39,21 @@ namespace
     return {record.state.q, record.state.y, record.state.states};
   }
 
+  /** A bar of 2 kg on a hinge about y at its end, with states and the entries of the hinge's rotation. */
+  std::string
+  bar(const std::string &states, const std::string &rotation)
+  {
+    return "subsection States\n" + states + "end\nsubsection Bodies\n" +
+           systems::rigid_body("bar", "set Mass = 2\n set Position = 0.5, 0, 0\n set Inertia = 0.1, 0.2, 0.3\n") +
+           "end\nsubsection Joints\n" +
+           systems::joint(
+             "h",
+             "revolute",
+             "set Axis = 0, 1, 0\n set Body A = ground\n set Body B = bar.centre\n set Position = 0, 0, 0\n" +
+               systems::motion("rotation", rotation)) +
+           "end\n";
+  }
+
   void
   expect_orders(const std::string &text,
                 const double       T,
@@ -132,39 +147,15 @@ TEST(FirstOrderStates, EnergyStatement)
 // A body on a hinge is held up by a controller with an integral: at rest the integral balances the weight.
 TEST(FirstOrderStates, StaticsFindWhereRatesVanish)
 {
-  const std::string text = R"(
-subsection States
+  const std::string text = bar(R"(
   subsection integral
     set Rate = 0.3 - h.rotation
     set Unit = s
   end
-end
-subsection Bodies
-  subsection bar
-    set Type = rigid body
-    set Mass = 2
-    set Position = 0.5, 0, 0
-    set Inertia = 0.1, 0.1, 0.1
-  end
-end
-subsection Joints
-  subsection h
-    set Type = revolute
-    set Axis = 0, 1, 0
-    set Body A = ground
-    set Body B = bar.centre
-    set Position = 0, 0, 0
-    subsection rotation
+)",
+                               R"(
       set Moment = 40 N m * (0.3 - h.rotation) - 2 N m s * h.rotation rate + 60 N m/s * integral
-    end
-  end
-end
-subsection Loads
-  subsection weight
-    set Type = gravity
-  end
-end
-)";
+)") + "subsection Loads\n subsection weight\n set Type = gravity\n end\nend\n";
   Scene             scene(text);
   scene.equilibrium();
   EXPECT_NEAR(scene.value("h.rotation"), 0.3 * 180 / M_PI, 1e-9);
@@ -193,32 +184,14 @@ TEST(FirstOrderStates, OtherIntegratorsSayThatTheyKnowNone)
 // A hinge that is driven by an autopilot with a lag: its angle is what the state says, its rate that of the state.
 TEST(FirstOrderStates, DriveWhatIsPrescribed)
 {
-  const std::string text = R"(
-subsection States
+  const std::string text = bar(R"(
   subsection autopilot
     set Rate = (1 - autopilot)/(0.2 s)
   end
-end
-subsection Bodies
-  subsection bar
-    set Type = rigid body
-    set Mass = 2
-    set Position = 0.5, 0, 0
-    set Inertia = 0.1, 0.2, 0.3
-  end
-end
-subsection Joints
-  subsection h
-    set Type = revolute
-    set Body A = ground
-    set Body B = bar.centre
-    set Position = 0, 0, 0
-    subsection rotation
+)",
+                               R"(
       set Prescribed = 0.1 rad * sin(20*t) + 0.3*autopilot
-    end
-  end
-end
-)";
+)");
   const Scene       scene(text);
   const System     &system = scene.system;
   const double      T = 0.4, lag = std::exp(-T / 0.2), angle = 0.1 * std::sin(20 * T) + 0.3 * (1 - lag),
@@ -247,13 +220,9 @@ end
 TEST(FirstOrderStates, ReactionsOfWhatTheyDrive)
 {
   const auto force = [](const bool by_state) {
-    const Scene scene(
-      "subsection States\n subsection v\n set Rate = -100*z\n set Initial = 10\n end\n subsection z\n"
-      " set Rate = v\n end\nend\n"
-      "subsection Bodies\n subsection m\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\n"
-      "end\nsubsection Joints\n subsection slide\n set Type = prismatic\n set Body A = ground\n"
-      " set Body B = m.centre\n subsection displacement\n set Prescribed = " +
-      std::string(by_state ? "1 m*z" : "sin(10*t)") + "\n end\n end\nend\n");
+    const Scene scene(on_a_slide("subsection v\n set Rate = -100*z\n set Initial = 10\n end\n"
+                                 " subsection z\n set Rate = v\n end\n",
+                                 std::string("set Prescribed = ") + (by_state ? "1 m*z" : "sin(10*t)")));
     Record record = run(scene.system, started(scene.system), Tableau(3, 1.), 0.01, 100);
     Projection(scene.system).report(record.state);
     EXPECT_NEAR(record.state.accelerations[6 + 2], -100 * std::sin(10.), 1e-3);
@@ -263,6 +232,6 @@ TEST(FirstOrderStates, ReactionsOfWhatTheyDrive)
       }
     return scene.input.model.probe("slide.force 3").value(record.state);
   };
-  EXPECT_NEAR(force(false), -100 * std::sin(10.), 1e-2);
+  EXPECT_NEAR(force(false), -200 * std::sin(10.), 1e-2);
   EXPECT_NEAR(force(true), force(false), 1e-3);
 }

@@ -36,20 +36,6 @@ namespace
       }
     return "";
   }
-
-  std::string
-  complaint(const std::string &text)
-  {
-    try
-      {
-        Scene scene(text);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
 } // namespace
 
 
@@ -108,7 +94,8 @@ TEST(Laws, StatesHaveNamesOfTheirOwn)
     {
       std::string text = oscillator_with_lag();
       text.replace(text.find("subsection lag"), 14, "subsection " + name);
-      EXPECT_NE(complaint(text).find("state <" + name + ">"), std::string::npos) << name << ": " << complaint(text);
+      EXPECT_NE(complaint_of(text).find("state <" + name + ">"), std::string::npos)
+        << name << ": " << complaint_of(text);
     }
 }
 
@@ -181,10 +168,10 @@ TEST(Laws, UnknownSignalsHaveTheirLine)
 {
   std::string text = oscillator_with_lag();
   text.replace(text.find("20 N * lag"), 10, "20 N*s/m * m.velocity q");
-  EXPECT_NE(complaint(text).find(":2"), std::string::npos) << complaint(text);
+  EXPECT_NE(complaint_of(text).find(":2"), std::string::npos) << complaint_of(text);
   text = oscillator_with_lag();
   text.replace(text.find("20 N * lag"), 10, "20 N*s/m * m.tip.velocity x");
-  EXPECT_NE(complaint(text).find("has no point <tip>"), std::string::npos) << complaint(text);
+  EXPECT_NE(complaint_of(text).find("has no point <tip>"), std::string::npos) << complaint_of(text);
 }
 
 

@@ -3,115 +3,17 @@
 // References: the family with three stages, whose errors are below 1e-10 here; orders of theory (doc/theory/rivals.md).
 
 #include <samara/time/rival_bdf.h>
-#include <samara/time/rival_energy_decaying.h>
 #include <samara/time/rivals.h>
 
 #include "../dynamics/motion.h"
 
-#include "systems.h"
+#include "rival_trial.h"
 
 using namespace samara;
 using namespace samara::systems;
 
 namespace
 {
-  MovingSystem
-  system_named(const std::string &name)
-  {
-    for (const MovingSystem &what : moving_systems())
-      if (what.name == name)
-        return what;
-    throw std::invalid_argument(name);
-  }
-
-  RivalSettings
-  settings(const double rho, const double tolerance = 1e-4)
-  {
-    RivalSettings s;
-    s.spectral_radius  = rho;
-    s.newton_tolerance = 1e-12;
-    s.tolerance        = tolerance;
-    return s;
-  }
-
-  /** Errors at the end; of velocities, multipliers and accelerations against what is reported of the reference. */
-  struct Errors
-  {
-    double q, y, multipliers, accelerations;
-  };
-
-  /** A system with the answer at the end. */
-  struct Trial
-  {
-    MovingSystem what;
-    Scene        scene;
-    State        start, answer;
-
-    explicit Trial(const MovingSystem &system)
-      : what(system)
-      , scene(what.text)
-      , start(start_of(what, scene.system))
-      , answer(run(scene.system, start, Tableau(3, 1.), what.T / 128, 128).state)
-    {
-      Projection(scene.system).report(answer);
-    }
-
-    Errors
-    errors(const std::string &rival, const RivalSettings &s, const unsigned int n) const
-    {
-      const auto   integrator = make_rival(rival, scene.system, s);
-      const Record r          = run(scene.system, start, *integrator, what.T / n, n);
-      EXPECT_EQ(r.n_steps, n) << rival << ", " << what.name;
-      EXPECT_LT(r.skewness, 1e-13);
-      EXPECT_LT(r.balance, 1e-12) << "the account closes";
-      return {distance(r.state.q, answer.q),
-              distance(r.state.y, answer.y),
-              distance(r.state.multipliers, answer.multipliers),
-              r.state.accelerations.empty() ? 0. : distance(r.state.accelerations, answer.accelerations)};
-    }
-  };
-
-  double
-  order(const double one, const double two)
-  {
-    return std::log2(one / two);
-  }
-
-  /** A mass on a spring, without any turning; 5 rad/s. */
-  MovingSystem
-  oscillator()
-  {
-    return {"oscillator",
-            model(rigid_body("mass",
-                             "set Mass = 2\n set Inertia = 0.1, 0.1, 0.1\n set Position = 0, 0, 0\n" +
-                               moving("1, 0, 0", "0, 0, 0")),
-                  joint("guide",
-                        "prismatic",
-                        "set Body A = ground\n set Body B = mass.centre\n set Axis = 1, 0, 0\n" +
-                          motion("displacement", spring("50", "0", "0.1")))),
-            0.1,
-            0.7};
-  }
-
-  /** Hinged to the ground at the origin, turning at 20 rad/s about z; stretching at some ten radians a step of 5°. */
-  MovingSystem
-  blade()
-  {
-    return {"blade",
-            "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = 1e8\n set GA2 = 1e8\n"
-            " set GA3 = 1e8\n set GJ = 1e4\n set EI2 = 1e4\n set EI3 = 1e4\n set Mass = 1\n set I2 = 1e-3\n"
-            " set I3 = 1e-3\n end\nend\n"
-            "subsection Bodies\n subsection rod\n set Type = beam\n set Elements = 4\n set Degree = 2\n"
-            " set Section = s\n set Points = 0.2, 0, 0; 3, 0, 0\n set Axis 2 = 0, 1, 0\n" +
-              moving("0, 4, 0", "0, 0, 20") + "end\nend\nsubsection Joints\n" +
-              joint("hinge",
-                    "revolute",
-                    "set Body A = ground\n set Body B = rod.start\n set Position = 0, 0, 0\n set Axis = 0, 0, 1\n") +
-              "end\n",
-            0,
-            0};
-  }
-
   /** 1 kg on a spring of 1 m from the origin, swinging at 6 m/s. */
   MovingSystem
   spring_pendulum(const std::string &stiffness)
@@ -214,107 +116,6 @@ TEST(Trapezoidal, BlowsUp)
   const Record family = run(system, trial.start, Tableau(1, 1.), 0.03, 333);
   EXPECT_EQ(family.n_steps, 333u);
   EXPECT_NEAR(total_energy(system, family.state), start, 1e-10 * start);
-}
-
-
-
-// Order 3, or 4 without dissipation, for linear systems; 2 for a body in flight and for a free beam.
-TEST(EnergyDecaying, OrderWithoutConstraints)
-{
-  const Trial linear(oscillator());
-  for (const double rho : {0., 1.})
-    {
-      const Errors one = linear.errors("energy decaying", settings(rho), 16),
-                   two = linear.errors("energy decaying", settings(rho), 32);
-      EXPECT_NEAR(order(one.y, two.y), rho == 0 ? 3 : 4, 0.15) << one.y << ", " << two.y;
-    }
-  for (const std::string name : {"offset body in flight", "flying beam, EA = 30"})
-    {
-      const Trial trial(system_named(name));
-      for (const double rho : {0., 0.5, 1.})
-        {
-          const Errors one = trial.errors("energy decaying", settings(rho), 32),
-                       two = trial.errors("energy decaying", settings(rho), 64);
-          EXPECT_NEAR(order(one.q, two.q), 2, 0.1) << name;
-          EXPECT_NEAR(order(one.y, two.y), 2, 0.15) << name;
-        }
-    }
-}
-
-
-
-// A constraint turns the chord, not the velocity at the end: that has a part across the constraint of half the turn of
-// a step. It is dissipated in the next step if ρ∞ = 0 (first order), and added up if ρ∞ = 1: no convergence.
-TEST(EnergyDecaying, OrderWithConstraints)
-{
-  for (const std::string name : {"double pendulum", "crank and slider with a massless rod"})
-    {
-      SCOPED_TRACE(name);
-      const Trial  trial(system_named(name));
-      const Errors one = trial.errors("energy decaying", settings(0), 64),
-                   two = trial.errors("energy decaying", settings(0), 128);
-      EXPECT_NEAR(order(one.q, two.q), 1, 0.1);
-      EXPECT_NEAR(order(one.y, two.y), 1, 0.1);
-      const Errors three = trial.errors("energy decaying", settings(1), 64),
-                   four  = trial.errors("energy decaying", settings(1), 128);
-      EXPECT_NEAR(order(three.y, four.y), 0, 0.05);
-      EXPECT_GT(four.y, 0.1);
-    }
-}
-
-
-
-// |Y_f|² = |Y_i|² − α |Y_j − Y_i|² step by step, also with quadratic constraints and whatever the stiffness.
-TEST(EnergyDecaying, EnergyStatement)
-{
-  const std::vector<MovingSystem> systems = {system_named("offset body in flight"),
-                                             flying_beam("1e8", "100", 0.005, 0),
-                                             blade()};
-  for (const MovingSystem &what : systems)
-    for (const double rho : {0., 0.5, 1.})
-      {
-        SCOPED_TRACE(what.name + ", rho = " + std::to_string(rho));
-        const Scene    scene(what.text);
-        const State    start = start_of(what, scene.system);
-        State          state = start;
-        EnergyDecaying rival(scene.system, settings(rho));
-        for (unsigned int i = 0; i < 20; ++i)
-          {
-            const StepResult r = rival.step(state, what.h > 0 ? what.h : 1e-3);
-            ASSERT_TRUE(r.converged);
-            EXPECT_NEAR(r.dissipated, rival.jump_energy, 1e-9 * energy_of(scene.system, start));
-            EXPECT_EQ(rival.jump_energy > 0, rho < 1);
-          }
-      }
-}
-
-
-
-// Steady rotation is no equilibrium in inertial velocities: E/E₀ = 1/(1 + N z²) after N steps of z = 5° for a stiff
-// blade of points and ρ∞ = 0, from the jump z V across the blade; more than half for ρ∞ = ½. The family loses what the
-// stretching takes that the start has in it, below 1e-4, and nothing for ρ∞ = 1.
-TEST(EnergyDecaying, LosesASpinningBlade)
-{
-  const MovingSystem what = blade();
-  const Scene        scene(what.text);
-  const System      &system = scene.system;
-  const State        start  = start_of(what, system);
-  const double       z = M_PI / 36, h = z / 20, energy = energy_of(system, start);
-  const auto         left = [&](const double rho) {
-    const auto   rival = make_rival("energy decaying", system, settings(rho));
-    const Record r     = run(system, start, *rival, h, 72);
-    EXPECT_EQ(r.n_steps, 72u);
-    EXPECT_GE(r.least_dissipated, -1e-9 * energy);
-    return energy_of(system, r.state) / energy;
-  };
-  EXPECT_NEAR(left(0), 1 / (1 + 72 * z * z), 0.02);
-  EXPECT_LT(left(0.5), 0.5);
-  for (const double rho : {0., 0.5, 1.})
-    {
-      const Record r = run(system, start, Tableau(2, rho), h, 72);
-      EXPECT_EQ(r.n_steps, 72u);
-      EXPECT_NEAR(energy_of(system, r.state) / energy, 1, rho < 1 ? 1e-4 : 1e-11);
-    }
 }
 
 

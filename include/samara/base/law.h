@@ -4,6 +4,8 @@
 #include <samara/base/function_of_time.h>
 
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace samara
@@ -118,7 +120,7 @@ namespace samara
     Formula                  formula;
     std::string              source;
     std::vector<std::string> paths;
-    std::vector<Formula>     switches_of_time; ///< parts of the formula
+    std::vector<ScalarFunction> switches_of_time; ///< parts of the formula
   };
 
 
@@ -143,6 +145,10 @@ namespace samara
       std::string path, unit;
     };
 
+    /** The signal of an @p object that is named at @p begin, what it is of it after @p after_object. */
+    static Found
+    signal_of_object(const std::string &text, std::size_t begin, const std::string &object, std::size_t after_object);
+
     /** All signals in @p text. @throws std::invalid_argument if an object is named whose signal is not known */
     std::vector<Found> find(const std::string &text) const;
 
@@ -153,8 +159,9 @@ namespace samara
     static std::vector<std::string> known_quantities();
 
   private:
-    std::vector<std::string>                         objects; // the longest first
-    std::vector<std::pair<std::string, std::string>> states;
+    std::unordered_set<std::string>              objects;
+    std::unordered_map<std::string, std::string> states;      ///< their units
+    std::size_t                                  longest = 0; ///< of the objects' names
   };
 } // namespace samara
 

@@ -3,12 +3,23 @@
 
 #include <samara/model/response.h>
 
+#include <algorithm>
 #include <array>
 
 namespace samara
 {
   /** Three components, functions of time. */
   using VectorOfTime = std::array<FunctionOfTime, 3>;
+
+
+
+  /** The first time in (from, to) where any component has a corner, see ScalarFunction::next_corner(). */
+  template <typename Function>
+  double
+  first_corner(const std::array<Function, 3> &f, const double from, const double to)
+  {
+    return std::min({f[0].next_corner(from, to), f[1].next_corner(from, to), f[2].next_corner(from, to)});
+  }
 
 
 
@@ -99,9 +110,12 @@ namespace samara
 
     bool depends_on_state = false; ///< any component
 
+    /** Of any part: laws have the same value at all of them, and other rows in the matrices. */
+    const Responses &responses() const;
+
     /** Force and moment. */
     template <typename Number>
-    Vec6<Number> wrench(const Responses &responses, const Point<Number> &point) const;
+    Vec6<Number> wrench(const Point<Number> &point) const;
 
     /** The residual of a point or a span for a force and a moment, 6 a frame. */
     template <typename Number>

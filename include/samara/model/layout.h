@@ -53,6 +53,13 @@ namespace samara
       return of_state(0);
     }
 
+    /** Whether an unknown of what moves is a displacement [m], not a rotation. */
+    bool
+    is_length(const int unknown) const
+    {
+      return unknown < of_coordinate(0) ? unknown % 6 < 3 : model.coordinate_units[unknown - of_coordinate(0)] == "m";
+    }
+
     /** @name For Item::connect() @{ */
     /** Take a term of an item. */
     void add(const Item &item, Deformation &term);

@@ -58,7 +58,8 @@ namespace samara
     std::vector<unsigned int>              row_places;    ///< in the block, of each coefficient
     std::vector<std::vector<unsigned int>> signal_places; ///< of the unknowns of each signal
 
-    std::vector<double> variables(const Point<double> &point) const;
+    /** Time and the signals' values, until the next call on this thread. */
+    const double *variables(const Point<double> &point) const;
 
     template <bool by_velocity>
     void add(const Point<double> &point, const Eigen::VectorXd &c, SparseMatrix &A) const;

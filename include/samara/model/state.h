@@ -31,6 +31,27 @@ namespace samara
 
 
 
+  /** The point of what has the vectors of a state, see State and the stages of integrators. */
+  template <typename Values>
+  Point<double>
+  point_of(const Values &v, const double time, const double factor, const bool held, const bool stops)
+  {
+    return {v.q.data(),
+            v.coordinates.data(),
+            v.y.data(),
+            v.rates.data(),
+            v.states.data(),
+            v.state_rates.data(),
+            v.multipliers.data(),
+            v.stress.data(),
+            time,
+            factor,
+            held,
+            stops};
+  }
+
+
+
   /** Everything that changes while a model moves. Sizes are fixed by the System. */
   struct State
   {
@@ -71,18 +92,7 @@ namespace samara
     Point<double>
     point() const
     {
-      return {q.data(),
-              coordinates.data(),
-              y.data(),
-              rates.data(),
-              states.data(),
-              state_rates.data(),
-              multipliers.data(),
-              stress.data(),
-              time,
-              factor,
-              held,
-              stops};
+      return point_of(*this, time, factor, held, stops);
     }
   };
 } // namespace samara

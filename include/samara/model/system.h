@@ -78,6 +78,8 @@ namespace samara
     /** Tangent, damping matrix of all terms, added; of constraints alone. */
     void add_tangent(const Point<double> &point, SparseMatrix &K, Part part = Part::all) const;
     void add_damping(const Point<double> &point, SparseMatrix &C) const;
+    /** Of ż in the equations of states: ones on their diagonal. */
+    void add_state_damping(SparseMatrix &C) const;
     void add_constraint_tangent(const Point<double> &point, SparseMatrix &K) const;
 
     /** ½ eᵀ C e [J] */

@@ -57,7 +57,7 @@ namespace samara
       unsigned int worst = 0; ///< of the rows left out
     };
 
-    /** Of the constraints, values @p g of unknowns and multipliers as of Item::constraints(). */
+    /** Of the constraints, values @p g of unknowns and multipliers as of System::add_gaps(). */
     Gaps gaps(const State &state, const std::vector<double> &g) const;
     Gaps gaps(const State &state) const;
 

@@ -25,8 +25,7 @@ namespace samara
     void   pieces(const Point<double> &point, std::vector<double> &result) const override;
 
     /** The state itself, "" for its path is its name, in its unit. */
-    std::optional<Probe>     probe(const std::string &path) const override;
-    std::vector<std::string> probe_names() const override;
+    std::optional<Probe> probe(const std::string &path) const override;
 
   private:
     Law         rate;

@@ -94,18 +94,7 @@ namespace samara
       Point<double>
       point() const
       {
-        return {q.data(),
-                coordinates.data(),
-                y.data(),
-                rates.data(),
-                states.data(),
-                state_rates.data(),
-                multipliers.data(),
-                stress.data(),
-                time,
-                1.,
-                false,
-                stops};
+        return point_of(*this, time, 1., false, stops);
       }
     };
     std::vector<Stage> stages;
@@ -135,7 +124,7 @@ namespace samara
       double       value;
     };
     std::vector<MassEntry> mass;
-    std::vector<double>    gap_scale; ///< of multipliers: 1/|row of G|, lengths divided by the size of the model
+    std::vector<double>                         gap_scale; ///< of multipliers, see row_scale(); 1 where that is 0
     std::vector<bool>                           is_constraint_entry, is_nonholonomic;
     std::vector<bool>                           is_active; ///< multipliers: neither released nor left out
 
@@ -187,8 +176,6 @@ namespace samara
     void remember(const State &state, double h);
     void freeze(const State &state, double h);
     void factorize(double h);
-    /** From K: what makes the rows of constraints lengths. */
-    void measure_rows();
     /** Make solvers for a pattern without the rows left out, of their values there are none yet. */
     void make_factors();
     void move_stages(const State &state, double h);

@@ -67,12 +67,18 @@ namespace samara
     std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
 
     std::vector<double> pieces, pieces_after; ///< of laws that switch
-    double              across       = 0;     ///< length of the step that goes across a switch; 0: none is near [s]
-    double              first_switch = 0;     ///< time of the first of the switches that are counted [s]
-    unsigned int        n_switches   = 0;     ///< since, without as much as a step of the given size between them all
+    double              across = 0;           ///< length of the step that goes across a switch; 0: none is near [s]
+    /** What happens in a short time, counted: when it was first, and how often since. */
+    struct Count
+    {
+      double       start = 0; ///< [s]
+      unsigned int n     = 0;
 
-    double       window_start = 0; ///< of a tenth of the time that a full step takes [s]
-    unsigned int n_in_window  = 0; ///< steps of the fixed size, or halves of it, since
+      /** One more at @p time; those a @p window [s] ago and more are forgotten. Returns how many. */
+      unsigned int add(double time, double window);
+    };
+    Count steps;    ///< of the fixed size, or halves of it, within a tenth of one
+    Count switches; ///< of laws, within a step
 
     /** @throws NotConverged if very many steps together do not come as far as a tenth of a full one. */
     void require_progress(const State &before);
@@ -85,6 +91,8 @@ namespace samara
     void count_switch(double time);
     /** Shorten a step within which a law switches, so that it ends before. */
     void   stop_before_switch(const State &state, double &h, Advance &result);
+    /** The trial after a step of @p h. */
+    bool   has_solution(const State &state, double h, Advance &result);
     bool   attempt(const State &state, double &h, Advance &result);
     double energy_of_change(const State &state) const;
   };
