@@ -9,12 +9,21 @@
 #include <samara/joints/other_joints.h>
 #include <samara/joints/rolling.h>
 #include <samara/loads/loads.h>
+#include <samara/section/layup.h>
 #include <samara/states/first_order.h>
 
 namespace samara
 {
   Catalogue::Catalogue()
   {
+    Registry<Item> materials;
+    materials.add<IsotropicMaterial>("isotropic", "material with the same stiffness in all directions");
+    materials.add<OrthotropicMaterial>("orthotropic", "material with three planes of symmetry, as a ply");
+    materials.add<AnisotropicMaterial>("anisotropic", "material of any stiffness");
+
+    Registry<Item> layups;
+    layups.add<Layup>("layup", "plies one upon the other");
+
     Registry<Item> sections;
     sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
     sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
@@ -51,7 +60,9 @@ namespace samara
     Registry<Item> states;
     states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
 
-    groups = {{"Sections", "section", sections},
+    groups = {{"Materials", "material", materials},
+              {"Layups", "layup", layups, "layup"},
+              {"Sections", "section", sections},
               {"States", "state", states, "first order"},
               {"Bodies", "body", bodies},
               {"Joints", "joint", joints},

@@ -2,6 +2,7 @@
 #include <samara/base/threads.h>
 #include <samara/cosserat/section.h>
 #include <samara/input.h>
+#include <samara/section/layup.h>
 #include <samara/solvers/linear.h>
 
 #include <algorithm>
@@ -237,6 +238,10 @@ namespace samara
               model.find<Body>(entry.value, "body");
             else if (entry.name == "Section")
               model.find<Section>(entry.value, "section");
+            else if (entry.name == "Material")
+              model.find<Material>(entry.value, "material");
+            else if (entry.name == "Layup")
+              model.find<Layup>(entry.value, "layup");
             else if (joints.count(entry.name) > 0)
               model.find<Item>(trim(entry.value.substr(0, entry.value.find('.'))), "joint");
           }

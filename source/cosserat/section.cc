@@ -1,6 +1,7 @@
 #include <samara/base/text.h>
 #include <samara/base/text_file.h>
 #include <samara/cosserat/section.h>
+#include <samara/section/symmetric_matrix.h>
 
 #include <cmath>
 #include <sstream>
@@ -141,32 +142,6 @@ namespace samara
             "6x6 matrix per length about the reference line, rows (m I, -m c~) and (m c~, J), SI units: 36, 21 or 6 numbers.");
     prm.add("Drawn radii", drawn_radii, "Half axes along 2 and 3 of the ellipse that is drawn; default: from EI/EA [m].");
   }
-
-
-
-  namespace
-  {
-    /** A symmetric matrix of 36, 21 or 6 numbers. @throws std::invalid_argument */
-    Matrix6
-    symmetric_matrix(const std::vector<double> &numbers)
-    {
-      Matrix6 A = Matrix6::Zero();
-      if (numbers.size() == 6)
-        A.diagonal() = Eigen::Map<const Vector6>(numbers.data());
-      else if (numbers.size() == 21)
-        for (unsigned int i = 0, k = 0; i < 6; ++i)
-          for (unsigned int j = i; j < 6; ++j, ++k)
-            A(i, j) = A(j, i) = numbers[k];
-      else if (numbers.size() == 36)
-        A = Eigen::Map<const Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(numbers.data());
-      else
-        throw std::invalid_argument("a symmetric 6x6 matrix is given by 36, 21 or 6 numbers, not by " +
-                                    std::to_string(numbers.size()));
-      if ((A - A.transpose()).norm() > 1e-6 * A.norm())
-        throw std::invalid_argument("the matrix is not symmetric");
-      return 0.5 * (A + A.transpose());
-    }
-  } // namespace
 
 
 

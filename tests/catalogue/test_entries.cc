@@ -1,6 +1,6 @@
 // Every entry of the catalogue must change what it says: it is set to another value, and something that is computed or
-// written must differ. An entry that nobody has listed here or in test_analysis_entries.cc fails; so does one that changes
-// nothing.
+// written must differ. An entry that nobody has listed here or in test_analysis_entries.cc fails; so does one that
+// changes nothing.
 
 #include "../states/scenes.h"
 
@@ -36,6 +36,10 @@ TEST_F(Catalogued, AllKinds)
     kinds.insert(kind.first);
   EXPECT_EQ(kinds,
             (std::set<std::string>{"model",
+                                   "isotropic",
+                                   "orthotropic",
+                                   "anisotropic",
+                                   "layup",
                                    "engineering constants",
                                    "matrices",
                                    "table",

@@ -1,6 +1,7 @@
 #ifndef samara_section_cross_section_h
 #define samara_section_cross_section_h
 
+#include <samara/section/material.h>
 #include <samara/section/section_mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -9,15 +10,6 @@
 
 namespace samara
 {
-  /** What a section is made of. */
-  struct SectionMaterial
-  {
-    Matrix6 stiffness = Matrix6::Zero(); ///< in the axes of the material, Voigt order 11 22 33 23 13 12 [Pa]
-    double  density   = 0;               ///< [kg/m³]
-  };
-
-
-
   /**
    * Cross-section analysis of a prismatic, twisted or curved beam: a warping analysis of dimension 2.
    *
