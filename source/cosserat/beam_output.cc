@@ -61,10 +61,6 @@ namespace samara
         result.strain += L * Eigen::Map<const Vector6>(e + 6 * g);
         result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + 6 * (elements[i].first_point + g)]);
       }
-    sample.force     = sample.D * result.stress.head<3>();
-    sample.moment    = sample.D * result.stress.tail<3>();
-    sample.strain    = result.strain.head<3>();
-    sample.curvature = result.strain.tail<3>();
     return result;
   }
 
@@ -125,15 +121,31 @@ namespace samara
   Beam::draw(const State &state, Drawing &drawing) const
   {
     std::vector<Sample>                       axis;
+    std::vector<Local>                        known;
     std::vector<std::vector<Eigen::Vector2d>> outlines;
     for (const auto &cell : cells)
       for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= 2 * cell.degree; ++k)
         {
           const double s = cell.start + (cell.end - cell.start) * k / (2 * cell.degree);
-          axis.push_back(local(state, s).sample);
+          known.push_back(local(state, s));
+          axis.push_back(known.back().sample);
           outlines.push_back(section->at(s / curve->length()).outline);
         }
     drawing.begin_object(name);
-    drawing.tube(axis, outlines);
+    const unsigned int first = drawing.tube(axis, outlines).first_sample;
+    if (is_rigid)
+      return; // strains and section forces of a rigid beam are not known
+    Field &force     = drawing.field("section force", "N", inertial_axes);
+    Field &moment    = drawing.field("section moment", "N m", inertial_axes);
+    Field &strain    = drawing.field("strain", "1", section_axes);
+    Field &curvature = drawing.field("curvature", "1/m", section_axes);
+    for (unsigned int i = 0; i < axis.size(); ++i)
+      {
+        const Local &l = known[i];
+        force.set(first + i, Vector3(l.sample.D * l.stress.head<3>()));
+        moment.set(first + i, Vector3(l.sample.D * l.stress.tail<3>()));
+        strain.set(first + i, l.strain.head<3>());
+        curvature.set(first + i, l.strain.tail<3>());
+      }
   }
 } // namespace samara

@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/model/drawing.h>
 #include <samara/model/frame_probe.h>
 #include <samara/model/system.h>
 
@@ -176,15 +177,7 @@ namespace samara
   {
     if (shape == "none" || named.empty())
       return;
-    const auto sample_of = [&](const Point &point) {
-      Sample sample;
-      sample.x            = point.frame.position(state.q.data());
-      sample.D            = point.frame.triad(state.q.data());
-      sample.displacement = sample.x - point.x;
-      sample.velocity     = sample.D * point.frame.twist(state.y.data()).head<3>();
-      return sample;
-    };
-    const Sample centre = sample_of(named.at("centre of mass"));
+    const Sample centre = drawing.sample(named.at("centre of mass").frame, state);
     // steel of 7800 kg/m³, but nothing too small to be seen
     const double radius = !size.empty() ? size[0] : std::max(0.02, std::cbrt(mass / 7800. / (4. / 3. * M_PI)));
     drawing.begin_object(name);
@@ -196,7 +189,7 @@ namespace samara
       drawing.sphere(centre, radius);
     for (const auto &point : named)
       {
-        const Sample end = sample_of(point.second);
+        const Sample end = drawing.sample(point.second.frame, state);
         if ((end.x - centre.x).norm() > 1.01 * radius)
           drawing.bar(centre, end, 0.2 * radius);
       }

@@ -2,6 +2,7 @@
 #include <samara/base/text_file.h>
 #include <samara/cosserat/section.h>
 #include <samara/section/symmetric_matrix.h>
+#include <samara/model/drawing.h>
 
 #include <cmath>
 #include <sstream>

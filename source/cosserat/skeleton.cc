@@ -1,4 +1,5 @@
 #include <samara/cosserat/skeleton.h>
+#include <samara/model/drawing.h>
 
 namespace samara
 {
@@ -181,11 +182,8 @@ namespace samara
   void
   Strut::draw(const State &state, Drawing &drawing) const
   {
-    Sample a, b;
-    a.x = frame_a.position(state.q.data());
-    b.x = frame_b.position(state.q.data());
     drawing.begin_object(name);
-    drawing.bar(a, b, 0.01 * length);
+    drawing.bar(drawing.sample(frame_a, state), drawing.sample(frame_b, state), 0.01 * length);
   }
 
 

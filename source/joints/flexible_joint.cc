@@ -1,5 +1,6 @@
 #include <samara/joints/flexible_joint.h>
 #include <samara/joints/joint.h>
+#include <samara/model/drawing.h>
 #include <samara/model/strain_rows.h>
 
 #include <algorithm>
@@ -262,11 +263,8 @@ namespace samara
   void
   FlexibleJoint::draw(const State &state, Drawing &drawing) const
   {
-    Sample a;
-    a.x = frame_a.position(state.q.data());
-    a.D = frame_a.triad(state.q.data());
     drawing.begin_object(name);
-    drawing.cylinder(a, 0, 0.05, 0.02);
+    drawing.cylinder(drawing.sample(frame_a, state), 0, 0.05, 0.02);
   }
 
 

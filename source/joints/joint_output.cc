@@ -1,6 +1,7 @@
 // Probes and drawing of joints.
 
 #include <samara/joints/joint.h>
+#include <samara/model/drawing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,14 +101,9 @@ namespace samara
   void
   Joint::draw(const State &state, Drawing &drawing) const
   {
-    Sample a, b;
-    a.x = frame_a.position(state.q.data());
-    a.D = frame_a.triad(state.q.data());
-    b.x = frame_b.position(state.q.data());
-    b.D = frame_b.triad(state.q.data());
     drawing.begin_object(name);
     // a short cylinder along axis 3 with a thinner one of body B through it
-    drawing.cylinder(a, 2, 0.5 * draw_size, draw_size);
-    drawing.cylinder(b, 2, 0.25 * draw_size, 1.6 * draw_size);
+    drawing.cylinder(drawing.sample(frame_a, state), 2, 0.5 * draw_size, draw_size);
+    drawing.cylinder(drawing.sample(frame_b, state), 2, 0.25 * draw_size, 1.6 * draw_size);
   }
 } // namespace samara

@@ -1,4 +1,5 @@
 #include <samara/joints/other_joints.h>
+#include <samara/model/drawing.h>
 
 namespace samara
 {
@@ -154,11 +155,8 @@ namespace samara
   void
   Spring::draw(const State &state, Drawing &drawing) const
   {
-    Sample a, b;
-    a.x = frame_a.position(state.q.data());
-    b.x = frame_b.position(state.q.data());
     drawing.begin_object(name);
-    drawing.bar(a, b, 0.02 * free[0].reference);
+    drawing.bar(drawing.sample(frame_a, state), drawing.sample(frame_b, state), 0.02 * free[0].reference);
   }
 
 
@@ -213,11 +211,8 @@ namespace samara
   void
   Distance::draw(const State &state, Drawing &drawing) const
   {
-    Sample a, b;
-    a.x = frame_a.position(state.q.data());
-    b.x = frame_b.position(state.q.data());
     drawing.begin_object(name);
-    drawing.bar(a, b, 0.01 * length);
+    drawing.bar(drawing.sample(frame_a, state), drawing.sample(frame_b, state), 0.01 * length);
   }
 
 

@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/joints/rolling.h>
+#include <samara/model/drawing.h>
 
 #include <cmath>
 
@@ -89,14 +90,13 @@ namespace samara
   void
   RollingBall::draw(const State &state, Drawing &drawing) const
   {
-    Sample ball, plate;
-    ball.x  = frame_b.position(state.q.data());
-    ball.D  = frame_b.triad(state.q.data());
-    plate.D = frame_a.triad(state.q.data());
+    const Sample ball = drawing.sample(frame_b, state);
     drawing.begin_object(name);
     drawing.sphere(ball, radius);
-    // a piece of the plane, where the ball touches it
-    plate.x = ball.x - 1.02 * radius * plate.D.col(2);
+    // a piece of the plane, where the ball touches it; it goes along with the ball
+    Sample plate = ball;
+    plate.D      = frame_a.triad(state.q.data());
+    plate.x      = ball.x - 1.02 * radius * plate.D.col(2);
     drawing.box(plate, radius * Vector3(2, 2, 0.04));
   }
 
@@ -135,10 +135,7 @@ namespace samara
   void
   KnifeEdge::draw(const State &state, Drawing &drawing) const
   {
-    Sample blade;
-    blade.x = frame_b.position(state.q.data());
-    blade.D = frame_b.triad(state.q.data());
     drawing.begin_object(name);
-    drawing.cylinder(blade, 0, draw_size, 0.1 * draw_size);
+    drawing.cylinder(drawing.sample(frame_b, state), 0, draw_size, 0.1 * draw_size);
   }
 } // namespace samara

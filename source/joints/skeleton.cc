@@ -1,4 +1,5 @@
 #include <samara/joints/skeleton.h>
+#include <samara/model/drawing.h>
 
 namespace samara
 {
@@ -34,12 +35,8 @@ namespace samara
   void
   SlottedPin::draw(const State &state, Drawing &drawing) const
   {
-    Sample from, to;
-    from.D = to.D        = frame_a.triad(state.q.data());
-    const Vector3 middle = frame_a.position(state.q.data());
-    from.x               = middle - 0.5 * length * from.D.col(0);
-    to.x                 = middle + 0.5 * length * to.D.col(0);
+    const Frame start = frame_a.then({-0.5 * length, 0, 0}), end = frame_a.then({0.5 * length, 0, 0});
     Joint::draw(state, drawing); // begins the object
-    drawing.bar(from, to, 0.1 * draw_size);
+    drawing.bar(drawing.sample(start, state), drawing.sample(end, state), 0.1 * draw_size);
   }
 } // namespace samara

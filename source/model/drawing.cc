@@ -1,4 +1,5 @@
 #include <samara/model/drawing.h>
+#include <samara/model/model.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -8,7 +9,7 @@
 
 /*
  * Corners of a quadrilateral go round it, counter-clockwise for who looks from outside: the normal
- * (corner 1 − corner 0) × (corner 3 − corner 0) points outwards. All shapes are closed surfaces.
+ * (corner 1 − corner 0) × (corner 3 − corner 0) points outwards. All solid shapes are closed surfaces.
  */
 namespace samara
 {
@@ -55,7 +56,7 @@ namespace samara
     {
       const auto corner = [&](const unsigned int j) { return first + (reversed ? n - 1 - j : j); };
       for (unsigned int low = 0, high = n - 1; low + 1 < high; ++low, --high)
-        drawing.quads.push_back({corner(low), corner(low + 1), corner(high - 1), corner(high)});
+        drawing.cells.push_back({2, {corner(low), corner(low + 1), corner(high - 1), corner(high)}});
     }
 
 
@@ -72,7 +73,7 @@ namespace samara
         for (unsigned int j = 0; j < n; ++j)
           {
             const unsigned int next = (j + 1) % n;
-            drawing.quads.push_back({first[i] + j, first[i] + next, first[i + 1] + next, first[i + 1] + j});
+            drawing.cells.push_back({2, {first[i] + j, first[i] + next, first[i + 1] + next, first[i + 1] + j}});
           }
       add_lid(drawing, first.front(), n, true);
       add_lid(drawing, first.back(), n, false);
@@ -118,7 +119,7 @@ namespace samara
               for (unsigned int i = 0; i < n; ++i)
                 {
                   const unsigned int corner = first + i + j * (n + 1);
-                  drawing.quads.push_back({corner, corner + 1, corner + n + 2, corner + n + 1});
+                  drawing.cells.push_back({2, {corner, corner + 1, corner + n + 2, corner + n + 1}});
                 }
           }
     }
@@ -149,12 +150,99 @@ namespace samara
 
 
 
-  void
+  Sample
+  Drawing::sample(const Frame &frame, const State &state) const
+  {
+    Assert(model != nullptr, dealii::ExcMessage("A drawing without a model knows no reference positions."));
+    const Model::Node &node = model->nodes[frame.node];
+    Sample             sample;
+    sample.x            = frame.position(state.q.data());
+    sample.D            = frame.triad(state.q.data());
+    sample.displacement = sample.x - (node.x + node.D * frame.arm);
+    sample.velocity     = sample.D * frame.twist(state.y.data()).head<3>();
+    return sample;
+  }
+
+
+
+  Drawing::Place
+  Drawing::patch(const unsigned int               dimension,
+                 const std::vector<Sample>       &of_patch,
+                 const std::vector<unsigned int> &of_cells)
+  {
+    AssertIndexRange(dimension, 3);
+    const unsigned int n_corners = 1u << dimension, object = objects.size() - 1, first_corner = corners.size();
+    const Place        place = {static_cast<unsigned int>(samples.size()), static_cast<unsigned int>(cells.size())};
+    Assert(of_cells.size() % n_corners == 0, dealii::ExcMessage("The last cell of a patch is not complete."));
+    for (const Sample &sample : of_patch)
+      {
+        const unsigned int number = add_sample(*this, sample);
+        corners.push_back({sample.x, number, object});
+      }
+    for (unsigned int i = 0; i < of_cells.size(); i += n_corners)
+      {
+        Cell cell{dimension, {}};
+        for (unsigned int j = 0; j < n_corners; ++j)
+          {
+            AssertIndexRange(of_cells[i + j], of_patch.size());
+            cell.corners[j] = first_corner + of_cells[i + j];
+          }
+        cells.push_back(cell);
+      }
+    return place;
+  }
+
+
+
+  Drawing::Place
+  Drawing::grid(const unsigned int n_1, const unsigned int n_2, const std::vector<Sample> &nodes)
+  {
+    AssertDimension(nodes.size(), std::size_t(n_1) * n_2);
+    const unsigned int        dimension = n_2 > 1 ? 2 : n_1 > 1 ? 1 : 0;
+    std::vector<unsigned int> of_cells;
+    Assert(n_1 > 1 || dimension == 0, dealii::ExcMessage("A grid of one row of nodes has them along direction 1."));
+    if (dimension == 0)
+      of_cells = {0};
+    for (unsigned int i = 0; dimension == 1 && i + 1 < n_1; ++i)
+      of_cells.insert(of_cells.end(), {i, i + 1});
+    for (unsigned int j = 0; j + 1 < n_2; ++j)
+      for (unsigned int i = 0; i + 1 < n_1; ++i)
+        {
+          const unsigned int corner = i + j * n_1;
+          of_cells.insert(of_cells.end(), {corner, corner + 1, corner + 1 + n_1, corner + n_1});
+        }
+    return patch(dimension, nodes, of_cells);
+  }
+
+
+
+  Field &
+  Drawing::field(const std::string              &name,
+                 const std::string              &unit,
+                 const std::vector<std::string> &components,
+                 const bool                      is_on_cells)
+  {
+    for (Field &field : fields)
+      if (field.is_on_cells == is_on_cells && field.name == name)
+        {
+          AssertThrow(field.unit == unit && field.components == components,
+                      dealii::ExcMessage("Two fields of a picture, with different units or components, are called <" +
+                                         name + ">."));
+          return field;
+        }
+    AssertThrow((name + unit).find_first_of("<>&\"") == std::string::npos,
+                dealii::ExcMessage("The field <" + name + "> [" + unit + "] has a name that files cannot hold."));
+    return fields.emplace_back(name, unit, components, is_on_cells);
+  }
+
+
+
+  Drawing::Place
   Drawing::tube(const std::vector<Sample> &axis, const std::vector<std::vector<Eigen::Vector2d>> &outlines)
   {
     Assert(axis.size() == outlines.size(), dealii::ExcDimensionMismatch(outlines.size(), axis.size()));
-    if (axis.size() < 2)
-      return;
+    AssertThrow(axis.size() >= 2, dealii::ExcMessage("A tube has two samples at least."));
+    const Place place = {static_cast<unsigned int>(samples.size()), static_cast<unsigned int>(cells.size())};
 
     // An outline at a pointed tip may have no area, so the sense of turning is that of all of them.
     double sense = 0;
@@ -174,6 +262,7 @@ namespace samara
         rings.push_back(ring);
       }
     add_tube(*this, axis, rings);
+    return place;
   }
 
 

@@ -1,5 +1,6 @@
 // The loops over the terms of the equations.
 
+#include <samara/model/drawing.h>
 #include <samara/model/system.h>
 
 #include <algorithm>
@@ -408,7 +409,7 @@ namespace samara
   Drawing
   System::draw(const State &state) const
   {
-    Drawing drawing;
+    Drawing drawing(&model);
     for (const auto &item : model.items)
       item->draw(state, drawing);
     return drawing;

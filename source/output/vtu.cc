@@ -1,5 +1,6 @@
 #include <samara/output/vtu.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 
@@ -7,21 +8,8 @@ namespace samara
 {
   namespace
   {
-    struct Field
-    {
-      const char *name, *unit;
-      Vector3 Sample::*value;
-    };
-
-    const Field vector_fields[] = {{"displacement", "m", &Sample::displacement},
-                                   {"section force", "N", &Sample::force},
-                                   {"section moment", "N m", &Sample::moment},
-                                   {"strain", "1", &Sample::strain},
-                                   {"curvature", "1/m", &Sample::curvature},
-                                   {"velocity", "m/s", &Sample::velocity}};
-
-    /** VTK's number for a quadrilateral whose corners go round it. */
-    constexpr std::uint8_t vtk_quad = 9;
+    /** VTK's numbers for a point, a line, and a quadrilateral whose corners go round it. */
+    constexpr std::uint8_t vtk_kinds[] = {1, 3, 9};
 
 
 
@@ -77,16 +65,91 @@ namespace samara
     add_cells(const Drawing &drawing, Compressor &compressor, std::string &text)
     {
       std::vector<std::int32_t> connectivity, offsets;
-      for (const auto &quad : drawing.quads)
+      std::vector<std::uint8_t> kinds;
+      for (const auto &cell : drawing.cells)
         {
-          connectivity.insert(connectivity.end(), quad.begin(), quad.end());
+          connectivity.insert(connectivity.end(), cell.corners.begin(), cell.corners.begin() + cell.n_corners());
           offsets.push_back(connectivity.size());
+          kinds.push_back(vtk_kinds[cell.dimension]);
         }
       text += "  <Cells>\n";
       add_array("type=\"Int32\" Name=\"connectivity\"", connectivity, compressor, text);
       add_array("type=\"Int32\" Name=\"offsets\"", offsets, compressor, text);
-      add_array("type=\"UInt8\" Name=\"types\"", std::vector<std::uint8_t>(drawing.quads.size(), vtk_quad), compressor, text);
+      add_array("type=\"UInt8\" Name=\"types\"", kinds, compressor, text);
       text += "  </Cells>\n";
+    }
+
+
+
+    /** An array with the values of a field, value(i, component) for i < n. */
+    template <typename Value>
+    void
+    add_field(const std::string              &name,
+              const std::string              &unit,
+              const std::vector<std::string> &components,
+              const std::size_t               n,
+              const Value                    &value,
+              Compressor                     &compressor,
+              std::string                    &text)
+    {
+      std::string attributes = "type=\"Float32\" Name=\"" + name + '"';
+      if (!components.empty())
+        attributes += " NumberOfComponents=\"" + std::to_string(components.size()) + '"';
+      for (std::size_t d = 0; d < components.size(); ++d)
+        attributes += " ComponentName" + std::to_string(d) + "=\"" + components[d] + '"';
+      if (!unit.empty())
+        attributes += " units=\"" + unit + '"';
+      const std::size_t  n_components = std::max<std::size_t>(components.size(), 1);
+      std::vector<float> numbers(n_components * n);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t d = 0; d < n_components; ++d)
+          numbers[n_components * i + d] = value(i, d);
+      add_array(attributes, numbers, compressor, text);
+    }
+
+
+
+    void
+    add_point_data(const Drawing &drawing, Compressor &compressor, std::string &text)
+    {
+      const std::size_t n          = drawing.corners.size();
+      const auto        of_sample  = [&](const std::size_t i) { return drawing.corners[i].sample; };
+      const auto        add_vector = [&](const char *name, const char *unit, Vector3 Sample::*vector) {
+        const auto value = [&](const std::size_t i, const std::size_t d) -> float {
+          return (drawing.samples[of_sample(i)].*vector)(d);
+        };
+        add_field(name, unit, inertial_axes, n, value, compressor, text);
+      };
+      text += "  <PointData>\n";
+      add_vector("displacement", "m", &Sample::displacement);
+      add_vector("velocity", "m/s", &Sample::velocity);
+      for (const Field &field : drawing.fields)
+        if (!field.is_on_cells)
+          {
+            AssertThrow(field.end() <= drawing.samples.size(),
+                        dealii::ExcMessage("<" + field.name + "> has too many samples."));
+            const auto value = [&](const std::size_t i, const std::size_t d) { return field(of_sample(i), d); };
+            add_field(field.name, field.unit, field.components, n, value, compressor, text);
+          }
+      const auto object = [&](const std::size_t i, std::size_t) -> float { return drawing.corners[i].object; };
+      add_field("object", "", {}, n, object, compressor, text);
+      text += "  </PointData>\n";
+    }
+
+
+
+    void
+    add_cell_data(const Drawing &drawing, Compressor &compressor, std::string &text)
+    {
+      text += "  <CellData>\n";
+      for (const Field &field : drawing.fields)
+        if (field.is_on_cells)
+          {
+            AssertThrow(field.end() <= drawing.cells.size(),
+                        dealii::ExcMessage("<" + field.name + "> has too many cells."));
+            add_field(field.name, field.unit, field.components, drawing.cells.size(), field, compressor, text);
+          }
+      text += "  </CellData>\n";
     }
   } // namespace
 
@@ -127,34 +190,16 @@ namespace samara
   std::string
   vtu_of(const Drawing &drawing, Compressor &compressor)
   {
-    const std::size_t  n = drawing.corners.size();
-    std::vector<float> vectors(3 * n), objects(n);
-    std::string        text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-                              "compressor=\"vtkZLibDataCompressor\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n";
-    text += "<Piece NumberOfPoints=\"" + std::to_string(n) + "\" NumberOfCells=\"" +
-            std::to_string(drawing.quads.size()) + "\">\n  <Points>\n";
-    for (std::size_t i = 0; i < n; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        vectors[3 * i + d] = drawing.corners[i].x(d);
-    add_array("type=\"Float32\" NumberOfComponents=\"3\"", vectors, compressor, text);
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+                       "compressor=\"vtkZLibDataCompressor\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n";
+    text += "<Piece NumberOfPoints=\"" + std::to_string(drawing.corners.size()) + "\" NumberOfCells=\"" +
+            std::to_string(drawing.cells.size()) + "\">\n  <Points>\n";
+    const auto place = [&](const std::size_t i, const std::size_t d) -> float { return drawing.corners[i].x(d); };
+    add_field("Points", "m", inertial_axes, drawing.corners.size(), place, compressor, text);
     text += "  </Points>\n";
     add_cells(drawing, compressor, text);
-
-    text += "  <PointData>\n";
-    for (const Field &field : vector_fields)
-      {
-        for (std::size_t i = 0; i < n; ++i)
-          for (unsigned int d = 0; d < 3; ++d)
-            vectors[3 * i + d] = (drawing.samples[drawing.corners[i].sample].*field.value)(d);
-        add_array(std::string("type=\"Float32\" Name=\"") + field.name + "\" NumberOfComponents=\"3\" units=\"" +
-                    field.unit + "\"",
-                  vectors,
-                  compressor,
-                  text);
-      }
-    for (std::size_t i = 0; i < n; ++i)
-      objects[i] = drawing.corners[i].object;
-    add_array("type=\"Float32\" Name=\"object\"", objects, compressor, text);
-    return text + "  </PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    add_point_data(drawing, compressor, text);
+    add_cell_data(drawing, compressor, text);
+    return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   }
 } // namespace samara

@@ -1,6 +1,8 @@
 // Rolling ball and knife edge: constraints on velocities, the forces that enforce them, equilibria and modes. Closed
 // forms, from the velocities of the material of both bodies at one place.
 
+#include <samara/model/drawing.h>
+
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -279,7 +281,7 @@ TEST(RollingBall, PlaneBelowTheBall)
 TEST(RollingBall, Drawing)
 {
   const Scene scene(two_bodies(ball));
-  Drawing     drawing;
+  Drawing     drawing(&scene.input.model);
   scene.input.model.items.back()->draw(scene.context.state, drawing);
   ASSERT_EQ(drawing.objects, std::vector<std::string>{"j"});
   double lowest = 0, highest = 0;

@@ -24,7 +24,6 @@ namespace
     Sample sample;
     sample.x        = {0.3, -2, 1.7};
     sample.D        = cayley(Vector3(0.4, -0.9, 1.3));
-    sample.force    = {1, 2, 3};
     sample.velocity = {4, 5, 6};
     return sample;
   }
@@ -54,10 +53,10 @@ namespace
   measure(const Drawing &drawing)
   {
     Surface surface;
-    for (const Drawing::Quad &quad : drawing.quads)
+    for (const Drawing::Cell &quad : drawing.cells)
       for (const unsigned int third : {2, 3}) // the triangles (0, 1, 2) and (0, 2, 3)
         {
-          const auto    x = [&](const unsigned int j) { return drawing.corners[quad[j]].x; };
+          const auto    x = [&](const unsigned int j) { return drawing.corners[quad.corners[j]].x; };
           const Vector3 a = x(0), b = x(third - 1), c = x(third);
           const Vector3 n = 0.5 * (b - a).cross(c - a);
           surface.closure += n;
@@ -84,7 +83,7 @@ TEST(Drawing, Box)
 {
   Drawing drawing = new_drawing();
   drawing.box(skew_sample(), {1, 2, 3});
-  EXPECT_EQ(drawing.quads.size(), 6u);
+  EXPECT_EQ(drawing.cells.size(), 6u);
   EXPECT_NEAR(measure(drawing).volume, 6, 1e-13);
   EXPECT_NEAR(measure(drawing).area, 22, 1e-13);
 }
@@ -149,7 +148,7 @@ TEST(Drawing, BarWithoutLengthIsNothing)
 {
   Drawing drawing = new_drawing();
   drawing.bar(skew_sample(), skew_sample(), 0.1);
-  EXPECT_TRUE(drawing.quads.empty());
+  EXPECT_TRUE(drawing.cells.empty());
 }
 
 
@@ -200,13 +199,15 @@ TEST(Drawing, CornersCarryTheirSample)
 {
   Sample from = skew_sample(), to = skew_sample();
   to.x += to.D.col(0);
-  to.force = {7, 8, 9};
+  to.displacement = {7, 8, 9};
 
   Drawing drawing;
   drawing.begin_object("first");
   drawing.sphere(from, 1);
   drawing.begin_object("second");
-  drawing.tube({from, to}, {rectangle_outline(1, 1), rectangle_outline(1, 1)});
+  const Drawing::Place place = drawing.tube({from, to}, {rectangle_outline(1, 1), rectangle_outline(1, 1)});
+  EXPECT_EQ(place.first_sample, 1u);
+  EXPECT_EQ(place.first_cell, 6u * 6 * 6);
 
   EXPECT_EQ(drawing.objects, (std::vector<std::string>{"first", "second"}));
   EXPECT_EQ(drawing.corners.front().object, 0u);
@@ -215,7 +216,7 @@ TEST(Drawing, CornersCarryTheirSample)
     {
       const bool    at_end = corner.object == 1 && from.D.col(0).dot(corner.x - from.x) > 0.5;
       const Sample &sample = drawing.samples[corner.sample];
-      EXPECT_EQ(sample.force, at_end ? to.force : from.force);
+      EXPECT_EQ(sample.displacement, at_end ? to.displacement : from.displacement);
       EXPECT_EQ(sample.velocity, from.velocity);
       EXPECT_EQ(sample.D, from.D);
     }
@@ -234,5 +235,114 @@ TEST(Drawing, TubeHasOnePointForEachCornerOfAnOutline)
   drawing.tube(axis, std::vector<std::vector<Eigen::Vector2d>>(n + 1, ellipse_outline(1, 1, n_points)));
   EXPECT_EQ(drawing.samples.size(), n + 1);
   EXPECT_EQ(drawing.corners.size(), n_points * (n + 1));
-  EXPECT_EQ(drawing.quads.size(), n_points * n + 2 * (n_points / 2 - 1));
+  EXPECT_EQ(drawing.cells.size(), n_points * n + 2 * (n_points / 2 - 1));
+}
+
+
+
+/** A surface that is made by hand: quadrilaterals of order p, drawn through their nodes. */
+namespace
+{
+  /** The nodes of one element of order p on the saddle z = u v over the unit square, in the frame of skew_sample(). */
+  std::vector<Sample>
+  saddle(const unsigned int p)
+  {
+    std::vector<Sample> nodes;
+    for (unsigned int j = 0; j <= p; ++j)
+      for (unsigned int i = 0; i <= p; ++i)
+        {
+          const double u = double(i) / p, v = double(j) / p;
+          Sample       node = skew_sample();
+          node.x += node.D * Vector3(u, v, u * v);
+          nodes.push_back(node);
+        }
+    return nodes;
+  }
+} // namespace
+
+
+
+/** The area of z = u v is ∫∫ √(1 + u² + v²) du dv = 1.2807…, which the pieces come near to with the square of their
+ * size.
+ */
+TEST(Drawing, ElementsOfOrderPAreGridsOfQuadrilaterals)
+{
+  double exact = 0;
+  for (unsigned int n = 1000, i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      exact += std::sqrt(1 + std::pow((i + 0.5) / n, 2) + std::pow((j + 0.5) / n, 2)) / n / n;
+  double error = 0;
+  for (const unsigned int p : {1, 2, 4, 8})
+    {
+      Drawing drawing = new_drawing();
+      drawing.grid(p + 1, p + 1, saddle(p));
+      EXPECT_EQ(drawing.samples.size(), (p + 1) * (p + 1));
+      EXPECT_EQ(drawing.cells.size(), p * p);
+      double area = 0;
+      for (const auto &cell : drawing.cells)
+        {
+          ASSERT_EQ(cell.dimension, 2u);
+          const auto x = [&](const unsigned int j) { return drawing.corners[cell.corners[j]].x; };
+          // the corners go round: diagonals cross
+          area += 0.5 * (x(2) - x(0)).cross(x(3) - x(1)).norm();
+        }
+      if (p > 1)
+        {
+          EXPECT_NEAR(error / (area - exact), 4, 0.5) << p;
+        }
+      error = area - exact;
+    }
+  EXPECT_LT(std::abs(error), 1e-3);
+}
+
+
+
+TEST(Drawing, GridsOfLinesAndPoints)
+{
+  Drawing drawing = new_drawing();
+  drawing.grid(3, 1, {skew_sample(), skew_sample(), skew_sample()});
+  drawing.grid(1, 1, {skew_sample()});
+  ASSERT_EQ(drawing.cells.size(), 3u);
+  EXPECT_EQ(drawing.cells[1].dimension, 1u);
+  EXPECT_EQ(drawing.cells[1].corners[0], 1u);
+  EXPECT_EQ(drawing.cells[1].corners[1], 2u);
+  EXPECT_EQ(drawing.cells[2].dimension, 0u);
+  EXPECT_EQ(drawing.cells[2].corners[0], 3u);
+}
+
+
+
+TEST(Drawing, FieldsBelongToSamplesAndCellsByTheirNumber)
+{
+  Drawing      drawing = new_drawing();
+  const Sample sample  = skew_sample();
+  drawing.sphere(sample, 1);
+  const Drawing::Place place =
+    drawing.patch(2, {sample, sample, sample, sample, sample, sample}, {0, 1, 2, 3, 3, 2, 4, 5});
+  Field &force = drawing.field("resultants", "N/m", {"11", "22", "12"});
+  Field &layer = drawing.field("failed layers", "", {}, true);
+  force.set(place.first_sample + 2, Vector3(1, 2, 3));
+  layer.set(place.first_cell + 1, 7);
+
+  EXPECT_EQ(&drawing.field("resultants", "N/m", {"11", "22", "12"}), &force);
+  EXPECT_EQ(drawing.fields.size(), 2u);
+  EXPECT_EQ(force(1 + 2, 1), 2.f);
+  for (const unsigned int sample_without : {0, 1, 2, 4, 6, 1000})
+    EXPECT_TRUE(std::isnan(force(sample_without, 0))) << sample_without;
+  EXPECT_EQ(layer(place.first_cell + 1), 7.f);
+  EXPECT_TRUE(std::isnan(layer(place.first_cell)));
+}
+
+
+
+/** Newtons of one object must not look like those per metre of another. */
+TEST(Drawing, FieldsOfOneNameAreOfOneKind)
+{
+  Drawing drawing = new_drawing();
+  drawing.field("load", "N", inertial_axes);
+  EXPECT_THROW(drawing.field("load", "N/m", inertial_axes), dealii::ExceptionBase);
+  EXPECT_THROW(drawing.field("load", "N", section_axes), dealii::ExceptionBase);
+  EXPECT_THROW(drawing.field("load", "N"), dealii::ExceptionBase);
+  EXPECT_THROW(drawing.field("a < b", "N"), dealii::ExceptionBase);
+  EXPECT_NO_THROW(drawing.field("load", "1", {}, true)); // those of cells are others
 }

@@ -1,5 +1,5 @@
 /*
- * Problem:   pictures of a box and a bar
+ * Problem:   pictures of a box, a bar, a panel, a wire and a point
  * Reference: the files hold what was drawn, decoded as the VTK file formats document says: base64 of the numbers
  *            (blocks, size of a block, size of the last, compressed sizes), then base64 of the blocks of zlib.
  */
@@ -10,6 +10,7 @@
 
 #include <zlib.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -34,6 +35,19 @@ namespace
     drawing.box(a, {1, 1, 1});
     drawing.begin_object("blade 1");
     drawing.bar(a, b, 0.125);
+
+    drawing.begin_object("panel");
+    const Drawing::Place panel    = drawing.grid(3, 2, {a, b, a, b, a, b});
+    Field               &pressure = drawing.field("pressure", "Pa");
+    Field               &flux     = drawing.field("flux", "N/m", {"11", "22", "12"}, true);
+    for (unsigned int i = 0; i < 6; ++i)
+      pressure.set(panel.first_sample + i, 100. + i);
+    for (unsigned int i = 0; i < 2; ++i)
+      flux.set(panel.first_cell + i, Vector3(i, 10, 1e60));
+    drawing.begin_object("wire");
+    drawing.grid(2, 1, {a, b});
+    drawing.begin_object("mark");
+    drawing.grid(1, 1, {b});
     return drawing;
   }
 
@@ -85,9 +99,9 @@ TEST(Pictures, PictureHoldsWhatWasDrawn)
 
   const std::string text = content_of(folder.path + "/pictures/static.0000.vtu");
   EXPECT_EQ(attribute(text, "<VTKFile", "type"), "UnstructuredGrid");
-  EXPECT_EQ(attribute(text, "<Piece", "NumberOfCells"), std::to_string(drawing.quads.size()));
+  EXPECT_EQ(attribute(text, "<Piece", "NumberOfCells"), std::to_string(drawing.cells.size()));
   EXPECT_EQ(attribute(text, "<Piece", "NumberOfPoints"), std::to_string(drawing.corners.size()));
-  for (const char *name : {"displacement", "section force", "section moment", "strain", "curvature", "velocity"})
+  for (const char *name : {"displacement", "velocity", "flux"})
     EXPECT_NE(text.find("Name=\"" + std::string(name) + "\" NumberOfComponents=\"3\""), std::string::npos) << name;
   EXPECT_NE(text.find("</VTKFile>"), std::string::npos);
 
@@ -95,26 +109,70 @@ TEST(Pictures, PictureHoldsWhatWasDrawn)
   const auto object       = numbers_of<float>(text, "object");
   const auto connectivity = numbers_of<std::int32_t>(text, "connectivity");
   ASSERT_EQ(displacement.size(), 3 * drawing.corners.size());
-  ASSERT_EQ(connectivity.size(), 4 * drawing.quads.size());
+  const auto offsets = numbers_of<std::int32_t>(text, "offsets");
+  const auto kinds   = numbers_of<std::uint8_t>(text, "types");
+  const auto places  = numbers_of<float>(text, "Points");
+  ASSERT_EQ(offsets.size(), drawing.cells.size());
+  ASSERT_EQ(kinds.size(), drawing.cells.size());
+  ASSERT_EQ(connectivity.size(), std::size_t(offsets.back()));
 
-  // The points have no name, they are in the first array of all.
-  std::string points_text = text;
-  points_text.insert(points_text.find("<DataArray") + 10, " Name=\"places\"");
-  const auto places = numbers_of<float>(points_text, "places");
-
-  for (unsigned int q = 0; q < drawing.quads.size(); ++q)
-    for (unsigned int c = 0; c < 4; ++c)
+  std::int32_t begin = 0;
+  for (unsigned int q = 0; q < drawing.cells.size(); begin = offsets[q++])
+    for (unsigned int c = 0; c < drawing.cells[q].n_corners(); ++c)
       {
-        const unsigned int     point  = connectivity[4 * q + c];
-        const Drawing::Corner &corner = drawing.corners[drawing.quads[q][c]];
-        EXPECT_EQ(point, drawing.quads[q][c]);
+        const unsigned int     point  = connectivity[begin + c];
+        const Drawing::Corner &corner = drawing.corners[drawing.cells[q].corners[c]];
+        EXPECT_EQ(point, drawing.cells[q].corners[c]);
         EXPECT_EQ(object[point], corner.object);
+        EXPECT_EQ(kinds[q], drawing.cells[q].dimension == 2 ? 9 : drawing.cells[q].dimension == 1 ? 3 : 1);
         for (unsigned int d = 0; d < 3; ++d)
           {
             EXPECT_FLOAT_EQ(places[3 * point + d], corner.x(d));
             EXPECT_FLOAT_EQ(displacement[3 * point + d], drawing.samples[corner.sample].displacement(d));
           }
       }
+}
+
+
+
+/** Also where an object does not have a field, and where 32 bits do not hold a number: no zero must stand for either.
+ */
+TEST(Pictures, FieldsAreWrittenWithUnitsAndComponents)
+{
+  const ScratchFolder folder;
+  const Drawing       drawing = two_objects();
+  Pictures(folder.path, "static").add(two_objects(), 0);
+  const std::string text = content_of(folder.path + "/pictures/static.0000.vtu");
+
+  EXPECT_TRUE(contains(text, "Name=\"pressure\" units=\"Pa\""));
+  EXPECT_TRUE(contains(text,
+                       "Name=\"flux\" NumberOfComponents=\"3\" ComponentName0=\"11\" ComponentName1=\"22\" "
+                       "ComponentName2=\"12\" units=\"N/m\""));
+  EXPECT_LT(text.find("<PointData>"), text.find("\"pressure\""));
+  EXPECT_LT(text.find("<CellData>"), text.find("\"flux\""));
+
+  const auto pressure = numbers_of<float>(text, "pressure"), flux = numbers_of<float>(text, "flux");
+  ASSERT_EQ(pressure.size(), drawing.corners.size());
+  ASSERT_EQ(flux.size(), 3 * drawing.cells.size());
+  const auto   is_panel = [&](const Drawing::Corner &corner) { return drawing.objects[corner.object] == "panel"; };
+  unsigned int n        = 0;
+  for (unsigned int i = 0; i < pressure.size(); ++i)
+    if (is_panel(drawing.corners[i]))
+      EXPECT_EQ(pressure[i], 100.f + n++);
+    else
+      EXPECT_TRUE(std::isnan(pressure[i]));
+  EXPECT_EQ(n, 6u);
+  n = 0;
+  for (unsigned int i = 0; i < drawing.cells.size(); ++i)
+    if (is_panel(drawing.corners[drawing.cells[i].corners[0]]))
+      {
+        EXPECT_EQ(flux[3 * i], float(n++));
+        EXPECT_EQ(flux[3 * i + 1], 10.f);
+        EXPECT_TRUE(std::isinf(flux[3 * i + 2]));
+      }
+    else
+      EXPECT_TRUE(std::isnan(flux[3 * i]));
+  EXPECT_EQ(n, 2u);
 }
 
 
@@ -137,7 +195,7 @@ TEST(Pictures, SeriesIsCompleteAfterEachPicture)
       EXPECT_EQ(attribute(text.substr(text.rfind("<DataSet")), "<DataSet", "timestep"),
                 std::vector<std::string>({"0", "0.25", "0.5"})[frame]);
     }
-  EXPECT_EQ(content_of(folder.path + "/dynamic.objects.txt"), "0 fuselage\n1 blade 1\n");
+  EXPECT_EQ(content_of(folder.path + "/dynamic.objects.txt"), "0 fuselage\n1 blade 1\n2 panel\n3 wire\n4 mark\n");
 }
 
 

@@ -6,6 +6,7 @@
 #include <samara/cosserat/curve.h>
 #include <samara/cosserat/initial_velocity.h>
 #include <samara/cosserat/section.h>
+#include <samara/model/drawing.h>
 #include <samara/model/relative_motion.h>
 
 namespace samara

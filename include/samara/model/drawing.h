@@ -1,58 +1,103 @@
 #ifndef samara_model_drawing_h
 #define samara_model_drawing_h
 
-#include <samara/rotation/rotation.h>
+#include <samara/model/field.h>
+#include <samara/model/state.h>
 
 #include <array>
+#include <deque>
 #include <string>
 #include <vector>
 
 namespace samara
 {
-  /** A point of a drawn body with what is known there. Vectors are in the inertial frame, strains in the section's. */
+  class Model;
+  struct Frame;
+
+  /** Where something drawn is and how it moves there. Vectors are in the inertial frame. */
   struct Sample
   {
     Vector3 x            = Vector3::Zero();     ///< [m]
     Matrix3 D            = Matrix3::Identity(); ///< triad; for beams d₁ is along the axis
     Vector3 displacement = Vector3::Zero();     ///< from the reference position [m]
-    Vector3 force        = Vector3::Zero();     ///< section force [N]
-    Vector3 moment       = Vector3::Zero();     ///< section moment [N m]
-    Vector3 strain       = Vector3::Zero();     ///< Γ₁ Γ₂ Γ₃
-    Vector3 curvature    = Vector3::Zero();     ///< K₁ K₂ K₃ [1/m]
     Vector3 velocity     = Vector3::Zero();     ///< [m/s]
   };
 
 
 
   /**
-   * A picture of the model: surfaces made of quadrilaterals, so that all of it goes into one file of one cell type.
-   * Items draw themselves with the shapes below; each object gets a number by which it can be selected and
-   * coloured. Quadrilaterals of one object share their points, and points share what is known of the sample they belong
-   * to: the memory is in proportion to the number of points.
+   * A picture of the model: points, lines and quadrilaterals with fields, all in one file. Items draw themselves, with
+   * solid shapes or as patches; each object gets a number by which it can be selected and coloured.
+   *
+   * What is known is known at samples: their displacements and velocities, and fields by name, see field(). Corners are
+   * the points of the picture. The corners of a solid shape are more than its samples, and show what is known there:
+   * the memory is in proportion to the number of points.
    */
   struct Drawing
   {
+    /** @p model: for sample(); the others do without. */
+    explicit Drawing(const Model *model = nullptr)
+      : model(model)
+    {}
+
     struct Corner
     {
       Vector3      x; ///< [m]
       unsigned int sample, object;
     };
-    /** Corners go round it, counter-clockwise for who looks from outside. */
-    using Quad = std::array<unsigned int, 4>;
+
+    /**
+     * A point, a line or a quadrilateral. The corners of a quadrilateral go round it; those of solid shapes
+     * counter-clockwise for who looks from outside.
+     */
+    struct Cell
+    {
+      unsigned int                dimension; ///< 0, 1, 2
+      std::array<unsigned int, 4> corners;   ///< the first n_corners()
+
+      unsigned int
+      n_corners() const
+      {
+        return 1u << dimension;
+      }
+    };
 
     std::vector<Sample>      samples;
     std::vector<Corner>      corners;
-    std::vector<Quad>        quads;
+    std::vector<Cell>        cells;
     std::vector<std::string> objects;
+    std::deque<Field>        fields; ///< a deque, so that those who fill one may ask for another
 
     /** Everything drawn from now on belongs to this object. */
     void begin_object(const std::string &name);
 
+    /** A frame as it is, and how it moves, in a state of the model. */
+    Sample sample(const Frame &frame, const State &state) const;
+
+    /** Where the samples and cells of a patch or shape begin: its i-th sample is number first_sample + i. */
+    struct Place
+    {
+      unsigned int first_sample, first_cell;
+    };
+
+    /** @name Patches, whose corners are their samples. All are open, and seen from both sides. @{ */
+    /** Cells of one dimension between @p of_patch: 2^dimension numbers of samples for each, counted from 0. */
+    Place patch(unsigned int dimension, const std::vector<Sample> &of_patch, const std::vector<unsigned int> &cells);
+    /**
+     * The nodes of an element of order p, (p + 1)² of them, or any other grid of n_1 × n_2 samples, those along
+     * direction 1 next to each other, as (n_1 − 1)(n_2 − 1) quadrilaterals; as n_1 − 1 lines if n_2 is 1; as a point
+     * if n_1 is 1, too.
+     */
+    Place grid(unsigned int n_1, unsigned int n_2, const std::vector<Sample> &nodes);
+    /** @} */
+
+    /** @name Solid shapes @{ */
     /**
      * A beam: a surface through the closed @p outlines, one outline per sample, given by points (y₂, y₃) [m] of the
-     * section in the sample's triad. All outlines have the same number of points. Ends are closed.
+     * section in the sample's triad. There are two samples at least, and all outlines have the same number of points.
+     * Ends are closed.
      */
-    void tube(const std::vector<Sample> &axis, const std::vector<std::vector<Eigen::Vector2d>> &outlines);
+    Place tube(const std::vector<Sample> &axis, const std::vector<std::vector<Eigen::Vector2d>> &outlines);
 
     /** A closed cylinder about the sample's axis @p axis (0, 1, 2), centred at the sample [m]. */
     void cylinder(const Sample &centre, unsigned int axis, double radius, double length);
@@ -61,6 +106,22 @@ namespace samara
     void box(const Sample &centre, const Vector3 &sides);
     /** A thin bar between two points [m]. */
     void bar(const Sample &from, const Sample &to, double radius);
+    /** @} */
+
+    /**
+     * The field of this name at samples, or on cells; made if there is none. Fill it by Field::set(); where nothing is
+     * set it is not a number. Objects of different kinds share fields by asking for the same one.
+     *
+     * @throws dealii::ExcMessage if there is one of that name with another unit or other components: two things would
+     * be one in the picture.
+     */
+    Field &field(const std::string              &name,
+                 const std::string              &unit,
+                 const std::vector<std::string> &components  = {},
+                 bool                            is_on_cells = false);
+
+  private:
+    const Model *model;
   };
 
 

@@ -19,8 +19,8 @@ namespace samara
    *     FOLDER/NAME.objects.txt           which number in the field `object` is which object of the model
    *     FOLDER/pictures/NAME.0000.vtu     one file a picture
    *
-   * The fields at the points are those of Sample: displacement [m], section force [N], section moment [N m], strain,
-   * curvature [1/m], velocity [m/s]. The place before the deformation is x − displacement.
+   * The fields are displacement [m], velocity [m/s], object, and those of the drawing; see vtu_of(). The place before
+   * the deformation is x − displacement.
    *
    * Every file is complete or absent, so that what a run left when it was killed can be opened. The series is rewritten
    * at the first picture, once a second, and by finish(). A picture is compressed and written beside the run; the next one

@@ -31,12 +31,11 @@ namespace samara
 
 
   /**
-   * The content of a .vtu file of VTK (UnstructuredGrid, version 0.1) that shows a drawing: its points with the fields
-   * of their samples as 32-bit numbers, its quadrilaterals, and the number of the object each point belongs to. Arrays
-   * are compressed by zlib and written as base64 between the tags, a form that all readers understand.
-   *
-   * Vectors have inertial components; strains and curvatures those of the section. Names and units: displacement [m],
-   * section force [N], section moment [N m], strain [1], curvature [1/m], velocity [m/s], object.
+   * The content of a .vtu file of VTK (UnstructuredGrid, version 0.1) that shows a drawing: its points, lines and
+   * quadrilaterals, displacement [m], velocity [m/s] and the number of the object at each point, and the fields of
+   * points and cells with units and names of components, all as 32-bit numbers. Where an object does not have a field
+   * it is not a number. Arrays are compressed by zlib and written as base64 between the tags, a form that all readers
+   * understand.
    *
    * @throws std::runtime_error if zlib fails (no memory).
    */
