@@ -1,4 +1,3 @@
-#include <samara/solvers/part_without.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/projection.h>
 
@@ -45,29 +44,49 @@ namespace samara
   void
   Projection::make_solver_without()
   {
-    if (solver && left_out == left_out_of_pattern)
+    if (solver && left_out == left_out_of_solver)
       return;
-    left_out_of_pattern = left_out;
-    // 6×6 masses of nodes that constraints act on, those of coordinates, and constraints
-    const Layout     &layout   = system.layout;
-    const int         n_twists = layout.of_coordinate(0), n_kinematic = layout.of_multiplier(0);
-    std::vector<bool> is_bound(layout.n_nodes, false);
+    left_out_of_solver = left_out;
+    // what is bound, by ascending numbers; free nodes know their increments, states theirs
+    const Layout &layout   = system.layout;
+    const int     n_twists = layout.of_coordinate(0), n_kinematic = layout.of_multiplier(0);
+    unknowns.clear();
     for (const auto node : bound)
-      is_bound[node] = true;
-    PartOfPattern part = part_without(layout, *layout.pattern, left_out, [&](const int i, const int j) {
-      const bool is_mass = i < n_twists && j < n_twists ? i / 6 == j / 6 && (i == j || is_bound[1 + i / 6]) : i == j;
-      return is_mass || i >= n_kinematic || j >= n_kinematic;
-    });
-    pattern            = part.pattern;
-    kept               = std::move(part.kept);
-    saddle             = std::make_unique<SparseMatrix>(pattern);
-    solver             = make_solver(pattern);
-    // of the mass the entries in use alone: all of them take as much memory as K
+      for (unsigned int i = 0; i < 6; ++i)
+        unknowns.push_back(layout.of_node(node) + i);
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      unknowns.push_back(layout.of_coordinate(i));
+    std::vector<bool> is_out(layout.n_multipliers, false);
+    for (const auto i : left_out)
+      is_out[i] = true;
+    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+      if (!is_out[i])
+        unknowns.push_back(layout.of_multiplier(i));
+    std::vector<int> number(system.size(), -1);
+    for (unsigned int i = 0; i < unknowns.size(); ++i)
+      number[unknowns[i]] = i;
+
+    // 6×6 masses of nodes, those of coordinates, and constraints
     SparseMatrix M(layout.pattern);
     system.mass(M);
-    mass.clear();
-    for (const int k : kept)
-      mass.push_back(M.values[k]);
+    auto pattern = std::make_shared<Pattern>();
+    pattern->column_start.push_back(0);
+    entries.clear();
+    for (const int j : unknowns)
+      {
+        for (int k = layout.pattern->column_start[j]; k < layout.pattern->column_start[j + 1]; ++k)
+          {
+            const int  i       = layout.pattern->rows[k];
+            const bool is_mass = i < n_kinematic && j < n_kinematic;
+            if (number[i] < 0 || (is_mass && i != j && (i >= n_twists || j >= n_twists || i / 6 != j / 6)))
+              continue;
+            pattern->rows.push_back(number[i]);
+            entries.push_back({k, is_mass, is_mass ? M.values[k] : 0.});
+          }
+        pattern->column_start.push_back(pattern->rows.size());
+      }
+    saddle = std::make_unique<SparseMatrix>(pattern);
+    solver = make_solver(saddle->pattern);
   }
 
 
@@ -106,15 +125,18 @@ namespace samara
     point.multipliers   = no_multipliers.data(); // the rows alone
     K.clear();
     system.add_constraint_tangent(point, K);
-    const int n = system.layout.of_multiplier(0);
-    for (int j = 0, k = 0; j < pattern->size(); ++j)
-      for (; k < pattern->column_start[j + 1]; ++k)
-        saddle->values[k] = j < n && pattern->rows[k] < n ? mass[k] : K.values[kept[k]];
-    // ż = g
-    for (int i = system.layout.of_state(0); i < n; ++i)
-      saddle->values[pattern->position(i, i)] = 1.;
-    system.fix_left_out(left_out, *saddle);
-    solver->factorize(*saddle);
+    for (unsigned int k = 0; k < entries.size(); ++k)
+      saddle->values[k] = entries[k].is_mass ? entries[k].mass : K.values[entries[k].at];
+    if (unknowns.empty())
+      return;
+    try
+      {
+        solver->factorize(*saddle);
+      }
+    catch (const SingularMatrix &singular)
+      {
+        throw SingularMatrix(singular.unknown < 0 ? -1 : unknowns[singular.unknown]);
+      }
   }
 
 
@@ -133,13 +155,19 @@ namespace samara
   void
   Projection::solve()
   {
-    // before elimination, which divides by the diagonal
+    small_b.resize(unknowns.size());
+    for (unsigned int i = 0; i < unknowns.size(); ++i)
+      small_b[i] = b[unknowns[i]];
+    if (!unknowns.empty())
+      solver->solve(small_b.data());
     for (const auto &[node, inverse] : free)
       {
         Eigen::Map<Vector6> of_node(&b[system.layout.of_node(node)]);
-        of_node = system.model.nodes[node].inertia.diagonal().cwiseProduct(inverse * of_node).eval();
+        of_node = (inverse * of_node).eval();
       }
-    solver->solve(b.data());
+    std::fill(b.begin() + system.layout.of_state(0), b.end(), 0.);
+    for (unsigned int i = 0; i < unknowns.size(); ++i)
+      b[unknowns[i]] = small_b[i];
   }
 
 

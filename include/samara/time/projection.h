@@ -42,25 +42,31 @@ namespace samara
     void report(State &state);
 
   private:
-    const System                  &system;
-    SparseMatrix                   K;
-    std::shared_ptr<const Pattern> pattern; ///< of the saddle-point matrix
-    std::vector<int>               kept;    ///< its entries among those of K
-    std::vector<double>            mass;    ///< of these entries
-    std::vector<unsigned int>      bound;   ///< nodes that constraints act on, or without an inverse of the mass
+    const System             &system;
+    SparseMatrix              K;
+    std::vector<unsigned int> bound; ///< nodes that constraints act on, or without an inverse of the mass
     struct FreeNode
     {
       unsigned int node;
       Matrix6      inverse; ///< of its mass
     };
-    std::vector<FreeNode>         free; ///< all others: in the matrix they are a diagonal
+    std::vector<FreeNode> free;     ///< all others: they are not in the matrix
+    std::vector<int>      unknowns; ///< those of the saddle-point matrix
+    struct Entry
+    {
+      int    at; ///< among the entries of K
+      bool   is_mass;
+      double mass;
+    };
+    std::vector<Entry>            entries; ///< of the saddle-point matrix
     std::unique_ptr<SparseMatrix> saddle;
     std::unique_ptr<LinearSolver> solver;
 
-    std::vector<unsigned int> left_out_of_pattern;
+    std::vector<unsigned int> left_out_of_solver;
     std::vector<unsigned int> left_out; ///< in the present matrix: those of the state, at singular positions more
     bool                      is_massless = false; ///< something without mass moves freely, and no choice of rows helps
-    std::vector<double> no_multipliers, moved_q, moved_coordinates, moved_states, moved_state_rates, rates, later, r, b;
+    std::vector<double> no_multipliers, moved_q, moved_coordinates, moved_states, moved_state_rates, rates, later, r, b,
+      small_b;
 
     void   make_solver_without();
     void   factorize(const State &state, double least_condition = 0);
