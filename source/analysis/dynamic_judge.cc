@@ -44,6 +44,11 @@ namespace samara
                                       std::abs(budget.drives)});
     report.indicator      = std::max(report.indicator, advance.step.indicator);
     report.work_defect    = std::max(report.work_defect, advance.step.work_defect);
+    if (advance.step.unresolved_state >= 0 && report.n_unresolved++ == 0)
+      {
+        report.first_unresolved = time;
+        report.unresolved_state = context.system.model.states[advance.step.unresolved_state].name;
+      }
     // whatever the tolerance, a sum is not known better than its terms are
     const double terms = budget.kinetic + budget.strain + std::abs(budget.potential) + std::abs(budget.start) +
                          std::abs(budget.loads) + std::abs(budget.drives) + budget.viscous + budget.dissipated;
@@ -109,6 +114,16 @@ namespace samara
   void
   DynamicAnalysis::conclude(const Context &context) const
   {
+    // what has died away after a few steps does not count any more
+    constexpr unsigned int transient = 3;
+    if (report.n_unresolved > transient)
+      context.log.warning("",
+                          "states of first order are not resolved in " + std::to_string(report.n_unresolved) +
+                            " steps, the first at t = " + number_to_text("%.6g", report.first_unresolved) + " s, <" +
+                            report.unresolved_state +
+                            ">: they grow, oscillate or decay within a step, and what they do there is wrong by a "
+                            "third or more. Take a smaller <Step>" +
+                            (spectral_radius < 1 ? "" : ", or <Spectral radius> below 1 for what decays quickly"));
     if (report.does_close)
       return;
     const std::string text =

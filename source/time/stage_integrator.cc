@@ -296,6 +296,8 @@ namespace samara
         const double size = is_exact ? solve_exactly(h) : solve(h);
         ++result.iterations;
         result.last_correction = size;
+        if (!std::isfinite(size))
+          find_infinite(result);
         if (!std::isfinite(size) || size > 1e3)
           return false;
         correct_stresses();
@@ -324,6 +326,21 @@ namespace samara
           result.worst = i;
         }
     return false;
+  }
+
+
+
+  void
+  StageIntegrator::find_infinite(StepResult &result) const
+  {
+    for (const Stage &stage : stages)
+      for (unsigned int i = 0; i < system.size(); ++i)
+        if (!std::isfinite(stage.residual[i]))
+          {
+            result.is_finite = false;
+            result.worst     = i;
+            return;
+          }
   }
 
 

@@ -185,9 +185,11 @@ namespace samara
     if (h / 2 < smallest_step)
       {
         std::ostringstream text;
-        text << "t = " << state.time << " s: Newton's method does not converge with the smallest step, " << h
-             << " s; the largest force left is at " << system.layout.name_of(result.step.worst)
-             << about_reactions(state);
+        text << "t = " << state.time << " s: Newton's method does not converge with the smallest step, " << h << " s; "
+             << (result.step.is_finite ?
+                   "the largest force left is at " :
+                   "what acts is not a finite number, as of a law beyond where it is defined, at ")
+             << system.layout.name_of(result.step.worst) << about_reactions(state);
         throw NotConverged(text.str());
       }
     h = controller ? controller->after_failure(h) : h / 2;

@@ -59,6 +59,12 @@ namespace samara
       bool        does_close = true;   ///< within what the Newton tolerance explains
       /** @} */
 
+      /** @name States of first order that steps do not resolve @{ */
+      unsigned int n_unresolved     = 0; ///< steps that do not
+      double       first_unresolved = 0; ///< time of the first one [s]
+      std::string  unresolved_state;     ///< which it was there
+      /** @} */
+
       /** @name What a step is, at most @{ */
       double turn           = 0; ///< of a body [rad]
       double indicator      = 0; ///< D/α [J]

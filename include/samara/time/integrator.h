@@ -21,6 +21,8 @@ namespace samara
     double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
     double       work_defect     = 0; ///< Σ|N| of stops: what their energy would change by without correction
     double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
+    bool         is_finite        = true; ///< what acts; if not, the worst unknown is where it is not
+    int          unresolved_state = -1;   ///< of first order, that the step does not resolve; -1: none
     unsigned int worst           = 0; ///< unknown with the largest force left; if converged, with the most work left
     int          worst_constraint =
       -1; ///< if converged, the multiplier with the largest force of those that act there; -1: none

@@ -267,6 +267,11 @@ namespace samara
     std::unique_ptr<Projection> projection; ///< for these
     State                       admissible;
     void                        account(const State &state, double h, StepResult &result);
+    /** The state of first order that the step resolves least, of those it does not resolve; -1 if there is none. */
+    int                 unresolved_state(const State &state, double h);
+    std::vector<double> largest_states; ///< that there were
+    /** Find where what acts is no number, for messages. */
+    void find_infinite(StepResult &result) const;
     /** Tell where Newton's method has left most work, for messages. */
     void find_worst(StepResult &result) const;
     /** Σ b_k p_k ẏ_k of a node, for velocities @p start at the start of the step. */
