@@ -78,7 +78,7 @@ namespace samara
     Parameters               root;
     std::vector<std::string> analysis_names;
     std::vector<std::string> subsections; ///< of each item: "Bodies", ...
-    std::string              redundant, linear_solver = "KLU";
+    std::string              redundant, linear_solver = "automatic";
     unsigned int             threads = 0;
 
     std::vector<const Outline *> outlines; ///< of each item, while it is read

@@ -1,8 +1,8 @@
 #include <samara/base/text.h>
 #include <samara/base/text_file.h>
 #include <samara/cosserat/section.h>
-#include <samara/section/symmetric_matrix.h>
 #include <samara/model/drawing.h>
+#include <samara/section/symmetric_matrix.h>
 
 #include <cmath>
 #include <sstream>

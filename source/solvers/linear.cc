@@ -7,7 +7,7 @@ namespace samara
 {
   namespace
   {
-    Library chosen = Library::klu;
+    Library chosen = Library::automatic;
 
     template <typename Number>
     std::unique_ptr<Factorization<Number>>
@@ -19,8 +19,10 @@ namespace samara
             return umfpack_factorization<Number>(pattern);
           case Library::mumps:
             return mumps_factorization<Number>(pattern);
-          default:
+          case Library::klu:
             return klu_factorization<Number>(pattern, ordering);
+          default:
+            return automatic_factorization<Number>(pattern, ordering);
         }
     }
 
@@ -104,6 +106,8 @@ namespace samara
   Library
   library_by_name(const std::string &name)
   {
+    if (name == "automatic")
+      return Library::automatic;
     if (name == "KLU")
       return Library::klu;
     if (name == "UMFPACK")

@@ -13,12 +13,15 @@ using namespace samara;
 
 namespace
 {
-  const std::vector<Library> libraries = {Library::klu, Library::umfpack, Library::mumps};
+  const std::vector<Library> libraries = {Library::klu, Library::umfpack, Library::mumps, Library::automatic};
 
   std::string
   name_of(const Library library)
   {
-    return library == Library::klu ? "KLU" : library == Library::umfpack ? "UMFPACK" : "MUMPS";
+    return library == Library::klu     ? "KLU" :
+           library == Library::umfpack ? "UMFPACK" :
+           library == Library::mumps   ? "MUMPS" :
+                                         "automatic";
   }
 
   /** A joint of every kind, loops, a turning rotor; all redundant constraints left in place but those that are fixed.
@@ -253,5 +256,5 @@ TEST(Libraries, TheEntryChoosesForAllAnalyses)
       EXPECT_LT(difference, 1e-7) << name_of(library);
     }
   Scene unsaid("prm/examples/first_model.prm");
-  EXPECT_EQ(library_in_use(), Library::klu);
+  EXPECT_EQ(library_in_use(), Library::automatic);
 }

@@ -142,7 +142,7 @@ TEST_F(Threads, MumpsWithThreeStages)
   use_library(Library::mumps);
   State           state = scene.context.state;
   StageIntegrator integrator(scene.system, Tableau(3, 0.5));
-  use_library(Library::klu);
+  use_library(Library::automatic);
   for (unsigned int i = 0; i < 3; ++i)
     {
       integrator.forget_history();

@@ -31,6 +31,9 @@ namespace samara
   };
 
   template <typename Number>
+  std::unique_ptr<Factorization<Number>> automatic_factorization(const Pattern &pattern,
+                                                                 Ordering ordering = Ordering::symmetric);
+  template <typename Number>
   std::unique_ptr<Factorization<Number>> klu_factorization(const Pattern &pattern,
                                                            Ordering ordering = Ordering::symmetric);
   template <typename Number>

@@ -1,0 +1,287 @@
+#include <samara/base/errors.h>
+#include <samara/solvers/krylov_schur.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+extern "C" void dtrsen_(const char *job,
+                        const char *compq,
+                        const int  *select,
+                        const int  *n,
+                        double     *t,
+                        const int  *ldt,
+                        double     *q,
+                        const int  *ldq,
+                        double     *wr,
+                        double     *wi,
+                        int        *m,
+                        double     *s,
+                        double     *sep,
+                        double     *work,
+                        const int  *lwork,
+                        int        *iwork,
+                        const int  *liwork,
+                        int        *info);
+
+namespace samara
+{
+  namespace
+  {
+    using Eigen::MatrixXd, Eigen::VectorXd;
+
+    /** Sizes of eigenvalues that differ by less are the same, for who asks whether one was missed. */
+    constexpr double same_size = 1e-6;
+
+
+
+    /** Eigenvalues of the diagonal blocks of a real Schur form, one a column. */
+    std::vector<std::complex<double>>
+    values_of_blocks(const MatrixXd &T)
+    {
+      const int                         n = T.rows();
+      std::vector<std::complex<double>> values(n);
+      for (int i = 0; i < n; ++i)
+        if (i + 1 < n && T(i + 1, i) != 0.)
+          {
+            const double mean = 0.5 * (T(i, i) + T(i + 1, i + 1)), half = 0.5 * (T(i, i) - T(i + 1, i + 1));
+            const std::complex<double> root = std::sqrt(std::complex<double>(half * half + T(i, i + 1) * T(i + 1, i)));
+            values[i]                       = mean + root;
+            values[i + 1]                   = mean - root;
+            ++i;
+          }
+        else
+          values[i] = T(i, i);
+      return values;
+    }
+
+
+
+    /** A V = V S + v bᵀ with orthonormal (V, v), as one matrix H = (S; bᵀ). */
+    class KrylovSchur
+    {
+    public:
+      KrylovSchur(const unsigned int                                     n,
+                  const std::function<void(const double *x, double *y)> &apply,
+                  const unsigned int                                     wanted,
+                  const ArnoldiSettings                                 &settings)
+        : n(n)
+        , apply(apply)
+        , wanted(wanted)
+        , settings(settings)
+        , m(std::min(n, std::max(settings.largest_basis, 2 * wanted + 10)))
+        , V(n, m + 1)
+        , H(MatrixXd::Zero(m + 1, m))
+        , generator(n)
+      {
+        V.col(0) = random_vector(0);
+      }
+
+      EigenPairs
+      find()
+      {
+        double smallest = -1; // of those that have converged once
+        for (;;)
+          {
+            while (size < m)
+              expand();
+            const unsigned int kept = sort();
+            if (const auto pairs = converged_pairs(kept))
+              {
+                const double now = std::abs(pairs->values.back());
+                // all there is, or nothing larger beside it
+                if (m == n || (smallest >= 0 && now <= smallest * (1 + same_size)))
+                  return *pairs;
+                smallest = now;
+                truncate(kept);
+                H.row(size).setZero();
+                V.col(size) = random_vector(size);
+              }
+            else
+              truncate(kept + (m - kept) / 3);
+            if (n_products >= settings.most_products)
+              throw NotConverged("Arnoldi's method has not found " + std::to_string(wanted) + " eigenvalues of " +
+                                 std::to_string(n) + " with " + std::to_string(n_products) + " products");
+          }
+      }
+
+    private:
+      const unsigned int                                    n;
+      const std::function<void(const double *x, double *y)> apply;
+      const unsigned int                                    wanted;
+      const ArnoldiSettings                                 settings;
+      const unsigned int                                    m; ///< the largest basis
+      MatrixXd                                              V, H;
+      unsigned int                                          size       = 0; ///< of V, without v
+      unsigned int                                          n_products = 0;
+      std::mt19937                                          generator;
+
+      /** Take from @p x what lies in the first vectors, twice, which is enough (Kahan; Parlett 1980). */
+      VectorXd
+      orthogonalize(VectorXd &x, const unsigned int n_vectors) const
+      {
+        VectorXd sum = VectorXd::Zero(n_vectors);
+        for (unsigned int pass = 0; pass < 2; ++pass)
+          {
+            const VectorXd c = V.leftCols(n_vectors).transpose() * x;
+            x.noalias() -= V.leftCols(n_vectors) * c;
+            sum += c;
+          }
+        return sum;
+      }
+
+      /** Of unit norm, orthogonal to the first vectors; zero if these are all there are. */
+      VectorXd
+      random_vector(const unsigned int n_vectors)
+      {
+        if (n_vectors >= n)
+          return VectorXd::Zero(n);
+        std::uniform_real_distribution<double> number(-1., 1.);
+        VectorXd                               x(n);
+        for (double &x_i : x)
+          x_i = number(generator);
+        orthogonalize(x, n_vectors);
+        return x.normalized();
+      }
+
+      void
+      expand()
+      {
+        VectorXd y(n);
+        apply(V.col(size).data(), y.data());
+        ++n_products;
+        if (!y.allFinite())
+          throw NotConverged("Arnoldi's method: the operator gives what is not a number");
+        const double before        = y.norm();
+        H.col(size).head(size + 1) = orthogonalize(y, size + 1);
+        H.col(size).tail(m - size).setZero();
+        const double after = y.norm();
+        ++size;
+        if (size < n && after > 1e-14 * before)
+          {
+            H(size, size - 1) = after;
+            V.col(size)       = y / after;
+          }
+        else
+          V.col(size) = random_vector(size); // the space is invariant: go on elsewhere
+      }
+
+      /** Bring S to Schur form, the largest eigenvalues in front; returns how many: those wanted, pairs not torn. */
+      unsigned int
+      sort()
+      {
+        Eigen::RealSchur<MatrixXd> schur(H.topRows(m));
+        if (schur.info() != Eigen::Success)
+          throw NotConverged("Arnoldi's method: no Schur form was found");
+        MatrixXd            T = schur.matrixT(), U = schur.matrixU();
+        const auto          values = values_of_blocks(T);
+        std::vector<double> sizes;
+        for (const auto &value : values)
+          sizes.push_back(std::abs(value));
+        std::sort(sizes.rbegin(), sizes.rend());
+        // one size for both of a pair, which may differ by round-off
+        const double     least = sizes[wanted - 1] * (1 - 1e-12);
+        std::vector<int> select(m, 0);
+        for (unsigned int i = 0; i < m; ++i)
+          select[i] = std::abs(values[i]) >= least;
+        for (unsigned int i = 0; i + 1 < m; ++i)
+          if (T(i + 1, i) != 0.)
+            select[i] = select[i + 1] = select[i] || select[i + 1];
+        const int           size_of_T = m, n_work = 1;
+        int                 n_selected = 0, info = 0, n_integers = 1, integers[1];
+        std::vector<double> real(m), imag(m), work(std::max(1u, m));
+        double              s = 0, sep = 0;
+        const int           n_numbers = std::max<int>(n_work, m);
+        dtrsen_("N",
+                "V",
+                select.data(),
+                &size_of_T,
+                T.data(),
+                &size_of_T,
+                U.data(),
+                &size_of_T,
+                real.data(),
+                imag.data(),
+                &n_selected,
+                &s,
+                &sep,
+                work.data(),
+                &n_numbers,
+                integers,
+                &n_integers,
+                &info);
+        if (info < 0)
+          throw std::logic_error("dtrsen: argument " + std::to_string(-info));
+        const VectorXd b = U.transpose() * H.row(m).transpose();
+        H.topRows(m)     = T;
+        H.row(m)         = b.transpose();
+        V.leftCols(m)    = (V.leftCols(m) * U).eval();
+        return std::max<unsigned int>(n_selected, 1);
+      }
+
+      /** Of the first @p kept, if these have converged. */
+      std::optional<EigenPairs>
+      converged_pairs(const unsigned int kept) const
+      {
+        const Eigen::EigenSolver<MatrixXd> eigen(H.topLeftCorner(kept, kept));
+        std::vector<unsigned int>          order(kept);
+        for (unsigned int i = 0; i < kept; ++i)
+          order[i] = i;
+        std::stable_sort(order.begin(), order.end(), [&](const unsigned int i, const unsigned int j) {
+          return std::abs(eigen.eigenvalues()(i)) > std::abs(eigen.eigenvalues()(j)) * (1 + 1e-12);
+        });
+        EigenPairs pairs;
+        pairs.vectors.resize(n, kept);
+        pairs.n_products   = n_products;
+        const double floor = std::numeric_limits<double>::epsilon() * H.norm();
+        for (unsigned int i = 0; i < kept; ++i)
+          {
+            const std::complex<double> value = eigen.eigenvalues()(order[i]);
+            const Eigen::VectorXcd     y     = eigen.eigenvectors().col(order[i]).normalized();
+            const double               residual =
+              std::abs((H.row(m).head(kept).transpose().cast<std::complex<double>>().cwiseProduct(y)).sum());
+            if (residual > std::max(settings.tolerance * std::abs(value), 10 * floor))
+              return {};
+            pairs.values.push_back(value);
+            pairs.residuals.push_back(residual);
+            pairs.vectors.col(i) = V.leftCols(kept) * y;
+          }
+        return pairs;
+      }
+
+      /** Keep the first @p n_kept Schur vectors, and v behind them; a pair that this would tear stays whole. */
+      void
+      truncate(unsigned int n_kept)
+      {
+        if (n_kept < m && H(n_kept, n_kept - 1) != 0.)
+          ++n_kept;
+        n_kept           = std::min(n_kept, m - 1);
+        const VectorXd b = H.row(m).head(n_kept);
+        const MatrixXd T = H.topLeftCorner(n_kept, n_kept);
+        const VectorXd v = V.col(m);
+        H.setZero();
+        H.topLeftCorner(n_kept, n_kept) = T;
+        H.row(n_kept).head(n_kept)      = b.transpose();
+        V.col(n_kept)                   = v;
+        size                            = n_kept;
+      }
+    };
+  } // namespace
+
+
+
+  EigenPairs
+  arnoldi(const unsigned int                                     n,
+          const std::function<void(const double *x, double *y)> &apply,
+          const unsigned int                                     wanted,
+          const ArnoldiSettings                                 &settings)
+  {
+    if (wanted == 0 || wanted > n)
+      throw std::invalid_argument("there are not " + std::to_string(wanted) + " eigenvalues of an operator of size " +
+                                  std::to_string(n));
+    return KrylovSchur(n, apply, wanted, settings).find();
+  }
+} // namespace samara

@@ -1,0 +1,154 @@
+#include <samara/solvers/diagonal_order.h>
+#include <samara/solvers/factorization.h>
+#include <samara/solvers/panel_factors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    /** Smaller matrices are factorised before an order is found; sparser ones are those of chains and trees of bodies.
+     */
+    constexpr int    least_size        = 2000;
+    constexpr double least_work_a_row  = 4000; ///< multiplications; a chain of beams takes 1000
+    constexpr double largest_error     = 1e-11;
+    constexpr double smallest_of_pivot = 1e-14; ///< of pivots, relative: less may be a singular matrix
+
+    /** Factorisations that pivots on the diagonal may fail at before they are given up. */
+    constexpr unsigned int most_refused = 3;
+
+
+
+    /**
+     * The largest part of an equation that a solution leaves of it, by rows (Oettli & Prager 1964), for a right-hand
+     * side with a known solution: what pivots that are too small for their rows have lost.
+     */
+    template <typename Number>
+    double
+    backward_error(const Pattern &pattern, const Number *values, const PanelFactors<Number> &factors)
+    {
+      const int           n = pattern.size();
+      std::vector<Number> x(n), b(n);
+      std::vector<double> sizes(n, 0.);
+      const auto          add_product = [&](const double sign) {
+        for (int j = 0; j < n; ++j)
+          for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+            {
+              b[pattern.rows[k]] += sign * values[k] * x[j];
+              sizes[pattern.rows[k]] += std::abs(values[k] * x[j]);
+            }
+      };
+      for (int i = 0; i < n; ++i)
+        x[i] = 1. + 0.5 * std::sin(double(i));
+      add_product(1);
+      x = b;
+      factors.solve(x.data());
+      add_product(-1);
+      double error = 0;
+      for (int i = 0; i < n; ++i)
+        if (sizes[i] > 0)
+          error = std::max(error, std::abs(b[i]) / sizes[i]);
+      return std::isfinite(error) ? error : 1.;
+    }
+
+
+
+    /**
+     * What suits the pattern: KLU's pivots where the factors fill little; otherwise pivots on the diagonal,
+     * whose accuracy is measured at each factorisation, and MUMPS where it does not suffice.
+     */
+    template <typename Number>
+    class Automatic : public Factorization<Number>
+    {
+    public:
+      Automatic(const Pattern &pattern, const Ordering ordering)
+        : pattern(pattern)
+        , ordering(ordering)
+      {}
+
+      void
+      factorize(const Number *values) override
+      {
+        if (!is_chosen)
+          choose(values);
+        is_diagonal = has_order && n_refused < most_refused && factorize_on_diagonal(values);
+        if (is_diagonal)
+          return;
+        if (has_order && ++n_refused == most_refused)
+          factors = PanelFactors<Number>(); // it is not tried any more
+        if (!other)
+          other = has_order ? mumps_factorization<Number>(pattern) : klu_factorization<Number>(pattern, ordering);
+        other->factorize(values);
+      }
+
+      void
+      solve(Number *b) const override
+      {
+        is_diagonal ? factors.solve(b) : other->solve(b);
+      }
+
+      int
+      determinant_sign() const override
+      {
+        return !is_diagonal ? other->determinant_sign() : factors.n_negative_pivots % 2 == 0 ? 1 : -1;
+      }
+
+      double
+      reciprocal_condition() const override
+      {
+        return is_diagonal ? factors.reciprocal_condition() : other->reciprocal_condition();
+      }
+
+    private:
+      void
+      choose(const Number *values)
+      {
+        is_chosen   = true;
+        const int n = pattern.size();
+        if (n < least_size || !is_structure_symmetric(pattern))
+          return;
+        std::vector<bool> is_late(n);
+        for (int j = 0; j < n; ++j)
+          {
+            const int k = pattern.position(j, j);
+            is_late[j]  = k < 0 || values[k] == Number();
+          }
+        const DiagonalOrder order(pattern, is_late);
+        if (order.n_operations < least_work_a_row * n)
+          return;
+        has_order = true;
+        factors.set_pivots(pattern, order.pivots());
+      }
+
+
+
+      bool
+      factorize_on_diagonal(const Number *values)
+      {
+        return factors.factorize(values) < 0 && factors.reciprocal_condition() >= smallest_of_pivot &&
+               backward_error(pattern, values, factors) <= largest_error;
+      }
+
+      const Pattern                         &pattern;
+      const Ordering                         ordering;
+      bool                                   is_chosen = false, has_order = false, is_diagonal = false;
+      unsigned int                           n_refused = 0;
+      PanelFactors<Number>                   factors;
+      std::unique_ptr<Factorization<Number>> other;
+    };
+  } // namespace
+
+
+
+  template <typename Number>
+  std::unique_ptr<Factorization<Number>>
+  automatic_factorization(const Pattern &pattern, const Ordering ordering)
+  {
+    return std::make_unique<Automatic<Number>>(pattern, ordering);
+  }
+
+  template std::unique_ptr<Factorization<double>>               automatic_factorization(const Pattern &, Ordering);
+  template std::unique_ptr<Factorization<std::complex<double>>> automatic_factorization(const Pattern &, Ordering);
+} // namespace samara
