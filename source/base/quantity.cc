@@ -125,12 +125,24 @@ namespace samara
                            const std::string &where,
                            Complaints        &complaints)
   {
+    add_constant(name, text, where, *this, complaints);
+  }
+
+
+
+  void
+  Quantities::add_constant(const std::string &name,
+                           const std::string &text,
+                           const std::string &where,
+                           const Quantities  &reader,
+                           Complaints        &complaints)
+  {
     try
       {
         if (const auto fault = fault_of_name(name); !fault.empty())
           throw std::invalid_argument(fault);
 
-        const Evaluation evaluation(text, words);
+        const Evaluation evaluation(text, reader.words);
         checked_value(text, evaluation, "");
 
         // What contradicts itself in one reading is meant in the other one.
@@ -151,6 +163,15 @@ namespace samara
         nothing.is_faulty = true;
         words.emplace(name, nothing);
       }
+  }
+
+
+
+  void
+  Quantities::begin_subsystem()
+  {
+    for (auto &[name, meaning] : words)
+      meaning.is_outer = !meaning.is_unit && known_to_all().count(name) == 0;
   }
 
 
@@ -177,7 +198,7 @@ namespace samara
     if (std::find(functions.begin(), functions.end(), name) != functions.end())
       return "there is a function of that name; choose another.";
     const auto word = words.find(name);
-    if (word == words.end() || word->second.is_faulty)
+    if (word == words.end() || word->second.is_faulty || word->second.is_outer)
       return "";
     return word->second.is_unit ? "there is a unit of that name; choose another." :
                                   "there is already a constant of that name.";
@@ -278,6 +299,35 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * The word of a signal; of a component along an axis of a subsystem the sum of those in inertial axes, of which the
+     * model knows: eᵢ·v = Σⱼ Rⱼᵢ vⱼ, and eᵢ·(x − x₀) of a position.
+     */
+    template <typename WordOf>
+    std::string
+    in_axes_of(const Placement &placement, const SignalNames::Found &signal, const WordOf &word_of)
+    {
+      const std::string axes = "xyz", &path = signal.path;
+      const auto        i        = axes.find(path.back());
+      const bool        is_place = path.size() > 11 && path.compare(path.size() - 11, 10, ".position ") == 0;
+      if (placement.is_identity() || i == std::string::npos || path.size() < 2 || path[path.size() - 2] != ' ' ||
+          path.find('.') == std::string::npos)
+        return word_of(path, signal.unit);
+      std::string sum;
+      for (unsigned int j = 0; j < 3; ++j)
+        if (const double r = placement.rotation(j, i); r != 0)
+          sum += (sum.empty() ? "" : " + ") + (r == 1 ? "" : "(" + number_to_text(r) + ")*") +
+                 word_of(path.substr(0, path.size() - 1) + axes[j], signal.unit);
+      if (const double along = placement.origin.dot(placement.rotation.col(i)); is_place && along != 0)
+        sum += " - (" + number_to_text(along) + ")*m";
+      return "(" + sum + ")";
+    }
+  } // namespace
+
+
+
   Law
   Quantities::law(const std::string &text, const std::string &unit) const
   {
@@ -290,19 +340,21 @@ namespace samara
     // a word in place of each signal
     std::vector<std::string>         paths;
     std::map<std::string, Dimension> dimensions = {{"t", {{0, 0, 1, 0, 0}}}};
-    std::string                      with_words;
-    std::size_t                      from = 0;
+    const auto                       word_of    = [&](const std::string &path, const std::string &unit) {
+      const auto         known = std::find(paths.begin(), paths.end(), path);
+      const unsigned int i     = known - paths.begin();
+      if (known == paths.end())
+        {
+          paths.push_back(path);
+          dimensions[Law::word(i)] = Evaluation(unit.empty() ? "1" : unit, known_to_all()).measure(0).dimension;
+        }
+      return Law::word(i);
+    };
+    std::string with_words;
+    std::size_t from = 0;
     for (const auto &signal : found)
       {
-        const auto         known = std::find(paths.begin(), paths.end(), signal.path);
-        const unsigned int i     = known - paths.begin();
-        if (known == paths.end())
-          {
-            paths.push_back(signal.path);
-            dimensions[Law::word(i)] =
-              Evaluation(signal.unit.empty() ? "1" : signal.unit, known_to_all()).measure(0).dimension;
-          }
-        with_words += text.substr(from, signal.begin - from) + Law::word(i);
+        with_words += text.substr(from, signal.begin - from) + in_axes_of(signals.placement, signal, word_of);
         from = signal.end;
       }
     with_words += text.substr(from);
