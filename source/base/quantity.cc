@@ -302,27 +302,48 @@ namespace samara
   namespace
   {
     /**
-     * The word of a signal; of a component along an axis of a subsystem the sum of those in inertial axes, of which the
-     * model knows: eᵢ·v = Σⱼ Rⱼᵢ vⱼ, and eᵢ·(x − x₀) of a position.
+     * @p text, in SI units with a word for each signal, as a law: a component along an axis of a subsystem is the sum of those
+     * along inertial axes, of which the model knows: eᵢ·v = Σⱼ Rⱼᵢ vⱼ, and eᵢ·(x − x₀) of a position.
      */
-    template <typename WordOf>
-    std::string
-    in_axes_of(const Placement &placement, const SignalNames::Found &signal, const WordOf &word_of)
+    Law
+    in_inertial_axes(const std::string &text, const std::vector<std::string> &local_paths, const Placement &placement)
     {
-      const std::string axes = "xyz", &path = signal.path;
-      const auto        i        = axes.find(path.back());
-      const bool        is_place = path.size() > 11 && path.compare(path.size() - 11, 10, ".position ") == 0;
-      if (placement.is_identity() || i == std::string::npos || path.size() < 2 || path[path.size() - 2] != ' ' ||
-          path.find('.') == std::string::npos)
-        return word_of(path, signal.unit);
-      std::string sum;
-      for (unsigned int j = 0; j < 3; ++j)
-        if (const double r = placement.rotation(j, i); r != 0)
-          sum += (sum.empty() ? "" : " + ") + (r == 1 ? "" : "(" + number_to_text(r) + ")*") +
-                 word_of(path.substr(0, path.size() - 1) + axes[j], signal.unit);
-      if (const double along = placement.origin.dot(placement.rotation.col(i)); is_place && along != 0)
-        sum += " - (" + number_to_text(along) + ")*m";
-      return "(" + sum + ")";
+      if (placement.is_identity())
+        return Law(text, local_paths);
+      const std::string        axes = "xyz";
+      std::vector<std::string> paths, sums; // marks stand for numbers of paths, where no word can be taken for another
+      const auto               mark_of = [&](const std::string &path) {
+        const auto known = std::find(paths.begin(), paths.end(), path) - paths.begin();
+        if (known == static_cast<std::ptrdiff_t>(paths.size()))
+          paths.push_back(path);
+        return "@" + std::to_string(known) + "@";
+      };
+      for (const auto &path : local_paths)
+        {
+          const auto n = path.size();
+          const auto i = axes.find(path.back());
+          if (i == std::string::npos || n < 2 || path[n - 2] != ' ' || path.find('.') == std::string::npos)
+            {
+              sums.push_back(mark_of(path));
+              continue;
+            }
+          std::string sum;
+          for (unsigned int j = 0; j < 3; ++j)
+            if (const double r = placement.rotation(j, i); r != 0)
+              sum += (sum.empty() ? "" : " + ") + (r == 1 ? "" : "(" + number_to_text(r) + ")*") +
+                     mark_of(path.substr(0, n - 1) + axes[j]);
+          const bool   is_place = n > 11 && path.compare(n - 11, 10, ".position ") == 0;
+          const double along    = placement.origin.dot(placement.rotation.col(i));
+          sums.push_back("(" + sum + (is_place && along != 0 ? " - (" + number_to_text(along) + ")" : "") + ")");
+        }
+      std::string result = Law::with_paths(text, sums);
+      for (unsigned int k = 0; k < paths.size(); ++k)
+        {
+          const std::string mark = "@" + std::to_string(k) + "@";
+          for (std::size_t at = 0; (at = result.find(mark, at)) != std::string::npos;)
+            result.replace(at, mark.size(), Law::word(k));
+        }
+      return Law(result, paths);
     }
   } // namespace
 
@@ -340,21 +361,19 @@ namespace samara
     // a word in place of each signal
     std::vector<std::string>         paths;
     std::map<std::string, Dimension> dimensions = {{"t", {{0, 0, 1, 0, 0}}}};
-    const auto                       word_of    = [&](const std::string &path, const std::string &unit) {
-      const auto         known = std::find(paths.begin(), paths.end(), path);
-      const unsigned int i     = known - paths.begin();
-      if (known == paths.end())
-        {
-          paths.push_back(path);
-          dimensions[Law::word(i)] = Evaluation(unit.empty() ? "1" : unit, known_to_all()).measure(0).dimension;
-        }
-      return Law::word(i);
-    };
-    std::string with_words;
-    std::size_t from = 0;
+    std::string                      with_words;
+    std::size_t                      from = 0;
     for (const auto &signal : found)
       {
-        with_words += text.substr(from, signal.begin - from) + in_axes_of(signals.placement, signal, word_of);
+        const auto         known = std::find(paths.begin(), paths.end(), signal.path);
+        const unsigned int i     = known - paths.begin();
+        if (known == paths.end())
+          {
+            paths.push_back(signal.path);
+            dimensions[Law::word(i)] =
+              Evaluation(signal.unit.empty() ? "1" : signal.unit, known_to_all()).measure(0).dimension;
+          }
+        with_words += text.substr(from, signal.begin - from) + Law::word(i);
         from = signal.end;
       }
     with_words += text.substr(from);
@@ -366,7 +385,9 @@ namespace samara
       try
         {
           const Evaluation evaluation(candidate, words, dimensions);
-          readings.emplace_back(evaluation.si_text(fitting_reading(candidate, evaluation, unit, true)), paths);
+          readings.push_back(in_inertial_axes(evaluation.si_text(fitting_reading(candidate, evaluation, unit, true)),
+                                              paths,
+                                              signals.placement));
         }
       catch (const std::invalid_argument &problem)
         {

@@ -62,7 +62,8 @@ namespace samara
         placed.push_back(point + " at " + number_to_text(x(0)) + " " + number_to_text(x(1)) + " " +
                          number_to_text(x(2)));
       }
-    parameters.assign("Frames", placed);
+    if (!placed.empty())
+      parameters.assign("Frames", placed);
   }
 
 
