@@ -63,6 +63,10 @@ namespace samara
     {
       const std::string of_override = "--set";
       for (auto &section : outline.sections)
+        if (section.name == "Subsystems")
+          for (auto &subsystem : section.sections)
+            adapt_to_kinds(catalogue, subsystem);
+      for (auto &section : outline.sections)
         for (const auto &group : catalogue.groups)
           if (group.subsection == section.name)
             for (auto &object : section.sections)
@@ -137,6 +141,9 @@ namespace samara
       std::vector<std::string> settings = {"Output"};
       for (const auto &kind : catalogue.analyses.kinds())
         settings.push_back(subsection_of_analysis(kind));
+      if (outline.section("Subsystems") != nullptr) // overrides change objects of subsystems by their full names
+        for (const auto &group : catalogue.groups)
+          settings.push_back(group.subsection);
       for (const auto &name : settings)
         if (outline.section(name) == nullptr)
           {
@@ -177,25 +184,17 @@ namespace samara
       root.ignore_subsection(group.subsection);
     for (const auto &kind : catalogue.analyses.kinds())
       root.ignore_subsection(subsection_of_analysis(kind));
-    for (const std::string group : {"Bodies", "Joints"})
-      if (const auto *const section = outline.section(group))
-        for (const auto &object : section->sections)
-          quantities.signals.add_object(object.name);
-    if (const auto *const section = outline.section("States"))
-      for (const auto &object : section->sections)
-        {
-          const std::string fault = quantities.fault_of_state(object.name);
-          if (fault.empty())
-            quantities.signals.add_state(object.name, object.value("Unit"));
-          else
-            complaints.add(object.where, "state <" + object.name + ">: " + fault);
-        }
+    root.ignore_subsection("Subsystems");
+    Subsystems subsystems(catalogue, outline, quantities, complaints);
     root.parse(outline, quantities, complaints);
+    add_probes_of(subsystems);
     says_redundant = !redundant.empty();
     use_library(library_by_name(linear_solver));
     set_threads(threads);
 
-    read_objects(catalogue, outline, quantities, complaints);
+    for (const auto &group : catalogue.groups)
+      for (const auto &scope : subsystems.scopes())
+        read_objects(group, scope, subsystems, complaints);
     read_analyses(catalogue, outline, quantities, complaints);
     initialize_objects();
     use_probed_angles(model, probes);
@@ -209,7 +208,7 @@ namespace samara
            dealii::ExcMessage("something follows from a mistake about which there is no complaint"));
     if (!complaints.empty())
       find_more_mistakes(complaints);
-    complaints.throw_if_any();
+    subsystems.without_twins(complaints).throw_if_any();
     if (model.nodes.size() == 1)
       throw InputError((outline.section("Bodies") != nullptr ? outline.section("Bodies")->where : outline.where) +
                        ": the model has no body; add one to subsection <Bodies>.");
@@ -263,6 +262,7 @@ namespace samara
       {
         Item         &item         = *model.items[i];
         const auto    before       = model.complaints.count();
+        model.scope                = scope_of(item.name);
         if (item.is_faulty)
           check_references(*outlines[i], model);
         else
@@ -273,6 +273,7 @@ namespace samara
       if (!item->is_faulty)
         {
           const auto before = model.complaints.count();
+          model.scope       = scope_of(item->name);
           try
             {
               item->find_signals(model);
@@ -283,6 +284,7 @@ namespace samara
             }
           item->is_faulty = item->is_faulty || model.complaints.count() != before;
         }
+    model.scope.clear();
   }
 
 
@@ -309,53 +311,89 @@ namespace samara
 
 
   void
-  Input::read_objects(const Catalogue  &catalogue,
-                      const Outline    &outline,
-                      const Quantities &quantities,
-                      Complaints       &complaints)
+  Input::add_probes_of(const Subsystems &subsystems)
   {
-    for (const auto &group : catalogue.groups)
+    for (const auto &[path, where] : subsystems.probes)
       {
-        const Outline *const section = outline.section(group.subsection);
-        if (section == nullptr)
-          continue;
-        for (const auto &entry : section->entries)
-          complaints.add(entry.where, "<" + entry.name + "> stands outside of a named " + group.noun);
-        for (const auto &object : section->sections)
-          {
-            const auto *const type = object.entry("Type");
-            const std::string kind = type == nullptr ? group.usual_kind : type->value;
-            if (kind.empty() && object.entry("Copy of") != nullptr)
-              {
-                // there is a complaint about the original, or that there is none
-                model.unmade.insert(object.name);
-                continue;
-              }
-            if (!group.kinds.contains(kind))
-              {
-                model.unmade.insert(object.name);
-                complaints.add(object.entry("Type") != nullptr ? object.entry("Type")->where : object.where,
-                               kind.empty() ? group.noun + " <" + object.name + "> has no <Type>" +
-                                                did_you_mean("", group.kinds.kinds()) :
-                                              "there is no " + group.noun + " of type <" + kind + ">" +
-                                                did_you_mean(kind, group.kinds.kinds()));
-                continue;
-              }
-            if (object.name.find('.') != std::string::npos)
-              complaints.add(object.where, "a name must not contain a dot: it separates a body from its points");
-            auto item        = group.kinds.make(kind);
-            item->name       = object.name;
-            item->kind       = kind;
-            item->parameters = Parameters(object.name, kind);
-            item->add_parameters(item->parameters);
-            const auto before = complaints.count();
-            item->parameters.parse(object, quantities, complaints);
-            item->is_faulty = complaints.count() != before;
-            model.items.push_back(std::move(item));
-            subsections.push_back(group.subsection);
-            outlines.push_back(&object);
-          }
+        probes.push_back(path);
+        places_of_probes[path] = where;
       }
+    if (!subsystems.probes.empty())
+      root.subsection("Output").assign("Probes", probes);
+  }
+
+
+
+  void
+  Input::read_objects(const Group             &group,
+                      const Subsystems::Scope &scope,
+                      Subsystems              &subsystems,
+                      Complaints              &complaints)
+  {
+    const Outline *const section = scope.outline->section(group.subsection);
+    if (section == nullptr)
+      return;
+    for (const auto &entry : section->entries)
+      complaints.add(entry.where, "<" + entry.name + "> stands outside of a named " + group.noun);
+    for (const auto &said : section->sections)
+      if (!scope.prefix.empty() || !subsystems.changes_another(group, said))
+        read_object(group, scope, subsystems, subsystems.object(scope, group, said), complaints);
+  }
+
+
+
+  void
+  Input::read_object(const Group             &group,
+                     const Subsystems::Scope &scope,
+                     const Subsystems        &subsystems,
+                     const Outline           &object,
+                     Complaints              &complaints)
+  {
+    const auto *const type = object.entry("Type");
+    const std::string kind = type == nullptr ? group.usual_kind : type->value, name = scope.prefix + object.name;
+    if ((kind.empty() && object.entry("Copy of") != nullptr) || subsystems.changes_nothing(group, object))
+      {
+        // there is a complaint about the original, or that there is none; or that there is nothing to change
+        model.unmade.insert(name);
+        return;
+      }
+    if (!group.kinds.contains(kind))
+      {
+        model.unmade.insert(name);
+        complaints.add(type != nullptr ? type->where : object.where,
+                       kind.empty() ?
+                         group.noun + " <" + name + "> has no <Type>" + did_you_mean("", group.kinds.kinds()) :
+                         "there is no " + group.noun + " of type <" + kind + ">" +
+                           did_you_mean(kind, group.kinds.kinds()));
+        return;
+      }
+    if (object.name.find('.') != std::string::npos)
+      complaints.add(object.where, "a name must not contain a dot: it separates a body from its points");
+    if (!scope.prefix.empty() && object.name.find(subsystem_separator) != std::string::npos)
+      complaints.add(object.where, "a name in a subsystem must not contain a colon: it separates a subsystem from its parts");
+    auto item        = group.kinds.make(kind);
+    item->name       = name;
+    item->kind       = kind;
+    item->parameters = Parameters(name, kind);
+    item->add_parameters(item->parameters);
+    const auto before = complaints.count();
+    item->parameters.parse(object, scope.quantities, complaints);
+    if (!scope.prefix.empty() && item->acts_on_whole_model())
+      complaints.add(object.where,
+                     kind + " <" + name + "> acts on the whole model: it stands there, and not in a subsystem");
+    if (complaints.count() == before && !scope.placement.is_identity())
+      try
+        {
+          item->be_placed(scope.placement);
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complaints.add(object.where, problem.what());
+        }
+    item->is_faulty = complaints.count() != before;
+    model.items.push_back(std::move(item));
+    subsections.push_back(group.subsection);
+    outlines.push_back(&object);
   }
 
 
@@ -439,7 +477,11 @@ namespace samara
         }
       catch (const std::invalid_argument &problem)
         {
-          complaints.add(const_cast<Parameters &>(root).subsection("Output").where("Probes"), problem.what());
+          const auto of_subsystem = places_of_probes.find(path);
+          complaints.add(of_subsystem != places_of_probes.end() ?
+                           of_subsystem->second :
+                           const_cast<Parameters &>(root).subsection("Output").where("Probes"),
+                         problem.what());
         }
     return result;
   }

@@ -149,12 +149,14 @@ namespace samara
     bool
     has_automatic_meshes(const Outline &outline, const std::vector<std::string> &overrides)
     {
-      const auto is_automatic  = [](const std::string &value) { return value.find("automatic") != std::string::npos; };
-      const auto *const bodies = outline.section("Bodies");
+      const auto is_automatic = [](const std::string &value) { return value.find("automatic") != std::string::npos; };
+      const auto any_of       = [&](const std::string &name, const auto &holds) {
+        const auto *const section = outline.section(name);
+        return section != nullptr && std::any_of(section->sections.begin(), section->sections.end(), holds);
+      };
       return std::any_of(overrides.begin(), overrides.end(), is_automatic) ||
-             (bodies != nullptr && std::any_of(bodies->sections.begin(), bodies->sections.end(), [&](const auto &body) {
-                return is_automatic(body.value("Elements"));
-              }));
+             any_of("Bodies", [&](const Outline &body) { return is_automatic(body.value("Elements")); }) ||
+             any_of("Subsystems", [&](const Outline &inner) { return has_automatic_meshes(inner, {}); });
     }
 
 

@@ -4,6 +4,7 @@
 #include <samara/input.h>
 #include <samara/program.h>
 #include <samara/study.h>
+#include <samara/subsystems.h>
 
 #include <cctype>
 #include <map>
@@ -120,6 +121,21 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
 
 
     void
+    print_subsystems(std::ostream &out)
+    {
+      SubsystemEntries entries;
+      Parameters       parameters;
+      entries.add_parameters(parameters);
+      out << "## Subsystems\n\nEach is a subsection with a name of its own in `subsection Subsystems`, with subsections "
+             "`Constants`, `Sections`, `Bodies`, ... as a model has them, often from a file that is included there. Its "
+             "objects are called `name:object`; see the [manual](manual.md#subsystems).\n\n";
+      parameters.document(out);
+      out << '\n';
+    }
+
+
+
+    void
     print_study(std::ostream &out)
     {
       Study       study;
@@ -152,6 +168,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
           for (const auto &kind : group.kinds.kinds())
             print_kind(out, group.kinds, kind);
         }
+      print_subsystems(out);
       out
         << "## Analyses\n\n`set Analyses = static, modal` says what to do, in this order. The entries of each stand in "
            "`subsection Static`, `subsection Modal`, ...\n\n";

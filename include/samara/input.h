@@ -3,6 +3,7 @@
 
 #include <samara/catalogue.h>
 #include <samara/model/system.h>
+#include <samara/subsystems.h>
 
 #include <algorithm>
 
@@ -83,10 +84,18 @@ namespace samara
 
     std::vector<const Outline *> outlines; ///< of each item, while it is read
 
-    void               read_objects(const Catalogue  &catalogue,
-                                    const Outline    &outline,
-                                    const Quantities &quantities,
-                                    Complaints       &complaints);
+    std::map<std::string, std::string> places_of_probes; ///< of those that subsystems ask for, by their paths
+
+    void               add_probes_of(const Subsystems &subsystems);
+    void               read_objects(const Group             &group,
+                                    const Subsystems::Scope &scope,
+                                    Subsystems              &subsystems,
+                                    Complaints              &complaints);
+    void               read_object(const Group             &group,
+                                   const Subsystems::Scope &scope,
+                                   const Subsystems        &subsystems,
+                                   const Outline           &object,
+                                   Complaints              &complaints);
     void               initialize_objects();
     void               find_more_mistakes(Complaints &complaints);
     std::vector<Probe> find_probes(Complaints &complaints) const;

@@ -122,11 +122,52 @@ namespace samara
 
 
   void
+  Complaints::note_inclusion(const std::string &file, const std::string &place)
+  {
+    auto &places = inclusions[file];
+    if (std::find(places.begin(), places.end(), place) == places.end())
+      places.push_back(place);
+  }
+
+
+
+  void
+  Complaints::note_inclusions_of(const Complaints &other)
+  {
+    for (const auto &[file, places] : other.inclusions)
+      for (const auto &place : places)
+        note_inclusion(file, place);
+  }
+
+
+
+  std::string
+  Complaints::chain_of(const std::string &file, const unsigned int depth) const
+  {
+    constexpr std::size_t most_places = 3, deepest = 50;
+    const auto            found = inclusions.find(file);
+    if (found == inclusions.end() || depth > deepest)
+      return "";
+    const auto &places = found->second;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(places.size(), most_places); ++i)
+      text += (i == 0 ? "" : ", and at ") + places[i];
+    if (places.size() > most_places)
+      text += " and " + std::to_string(places.size() - most_places) + " more places";
+    const std::string around = chain_of(place_of(places[0] + ": ").first, depth + 1);
+    return " (included at " + text + around + ")";
+  }
+
+
+
+  void
   Complaints::throw_if_any() const
   {
     if (complaints.empty())
       return;
     auto shown = all();
+    for (auto &complaint : shown)
+      complaint += chain_of(place_of(complaint).first);
     if (shown.size() > most_shown)
       {
         shown.resize(most_shown);

@@ -42,8 +42,9 @@ namespace samara
 
 
 
-  ScalarFunction::ScalarFunction(const double constant, const std::string &)
+  ScalarFunction::ScalarFunction(const double constant, const std::string &variable)
     : source(number_to_text(constant))
+    , variable(variable)
     , formula(constant)
     , at_zero(constant)
   {}
@@ -52,6 +53,7 @@ namespace samara
 
   ScalarFunction::ScalarFunction(const std::string &text, const std::string &variable)
     : source(trim(text))
+    , variable(variable)
   {
     if (source.compare(0, table_prefix.size(), table_prefix) == 0)
       table = table_of(source.substr(table_prefix.size()));
@@ -119,6 +121,37 @@ namespace samara
   ScalarFunction::text() const
   {
     return source;
+  }
+
+
+
+  namespace
+  {
+    /** The pieces @p first to @p last of a table with n rows: 0 before it, n behind it. As many comparisons as a tree has. */
+    std::string
+    pieces_of_table(const Table &table, const std::string &x, const std::size_t first, const std::size_t last)
+    {
+      if (first < last)
+        {
+          const std::size_t middle = (first + last) / 2;
+          return "(" + x + " < " + number_to_text(table[middle].first) + " ? " +
+                 pieces_of_table(table, x, first, middle) + " : " + pieces_of_table(table, x, middle + 1, last) + ")";
+        }
+      if (first == 0 || first == table.size())
+        return "(" + number_to_text((first == 0 ? table.front() : table.back()).second) + ")";
+      const auto  &left = table[first - 1], &right = table[first];
+      const double slope = (right.second - left.second) / (right.first - left.first);
+      return "(" + number_to_text(left.second) + " + (" + number_to_text(slope) + ")*(" + x + " - (" +
+             number_to_text(left.first) + ")))";
+    }
+  } // namespace
+
+
+
+  std::string
+  ScalarFunction::formula_text() const
+  {
+    return table.empty() ? source : pieces_of_table(table, variable, 0, table.size());
   }
 
 

@@ -28,7 +28,8 @@ namespace samara
 
 
   Law::Law(const std::string &text, const std::vector<std::string> &signals)
-    : paths(signals)
+    : words(text)
+    , paths(signals)
   {
     if (paths.empty())
       {
@@ -43,6 +44,48 @@ namespace samara
 
     for (const auto &part : formula.switches_of_first_variable())
       switches_of_time.emplace_back(part);
+  }
+
+
+
+  Law
+  Law::combination(const std::array<Law, 3> &laws, const Eigen::RowVector3d &c, const double offset)
+  {
+    std::vector<std::string> all, terms;
+    double                   constant = offset;
+    for (unsigned int j = 0; j < 3; ++j)
+      if (c(j) != 0 && laws[j].is_constant())
+        constant += c(j) * laws[j].time_function(0.);
+      else if (c(j) != 0)
+        {
+          const auto &own  = laws[j].paths;
+          std::string term = own.empty() ? laws[j].time_function.formula_text() : laws[j].words;
+          std::vector<std::string> marks; // the number of each signal among all, where no word can be taken for another
+          for (const auto &path : own)
+            {
+              if (std::find(all.begin(), all.end(), path) == all.end())
+                all.push_back(path);
+              marks.push_back("@" + std::to_string(std::find(all.begin(), all.end(), path) - all.begin()) + "@");
+            }
+          term = with_paths(term, marks);
+          for (unsigned int i = 0; i < all.size(); ++i)
+            {
+              const std::string mark = "@" + std::to_string(i) + "@";
+              for (std::size_t at = 0; (at = term.find(mark, at)) != std::string::npos;)
+                term.replace(at, mark.size(), word(i));
+            }
+          terms.push_back(c(j) == 1 ? "(" + term + ")" : "(" + number_to_text(c(j)) + ")*(" + term + ")");
+        }
+    if (terms.empty())
+      return Law(constant);
+    if (constant != 0)
+      terms.push_back("(" + number_to_text(constant) + ")");
+    if (terms.size() == 1 && c.squaredNorm() == 1)
+      for (unsigned int j = 0; j < 3; ++j)
+        if (c(j) == 1)
+          return laws[j];
+    const std::string sum = join(terms, " + ");
+    return all.empty() ? Law(FunctionOfTime(sum)) : Law(sum, all);
   }
 
 
@@ -168,8 +211,16 @@ namespace samara
   void
   SignalNames::add_object(const std::string &name)
   {
-    objects.insert(name);
-    longest = std::max(longest, name.size());
+    add_short_object(name, name);
+  }
+
+
+
+  void
+  SignalNames::add_short_object(const std::string &short_name, const std::string &name)
+  {
+    objects[short_name] = name;
+    longest             = std::max(longest, short_name.size());
   }
 
 
@@ -177,7 +228,17 @@ namespace samara
   void
   SignalNames::add_state(const std::string &name, const std::string &unit)
   {
-    states[name] = unit;
+    states[name] = {name, unit};
+    if (!std::all_of(name.begin(), name.end(), is_word_character))
+      long_states.push_back(name);
+  }
+
+
+
+  void
+  SignalNames::add_short_state(const std::string &short_name, const std::string &name)
+  {
+    states[short_name] = states.at(name);
   }
 
 
@@ -186,7 +247,7 @@ namespace samara
   SignalNames::unit_of_state(const std::string &name) const
   {
     const auto found = states.find(name);
-    return found == states.end() ? "" : found->second;
+    return found == states.end() ? "" : found->second.unit;
   }
 
 
@@ -257,18 +318,31 @@ namespace samara
         const std::size_t dot = text.find('.', i);
         const std::string object =
           dot == std::string::npos || dot - i > 2 * longest ? "" : with_single_blanks(text.substr(i, dot - i));
-        if (objects.count(object) > 0)
+        if (const auto known = objects.find(object); known != objects.end())
           {
-            result.push_back(signal_of_object(text, i, object, dot + 1));
+            result.push_back(signal_of_object(text, i, known->second, dot + 1));
             i = result.back().end - 1;
             continue;
           }
-        std::size_t end = i;
+        std::size_t end = i, end_of_longest = i;
+        for (const auto &name : long_states)
+          if (has_words(text, i, name, end) && end > end_of_longest)
+            {
+              if (result.empty() || result.back().begin != i)
+                result.emplace_back();
+              result.back() = {i, end_of_longest = end, name, unit_of_state(name)};
+            }
+        if (end_of_longest > i)
+          {
+            i = end_of_longest - 1;
+            continue;
+          }
+        end = i;
         while (end < text.size() && is_word_character(text[end]))
           ++end;
         const auto state = states.find(text.substr(i, end - i));
         if (state != states.end() && (end == text.size() || text[end] != '('))
-          result.push_back({i, end, state->first, state->second});
+          result.push_back({i, end, state->second.name, state->second.unit});
         i = end - 1;
       }
     return result;

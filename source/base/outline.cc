@@ -34,10 +34,11 @@ namespace samara
           if (n_there > 0 && n_there <= 2 * n_unmatched + 2)
             {
               root  = std::move(other);
-              found = std::move(found_there);
+              found = std::move(found_there); // which knows the same inclusions
             }
         }
       complaints.add_all(found.all());
+      complaints.note_inclusions_of(found);
       root.resolve_copies(complaints);
       return root;
     }
@@ -135,6 +136,15 @@ namespace samara
         const auto        next = std::find_if(target->sections.begin(), target->sections.end(), [&](const Outline &s) {
           return s.name == step;
         });
+        if (next == target->sections.end() && target != this && step.find(':') != std::string::npos)
+          { // an object of a subsystem; who expands subsystems knows whether there is one
+            target->sections.emplace_back();
+            target        = &target->sections.back();
+            target->name  = step;
+            target->where = where;
+            begin         = slash + 1;
+            continue;
+          }
         if (next == target->sections.end())
           return complaints.add(where,
                                 "<" + path + ">: there is no subsection <" + step + ">" +

@@ -290,6 +290,7 @@ namespace samara
     if (std::any_of(files.begin(), files.end(), [&](const std::string &f) { return same_file(f, included); }))
       return complaints.add(place,
                             "<" + included + "> includes itself: " + join(files, " -> ") + " -> " + included + ".");
+    complaints.note_inclusion(included, place);
     read_file(included, place, *open.back().section);
   }
 

@@ -184,6 +184,36 @@ namespace samara
 
 
 
+  void
+  Parameters::turns(const std::string &wanted, const Turning turning)
+  {
+    existing(wanted).turning = turning;
+  }
+
+
+
+  void
+  Parameters::be_placed(const Placement &placement)
+  {
+    for (auto &entry : entries)
+      {
+        if (entry.place == nullptr || entry.turning == Turning::own_axes)
+          continue;
+        if (entry.turning == Turning::unknown)
+          throw std::invalid_argument(description() + " cannot be turned: nobody knows how its <" + entry.name() +
+                                      "> turns");
+        if (entry.turning == Turning::given_position && entry.where.empty())
+          continue;
+        const std::string before = entry.value;
+        entry.value              = entry.place(entry, placement, entry.turning != Turning::direction);
+        entry.is_assigned        = entry.is_assigned || entry.value != before;
+      }
+    for (const auto &s : subsections)
+      s->be_placed(placement);
+  }
+
+
+
   Parameters &
   Parameters::subsection(const std::string &wanted)
   {
@@ -329,6 +359,14 @@ namespace samara
 
 
   bool
+  Parameters::has(const std::string &wanted) const
+  {
+    return std::any_of(entries.begin(), entries.end(), [&](const Entry &e) { return e.name() == wanted; });
+  }
+
+
+
+  bool
   Parameters::is_set(const std::string &wanted) const
   {
     return !existing(wanted).where.empty();
@@ -370,7 +408,7 @@ namespace samara
   Parameters::print(std::ostream &out, const std::string &indent) const
   {
     for (const auto &e : entries)
-      out << indent << (e.where.empty() ? "# set " : "set ") << e.name() << " = " << e.value << '\n';
+      out << indent << (e.where.empty() && !e.is_assigned ? "# set " : "set ") << e.name() << " = " << e.value << '\n';
     for (const auto &s : subsections)
       {
         out << indent << "subsection " << s->step << '\n';
@@ -413,6 +451,14 @@ namespace samara
     const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name() == wanted; });
     AssertThrow(entry != entries.end(), ExcMessage("There is no entry <" + wanted + "> in " + description() + "."));
     return *entry;
+  }
+
+
+
+  Parameters::Entry &
+  Parameters::existing(const std::string &wanted)
+  {
+    return const_cast<Entry &>(static_cast<const Parameters &>(*this).existing(wanted));
   }
 
 

@@ -125,12 +125,24 @@ namespace samara
                            const std::string &where,
                            Complaints        &complaints)
   {
+    add_constant(name, text, where, *this, complaints);
+  }
+
+
+
+  void
+  Quantities::add_constant(const std::string &name,
+                           const std::string &text,
+                           const std::string &where,
+                           const Quantities  &reader,
+                           Complaints        &complaints)
+  {
     try
       {
         if (const auto fault = fault_of_name(name); !fault.empty())
           throw std::invalid_argument(fault);
 
-        const Evaluation evaluation(text, words);
+        const Evaluation evaluation(text, reader.words);
         checked_value(text, evaluation, "");
 
         // What contradicts itself in one reading is meant in the other one.
@@ -151,6 +163,15 @@ namespace samara
         nothing.is_faulty = true;
         words.emplace(name, nothing);
       }
+  }
+
+
+
+  void
+  Quantities::begin_subsystem()
+  {
+    for (auto &[name, meaning] : words)
+      meaning.is_outer = !meaning.is_unit && known_to_all().count(name) == 0;
   }
 
 
@@ -177,7 +198,7 @@ namespace samara
     if (std::find(functions.begin(), functions.end(), name) != functions.end())
       return "there is a function of that name; choose another.";
     const auto word = words.find(name);
-    if (word == words.end() || word->second.is_faulty)
+    if (word == words.end() || word->second.is_faulty || word->second.is_outer)
       return "";
     return word->second.is_unit ? "there is a unit of that name; choose another." :
                                   "there is already a constant of that name.";
@@ -278,6 +299,56 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * @p text, in SI units with a word for each signal, as a law: a component along an axis of a subsystem is the sum of those
+     * along inertial axes, of which the model knows: eᵢ·v = Σⱼ Rⱼᵢ vⱼ, and eᵢ·(x − x₀) of a position.
+     */
+    Law
+    in_inertial_axes(const std::string &text, const std::vector<std::string> &local_paths, const Placement &placement)
+    {
+      if (placement.is_identity())
+        return Law(text, local_paths);
+      const std::string        axes = "xyz";
+      std::vector<std::string> paths, sums; // marks stand for numbers of paths, where no word can be taken for another
+      const auto               mark_of = [&](const std::string &path) {
+        const auto known = std::find(paths.begin(), paths.end(), path) - paths.begin();
+        if (known == static_cast<std::ptrdiff_t>(paths.size()))
+          paths.push_back(path);
+        return "@" + std::to_string(known) + "@";
+      };
+      for (const auto &path : local_paths)
+        {
+          const auto n = path.size();
+          const auto i = axes.find(path.back());
+          if (i == std::string::npos || n < 2 || path[n - 2] != ' ' || path.find('.') == std::string::npos)
+            {
+              sums.push_back(mark_of(path));
+              continue;
+            }
+          std::string sum;
+          for (unsigned int j = 0; j < 3; ++j)
+            if (const double r = placement.rotation(j, i); r != 0)
+              sum += (sum.empty() ? "" : " + ") + (r == 1 ? "" : "(" + number_to_text(r) + ")*") +
+                     mark_of(path.substr(0, n - 1) + axes[j]);
+          const bool   is_place = n > 11 && path.compare(n - 11, 10, ".position ") == 0;
+          const double along    = placement.origin.dot(placement.rotation.col(i));
+          sums.push_back("(" + sum + (is_place && along != 0 ? " - (" + number_to_text(along) + ")" : "") + ")");
+        }
+      std::string result = Law::with_paths(text, sums);
+      for (unsigned int k = 0; k < paths.size(); ++k)
+        {
+          const std::string mark = "@" + std::to_string(k) + "@";
+          for (std::size_t at = 0; (at = result.find(mark, at)) != std::string::npos;)
+            result.replace(at, mark.size(), Law::word(k));
+        }
+      return Law(result, paths);
+    }
+  } // namespace
+
+
+
   Law
   Quantities::law(const std::string &text, const std::string &unit) const
   {
@@ -314,7 +385,9 @@ namespace samara
       try
         {
           const Evaluation evaluation(candidate, words, dimensions);
-          readings.emplace_back(evaluation.si_text(fitting_reading(candidate, evaluation, unit, true)), paths);
+          readings.push_back(in_inertial_axes(evaluation.si_text(fitting_reading(candidate, evaluation, unit, true)),
+                                              paths,
+                                              signals.placement));
         }
       catch (const std::invalid_argument &problem)
         {

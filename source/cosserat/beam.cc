@@ -55,6 +55,20 @@ namespace samara
             List(Double(0), 1, 6));
     prm.add("Damping frequency", damping_frequency, "Frequency at which the damping ratio holds [rad/s].", Double(0));
     initial_velocity.add_parameters(prm, "start of the beam");
+    prm.turns("Points", Turning::position);
+    prm.turns("Expressions", Turning::position);
+    prm.turns("Axis 2", Turning::direction);
+  }
+
+
+
+  void
+  Beam::be_placed(const Placement &placement)
+  {
+    // the axis that is chosen where none is given is horizontal in the axes of the subsystem
+    if (axis_2.isZero(0.) && make_curve().empty())
+      parameters.assign("Axis 2", Vector3(curve->triad(0., 0.).col(1)));
+    Item::be_placed(placement);
   }
 
 
@@ -89,21 +103,31 @@ namespace samara
 
 
 
-  bool
-  Beam::find_curve()
+  std::string
+  Beam::make_curve()
   {
     try
       {
         curve = shape == "arc"         ? make_arc(corner_points, axis_2) :
                 shape == "expressions" ? make_expression_curve(expressions, axis_2) :
                                          make_polyline(corner_points, axis_2);
-        return true;
+        return "";
       }
     catch (const std::invalid_argument &problem)
       {
-        model->complaints.add(parameters.where(shape == "expressions" ? "Expressions" : "Points"), problem.what());
-        return false;
+        return problem.what();
       }
+  }
+
+
+
+  bool
+  Beam::find_curve()
+  {
+    const std::string fault = make_curve();
+    if (!fault.empty())
+      model->complaints.add(parameters.where(shape == "expressions" ? "Expressions" : "Points"), fault);
+    return fault.empty();
   }
 
 

@@ -12,6 +12,8 @@ namespace samara
             "At the start of a simulation, of the " + point + ", inertial components. Bodies without this entry and the "
             "next start with the velocities of the state before [m/s].");
     prm.add("Angular velocity", angular_velocity, "At the start of a simulation, inertial components [rad/s].");
+    prm.turns("Velocity", Turning::direction);
+    prm.turns("Angular velocity", Turning::direction);
   }
 
 

@@ -30,6 +30,53 @@ namespace samara
             "How the body is drawn; automatic: a sphere as heavy as steel, with bars to its frames.",
             Selection("automatic|none|sphere|box|cylinder 1|cylinder 2|cylinder 3"));
     prm.add("Size", size, "Of the drawn shape: radius; or three sides; or radius, length [m].");
+    prm.turns("Position", Turning::position);
+    prm.turns("Rotation", Turning::own_axes); // see be_placed()
+    prm.turns("Centre of mass", Turning::own_axes);
+  }
+
+
+
+  void
+  RigidBody::be_placed(const Placement &placement)
+  {
+    Item::be_placed(placement);
+    try
+      {
+        const Matrix3 D = rotation_of_angles(rotation, sequence);
+        if (placement.rotation != Matrix3::Identity())
+          parameters.assign("Rotation", angles_of_rotation(placement.rotation * D, sequence));
+      }
+    catch (const std::invalid_argument &)
+      {
+        return; // initialize() complains about the sequence
+      }
+    std::vector<std::string> placed;
+    for (const auto &text : frame_entries)
+      {
+        std::string point;
+        Vector3     x;
+        if (!read_frame(text, point, x))
+          return; // read_frames() complains
+        x = placement.point(x);
+        placed.push_back(point + " at " + number_to_text(x(0)) + " " + number_to_text(x(1)) + " " +
+                         number_to_text(x(2)));
+      }
+    if (!placed.empty())
+      parameters.assign("Frames", placed);
+  }
+
+
+
+  bool
+  RigidBody::read_frame(const std::string &text, std::string &point, Vector3 &x)
+  {
+    std::string        place, word, rest;
+    bool               is_frame = split_at(text, point, place);
+    std::istringstream words(place);
+    for (unsigned int i = 0; i < 3; ++i)
+      is_frame = is_frame && (words >> word) && text_to_number(word, x(i));
+    return is_frame && !(words >> rest);
   }
 
 
@@ -85,13 +132,9 @@ namespace samara
     const Matrix3 D = model.triad(node);
     for (const auto &text : frame_entries)
       {
-        std::string        point, place, word, rest;
-        bool               is_frame = split_at(text, point, place);
+        std::string point;
         Vector3     x;
-        std::istringstream words(place);
-        for (unsigned int i = 0; i < 3; ++i)
-          is_frame = is_frame && (words >> word) && text_to_number(word, x(i));
-        if (!is_frame || (words >> rest))
+        if (!read_frame(text, point, x))
           model.complaints.add(parameters.where("Frames"),
                                "a frame is written <name at x y z>, plain numbers in metres, not <" + text + ">");
         else if (!named.insert({point, {model.frame_at(node, x, D), x, D}}).second)

@@ -34,6 +34,22 @@ namespace samara
       coupling,
       "Couplings of the six stiffnesses, displacements first: the 15 numbers of the upper triangle by rows, without "
       "the diagonal, in SI units.");
+    prm.turns("Position", Turning::given_position);
+    prm.turns("Axis", Turning::direction);
+    prm.turns("Axis 2", Turning::direction);
+    for (const std::string entry : {"Stiffness", "Rotational stiffness", "Damping", "Rotational damping"})
+      prm.turns(entry, Turning::own_axes);
+  }
+
+
+
+  void
+  FlexibleJoint::be_placed(const Placement &placement)
+  {
+    // the axis that is chosen where none is given is chosen in the axes of the subsystem
+    if (axis_2.isZero(0.) && !axis.isZero(0.))
+      parameters.assign("Axis 2", Vector3(triad_about(axis).col(0)));
+    Item::be_placed(placement);
   }
 
 

@@ -186,7 +186,20 @@ namespace samara
     add_ends(prm);
     prm.add("Axis", axis, "Direction of joint axis 3 in the reference configuration, inertial components [1].");
     prm.add("Axis 1", axis_1, "Direction near which joint axis 1 lies; 0, 0, 0: any [1].");
+    prm.turns("Axis", Turning::direction);
+    prm.turns("Axis 1", Turning::direction);
     add_motions(prm);
+  }
+
+
+
+  void
+  Joint::be_placed(const Placement &placement)
+  {
+    // the axis that is chosen where none is given is chosen in the axes of the subsystem
+    if (parameters.has("Axis 1") && axis_1.isZero(0.) && !axis.isZero(0.))
+      parameters.assign("Axis 1", Vector3(triad_about(axis).col(0)));
+    Item::be_placed(placement);
   }
 
 
@@ -198,6 +211,7 @@ namespace samara
     prm.add("Body B", body_b, "Second frame; relative motions are those of B seen from A.");
     prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
     prm.add("Gap", gap, documentation_of_gap, dealii::Patterns::Selection("refused|allowed"));
+    prm.turns("Position", Turning::given_position);
   }
 
 
@@ -210,6 +224,7 @@ namespace samara
     prm.add("Position",
             position,
             "Place of the end on body A in the reference configuration; default: that of frame A [m].");
+    prm.turns("Position", Turning::given_position);
     add_motions(prm);
   }
 

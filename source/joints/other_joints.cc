@@ -26,6 +26,8 @@ namespace samara
     prm.add("Second axis",
             second_axis,
             "Direction of the axis on body B (joint axis 2), at a right angle to the first [1].");
+    prm.turns("Axis", Turning::direction);
+    prm.turns("Second axis", Turning::direction);
     add_motions(prm);
   }
 

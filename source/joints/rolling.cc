@@ -23,6 +23,9 @@ namespace samara
       axis,
       "Normal of the plane (joint axis 3) in the reference configuration, towards the ball, inertial components [1].");
     prm.add("Axis 1", axis_1, "Direction near which joint axis 1 lies; 0, 0, 0: any [1].");
+    prm.turns("Position", Turning::given_position);
+    prm.turns("Axis", Turning::direction);
+    prm.turns("Axis 1", Turning::direction);
   }
 
 
@@ -116,6 +119,8 @@ namespace samara
       axis,
       "Direction across the blade (joint axis 1), fixed to body B, in the reference configuration, inertial components "
       "[1].");
+    prm.turns("Position", Turning::given_position);
+    prm.turns("Axis", Turning::direction);
   }
 
 

@@ -12,6 +12,8 @@ namespace samara
     prm.add("Azimuth", azimuth, "Angle at which the joint is held in statics [rad].");
     prm.add("Axis", rotation.axis, "Axis about which the whole model turns, ground included [1].");
     prm.add("Through", rotation.through, "A point of this axis [m].");
+    prm.turns("Axis", Turning::own_axes); // a rotation of the whole model is no part of a subsystem
+    prm.turns("Through", Turning::own_axes);
   }
 
 

@@ -16,6 +16,16 @@ namespace samara
 
 
   void
+  WrenchLoad::be_placed(const Placement &placement)
+  {
+    for (const std::string entry : {"Force", "Moment"})
+      parameters.turns(entry, is_follower() ? Turning::own_axes : Turning::direction);
+    Item::be_placed(placement);
+  }
+
+
+
+  void
   WrenchLoad::find_signals(Model &model)
   {
     const auto find = [&](Responses &responses, const unsigned int first) {

@@ -113,13 +113,14 @@ namespace samara
     const auto        dot  = path.find('.');
     const std::string name = trim(path.substr(0, dot)),
                       rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
-    for (auto *const item : named(name))
-      {
-        if (item->is_faulty)
-          throw FollowUp();
-        if (auto signal = item->signal(*this, rest))
-          return signal;
-      }
+    for (const auto &full_name : full_names(name))
+      for (auto *const item : named(full_name))
+        {
+          if (item->is_faulty)
+            throw FollowUp();
+          if (auto signal = item->signal(*this, rest))
+            return signal;
+        }
     find<Item>(name, "object"); // complains if there is none
     throw std::invalid_argument("<" + name + "> has no <" + rest + "> that an expression could depend on");
   }
@@ -204,14 +205,33 @@ namespace samara
 
 
 
+  std::vector<std::string>
+  Model::full_names(const std::string &name) const
+  {
+    std::vector<std::string> names;
+    for (std::string prefix = scope; !prefix.empty(); prefix = scope_of(prefix.substr(0, prefix.size() - 1)))
+      names.push_back(prefix + name);
+    names.push_back(name);
+    return names;
+  }
+
+
+
+  std::string
+  scope_of(const std::string &full_name)
+  {
+    const auto end = full_name.rfind(subsystem_separator);
+    return end == std::string::npos ? "" : full_name.substr(0, end + 1);
+  }
+
+
+
   void
   Model::refuse(const std::string &name, const std::string &noun, const std::vector<const Item *> &others) const
   {
-    if (unmade.count(name) > 0)
-      throw FollowUp();
     std::vector<std::string> names;
     for (const auto *const c : others)
-      names.push_back(c->name);
+      names.push_back(c->name.compare(0, scope.size(), scope) == 0 ? c->name.substr(scope.size()) : c->name);
     throw std::invalid_argument("there is no " + noun + " <" + name + ">" + did_you_mean(name, names));
   }
 
@@ -236,7 +256,7 @@ namespace samara
     const std::string name   = trim(path.substr(0, dot)),
                       motion = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
     Item *joint              = &find<Item>(name, "joint");
-    for (auto *const c : named(name)) // a body may have the same name
+    for (auto *const c : named(joint->name)) // a body may have the same name
       if (!c->rotation_names().empty())
         joint = c;
     const auto rotations = joint->rotation_names();
@@ -262,7 +282,7 @@ namespace samara
                       rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
     // a section and a body may have the same name; the section has nothing to tell
     std::vector<std::string> known;
-    for (const auto *const c : named(name))
+    for (const auto *const c : named(name)) // paths of probes are full: they head the columns of results
       {
         if (c->is_faulty)
           throw FollowUp();

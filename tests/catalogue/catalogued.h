@@ -36,6 +36,8 @@ namespace samara
           kind = line.substr(4);
         else if (line == "## The model")
           kind = "model";
+        else if (line == "## Subsystems")
+          kind = "subsystem";
         else if (line == "## Studies")
           kind = "study";
         else if (line.find("`subsection Methods`") != std::string::npos)

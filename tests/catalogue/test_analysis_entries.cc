@@ -127,3 +127,21 @@ TEST_F(Catalogued, Studies)
          {"Values", "3"},
          {"Model", "other.prm"}});
 }
+
+
+
+TEST_F(Catalogued, Subsystems)
+{
+  const std::string arm = "subsection Constants\n set length = 1 m\n end\nsubsection Bodies\n subsection arm\n set Type = rigid body\n"
+                          " set Mass = 1\n set Inertia = 1, 1, 1\n set Position = length, 0, 0\n end\nend\n"
+                          "subsection Output\n set Probes = arm.position x, arm.position y, arm.position z\nend\n";
+  check("subsystem",
+        "set Analyses = dynamic\nsubsection Subsystems\n subsection it\n set Rotation = 0.1, 0.2, 0.3\n" + arm + " end\nend\n" +
+          models::two_steps,
+        "Subsystems/it",
+        {{"Position", "1, 2, 3"},
+         {"Rotation", "0.3, 0.2, 0.1"},
+         {"Rotation sequence", "123"},
+         {"Copies", "3 about z"},
+         {"Arguments", "length = 2 m"}});
+}

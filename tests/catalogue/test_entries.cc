@@ -69,6 +69,7 @@ TEST_F(Catalogued, AllKinds)
                                    "static",
                                    "modal",
                                    "dynamic",
+                                   "subsystem",
                                    "study",
                                    "method"}));
 }

@@ -241,3 +241,94 @@ TEST(Tangents, StrainRowsHoldTheMaterial)
       EXPECT_LT((C.dense() - rest.dense() - viscous).norm(), 1e-13 * C.dense().norm()) << kind;
     }
 }
+
+
+
+namespace
+{
+  /** Kinds as users may also write them: defaults, other shapes, places that are given. */
+  std::map<std::string, Text>
+  more_scenes()
+  {
+    std::map<std::string, Text> s;
+    s["vertical curve"].bodies = "subsection second\n set Type = beam\n set Shape = expressions\n set Section = full\n"
+                                 " set Expressions = 0.1*s^2, table: 0 0; 0.5 0.2; 1 0.3, 3 + s\n set Elements = 2\nend\n";
+    s["vertical line"].bodies  = "subsection second\n set Type = beam\n set Points = 0, 0, 3; 0, 0, 4\n"
+                                 " set Section = full\n set Elements = 1\nend\n";
+    s["sequence 131"].bodies   = "subsection second\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1.1, 1.2\n"
+                                 " set Rotation = 0.3, 0.5, -0.4\n set Rotation sequence = 131\nend\n";
+    for (const std::string kind : {"revolute", "planar", "spherical", "universal", "flexible joint", "spring", "distance"})
+      s[kind + " of which little is said"].rest =
+        "subsection Joints\n subsection j\n set Type = " + kind + "\n set Body A = block\n set Body B = rod.end\n" +
+        (kind == "flexible joint" ? "set Stiffness = 1, 2, 3\n set Rotational stiffness = 4, 5, 6\n" : "") +
+        (kind == "planar" ? "subsection displacement 1\n set Spring = 2\n end\n" : "") +
+        (kind == "spring" ? "subsection length\n set Spring = 2\n end\n" : "") + " end\nend\n";
+    for (const std::string kind : {"revolute", "flexible joint", "spring", "distance", "knife edge"})
+      s[kind + " at a place"].rest = "subsection Joints\n subsection j\n set Type = " + kind +
+                                     "\n set Body A = block\n set Body B = rod.end\n set Position = 0.3, 0.4, -0.7\n"
+                                     " end\nend\n";
+    s["law with a table"].rest = "subsection Loads\n subsection f\n set Type = point load\n set At = block.far\n"
+                                 " set Force = table: 0 1; 2 5, block.angular velocity y*2 N*s, rod.end.position z*1 N/m + t*1 N/s\n"
+                                 " end\nend\n";
+    return s;
+  }
+
+  /** The model @p text in a subsystem that is turned and moved, in one that is turned and moved. */
+  std::string
+  placed(const std::string &text)
+  {
+    return "subsection Subsystems\n subsection outer\n set Position = 1, 2, -3\n set Rotation = 0.7, -0.4, 1.1\n"
+           " subsection Subsystems\n subsection it\n set Position = 0.2, 0.1, 0.5\n set Rotation = -0.3, 0.2, 2\n"
+           " set Rotation sequence = 123\n" +
+           text + " end\n end\n end\nend\n";
+  }
+} // namespace
+
+
+
+// A model in a subsystem that is turned and moved is the same model seen from elsewhere: what it does in the frames of its
+// nodes is the same for every kind, in a state with strains, velocities, multipliers and motions of joints.
+TEST(Placements, EveryKindIsTurnedWithItsSubsystem)
+{
+  const Matrix3 R_outer = rotation_of_angles({0.7, -0.4, 1.1}, "321"), R_inner = rotation_of_angles({-0.3, 0.2, 2}, "123");
+  const Matrix3 R       = R_outer * R_inner;
+  const Vector3 x_0     = Vector3(1, 2, -3) + R_outer * Vector3(0.2, 0.1, 0.5);
+  auto          all     = scenes();
+  for (const auto &scene : more_scenes())
+    all.insert(scene);
+  unsigned int n_refused = 0;
+  for (const auto &[kind, text] : all)
+    {
+      if (const std::string said = complaint_of(placed(text.model())); !said.empty())
+        {
+          ++n_refused;
+          EXPECT_NE(said.find("acts on the whole model"), std::string::npos) << kind << ": " << said;
+          continue;
+        }
+      const Scene as_it_is(text.model()), turned(placed(text.model()));
+      ASSERT_EQ(as_it_is.system.size(), turned.system.size()) << kind;
+      const auto residual = [](const System &system, State &state) {
+        state = system.reference();
+        std::vector<double> z(system.size()), r(system.size(), 0.);
+        for (unsigned int i = 0; i < z.size(); ++i)
+          z[i] = 0.1 * std::sin(1. + i);
+        system.update(state, z);
+        for (unsigned int i = 6; i < state.y.size(); ++i)
+          state.y[i] = 0.3 * std::cos(2. + i);
+        state.time = 0.7;
+        system.stresses(state, state.stress);
+        system.residual(state, state.stress, r);
+        return Eigen::VectorXd(Eigen::Map<Eigen::VectorXd>(r.data(), r.size()));
+      };
+      State                 a, b;
+      const Eigen::VectorXd r_a = residual(as_it_is.system, a), r_b = residual(turned.system, b);
+      EXPECT_GT(r_a.norm(), 0.) << kind;
+      EXPECT_LT((r_a - r_b).norm(), 1e-12 * (1 + r_a.norm())) << kind;
+      for (unsigned int n = 1; n < as_it_is.system.layout.n_nodes; ++n)
+        {
+          EXPECT_LT((x_0 + R * a.position(n) - b.position(n)).norm(), 1e-13) << kind;
+          EXPECT_LT((R * a.triad(n) - b.triad(n)).norm(), 1e-13) << kind;
+        }
+    }
+  EXPECT_EQ(n_refused, 1u); // gravity
+}

@@ -1,6 +1,7 @@
 #ifndef samara_base_errors_h
 #define samara_base_errors_h
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <unordered_set>
@@ -95,7 +96,15 @@ namespace samara
     /** By file, in the order in which files were first complained about, and by line. */
     std::vector<std::string> all() const;
 
-    /** Throw an InputError with all complaints, if there are any; of very many the first ones, and how many there are.
+    /** The file was included at @p place: complaints about it will say so. */
+    void note_inclusion(const std::string &file, const std::string &place);
+
+    /** Take over what @p other knows of inclusions. */
+    void note_inclusions_of(const Complaints &other);
+
+    /**
+     * Throw an InputError with all complaints, if there are any; of very many the first ones, and how many there are. Those
+     * about included files tell where these were included.
      */
     void throw_if_any() const;
 
@@ -103,6 +112,11 @@ namespace samara
     std::vector<std::string>        complaints; ///< in the order in which they were found
     std::unordered_set<std::string> known;
     std::size_t                     n_follow_ups = 0;
+
+    std::map<std::string, std::vector<std::string>> inclusions; ///< places, by file
+
+    /** " (included at model.prm:30)", all the way; empty of a file that is not included. */
+    std::string chain_of(const std::string &file, unsigned int depth = 0) const;
   };
 } // namespace samara
 

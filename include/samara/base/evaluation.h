@@ -23,6 +23,7 @@ namespace samara
     std::array<Quantity, 2> readings;
     bool                    is_unit   = false;
     bool                    is_faulty = false; ///< a constant that could not be read: who uses it throws a FollowUp
+    bool                    is_outer  = false; ///< a constant outside of the subsystem, where another may have its name
   };
 
 

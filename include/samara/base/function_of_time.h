@@ -65,6 +65,9 @@ namespace samara
     /** Text that reads as this function. */
     const std::string &text() const;
 
+    /** The same as an expression of the variable, which a table is not: piece by piece, behind comparisons. */
+    std::string formula_text() const;
+
     /** The words with which a table begins. */
     static const std::string table_prefix;
 
@@ -73,7 +76,7 @@ namespace samara
 
     Jet evaluate(double x) const;
 
-    std::string                            source;
+    std::string                            source, variable;
     Formula                                formula;
     std::vector<std::pair<double, double>> table; ///< empty if the formula counts
     bool                                   constant = true;

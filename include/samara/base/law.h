@@ -2,10 +2,13 @@
 #define samara_base_law_h
 
 #include <samara/base/function_of_time.h>
+#include <samara/base/placement.h>
 
+#include <Eigen/Dense>
+
+#include <array>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace samara
@@ -112,13 +115,16 @@ namespace samara
      */
     double next_corner(double from, double to) const;
 
+    /** Σ cⱼ lawsⱼ + offset, in SI units. */
+    static Law combination(const std::array<Law, 3> &laws, const Eigen::RowVector3d &c, double offset);
+
     /** Text in SI units that reads as this law. */
     const std::string &text() const;
 
   private:
     FunctionOfTime           time_function;
     Formula                  formula;
-    std::string              source;
+    std::string              words, source; ///< the text with words for the signals, and with their paths
     std::vector<std::string> paths;
     std::vector<ScalarFunction> switches_of_time; ///< parts of the formula
   };
@@ -127,7 +133,8 @@ namespace samara
 
   /**
    * What may be named in laws: the objects of a model, whose signals are known by the words they end with, and the
-   * states of first order with their units.
+   * states of first order with their units. In a subsystem, its objects and states have short names, too, and components
+   * x, y, z are those along its axes.
    */
   class SignalNames
   {
@@ -135,10 +142,17 @@ namespace samara
     void add_object(const std::string &name);
     void add_state(const std::string &name, const std::string &unit);
 
+    /** Let @p short_name stand for the object, or the state, of that full name, which has been added before. */
+    void add_short_object(const std::string &short_name, const std::string &name);
+    void add_short_state(const std::string &short_name, const std::string &name);
+
+    /** Where the group of objects stands whose laws are read. */
+    Placement placement;
+
     /** The unit of a state; empty: it is a number. */
     std::string unit_of_state(const std::string &name) const;
 
-    /** A signal in a text: where it stands, its path with single blanks, and its SI unit. */
+    /** A signal in a text: where it stands, its full path with single blanks, and its SI unit. */
     struct Found
     {
       std::size_t begin, end;
@@ -159,9 +173,14 @@ namespace samara
     static std::vector<std::string> known_quantities();
 
   private:
-    std::unordered_set<std::string>              objects;
-    std::unordered_map<std::string, std::string> states;      ///< their units
-    std::size_t                                  longest = 0; ///< of the objects' names
+    struct State
+    {
+      std::string name, unit;
+    };
+    std::unordered_map<std::string, std::string> objects;     ///< full names, by what they are called
+    std::unordered_map<std::string, State>       states;      ///< the same
+    std::vector<std::string>                     long_states; ///< names that are more than one word
+    std::size_t                                  longest = 0; ///< of what objects are called
   };
 } // namespace samara
 

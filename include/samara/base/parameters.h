@@ -3,6 +3,7 @@
 
 #include <samara/base/errors.h>
 #include <samara/base/outline.h>
+#include <samara/base/placed.h>
 #include <samara/base/quantity.h>
 #include <samara/base/value.h>
 
@@ -50,6 +51,22 @@ namespace samara
     /** The unit of an entry that was added is only known when it is read, from @p unit. */
     void take_unit(const std::string &name, const std::function<std::string(const Quantities &)> &unit);
 
+    /**
+     * What becomes of an entry with three components in space when the axes turn in which it is given. Every such entry
+     * of an object that may stand in a subsystem says it; own_axes is an answer, too.
+     */
+    void turns(const std::string &name, Turning turning);
+
+    /**
+     * Take what turns to the axes of the model; to be called once, after parse().
+     * @throws std::invalid_argument if an entry does not say how it turns: its kind cannot stand in a subsystem.
+     */
+    void be_placed(const Placement &placement);
+
+    /** Give the bound variable of an entry another value, and print it as if the file had said so. */
+    template <typename T>
+    void assign(const std::string &name, const T &value);
+
     /** The entries of the nested subsection @p name; a new one at the first call. */
     Parameters &subsection(const std::string &name);
 
@@ -61,6 +78,9 @@ namespace samara
      * then keeps its value. `Type` and `Copy of` are skipped unless they were added.
      */
     void parse(const Outline &section, const Quantities &quantities, Complaints &complaints);
+
+    /** Whether there is an entry of this name. */
+    bool has(const std::string &name) const;
 
     /** Whether the file said something about the entry. */
     bool is_set(const std::string &name) const;
@@ -112,6 +132,11 @@ namespace samara
       /** Make SI text from the user's, refuse it or write the variable. */
       std::string (*read)(const std::string &text, const Quantities &, const Entry &);
 
+      /** Write the variable that is meant in the axes of @p placement, and return its text; null if it has no axes. */
+      std::string (*place)(const Entry &, const Placement &placement, bool is_position) = nullptr;
+      Turning turning     = Turning::unknown;
+      bool    is_assigned = false; ///< the value is not, or not only, what the file says
+
       /** Of an entry whose unit is only known when it is read; null otherwise. */
       const std::function<std::string(const Quantities &)> *unit_when_read = nullptr;
 
@@ -132,6 +157,9 @@ namespace samara
     static std::string read_value(const std::string &text, const Quantities &quantities, const Entry &entry);
 
     template <typename T>
+    static std::string place_value(const Entry &entry, const Placement &placement, bool is_position);
+
+    template <typename T>
     void declare(T &variable, const Wanted &wanted);
 
     void declare(Entry entry);
@@ -150,6 +178,8 @@ namespace samara
     void document_rows(const std::string &prefix, std::ostream &out) const;
 
     const Entry &existing(const std::string &name) const;
+
+    Entry &existing(const std::string &name);
 
     /** "<hub> (rigid body)" */
     std::string description() const;
@@ -185,7 +215,34 @@ namespace samara
   void
   Parameters::declare(T &variable, const Wanted &wanted)
   {
-    declare({&declaration_of(wanted), Value<T>::write(variable), "", &variable, &read_value<T>, nullptr});
+    Entry entry{&declaration_of(wanted), Value<T>::write(variable), "", &variable, &read_value<T>};
+    if constexpr (Placed<T>::is_spatial)
+      entry.place = &place_value<T>;
+    declare(std::move(entry));
+  }
+
+
+
+  template <typename T>
+  std::string
+  Parameters::place_value(const Entry &entry, const Placement &placement, const bool is_position)
+  {
+    T &variable = *static_cast<T *>(entry.variable);
+    if constexpr (Placed<T>::is_spatial)
+      variable = Placed<T>::of(variable, placement, is_position);
+    return Value<T>::write(variable);
+  }
+
+
+
+  template <typename T>
+  void
+  Parameters::assign(const std::string &name, const T &value)
+  {
+    Entry &entry                       = existing(name);
+    *static_cast<T *>(entry.variable) = value;
+    entry.value                        = Value<T>::write(value);
+    entry.is_assigned                  = true;
   }
 
 

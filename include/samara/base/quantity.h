@@ -37,6 +37,16 @@ namespace samara
     void
     add_constant(const std::string &name, const std::string &text, const std::string &where, Complaints &complaints);
 
+    /** The same where @p text is read as @p reader understands it. */
+    void add_constant(const std::string &name,
+                      const std::string &text,
+                      const std::string &where,
+                      const Quantities  &reader,
+                      Complaints        &complaints);
+
+    /** From now on constants may have the names of those that there are, and then hide them: a subsystem begins. */
+    void begin_subsystem();
+
     /** The value of @p text in SI, which must have the dimension of @p unit; "" for @p unit accepts any dimension. */
     double number(const std::string &text, const std::string &unit) const;
 

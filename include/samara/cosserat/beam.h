@@ -23,6 +23,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void be_placed(const Placement &placement) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
@@ -115,6 +116,7 @@ namespace samara
     std::vector<double>           kinks; ///< arc lengths where section or twist have one; elements need not end there
     std::map<std::string, double> named; ///< arc length of named points
 
+    std::string               make_curve(); ///< returns what is wrong with the entries
     bool                      find_curve();
     std::vector<double>       find_breaks();
     std::vector<double>       element_ends(const std::vector<double> &breaks) const;

@@ -13,6 +13,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void be_placed(const Placement &placement) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
@@ -43,6 +44,9 @@ namespace samara
       Matrix3 D;
     };
     std::map<std::string, Point> named;
+
+    /** Read "name at x y z" [m]; returns whether that is what the text is. */
+    static bool read_frame(const std::string &text, std::string &point, Vector3 &x);
 
     void read_frames(Model &model, const Frame &node);
   };

@@ -37,6 +37,12 @@ namespace samara
     bool   has_potential() const override;
     double potential_energy(const Point<double> &point) const override;
 
+    bool
+    acts_on_whole_model() const override
+    {
+      return true;
+    }
+
     /** The first corner of any component, see ScalarFunction::next_corner(). */
     double next_corner(double from, double to) const override;
 
@@ -59,6 +65,7 @@ namespace samara
   class WrenchLoad : public Item, public Evaluated<WrenchLoad, Force>
   {
   public:
+    void be_placed(const Placement &placement) override;
     void find_signals(Model &model) override;
     void connect(Layout &layout) override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
@@ -184,6 +191,12 @@ namespace samara
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
+
+    bool
+    acts_on_whole_model() const override
+    {
+      return joint.empty();
+    }
 
     /** The angle is held in statics, where nothing moves against it: there are no rates. */
     void

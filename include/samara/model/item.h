@@ -28,7 +28,7 @@ namespace samara
    * A named thing of the input file: a body, a joint, a load, a section. An item adds nodes, coordinates and terms to
    * the model; what is computed is in its terms (terms.h). A section, or a weld, is an item without terms.
    *
-   * Its life: construct → add_parameters() → (parse) → initialize() → connect(). Afterwards it is constant: all that
+   * Its life: construct → add_parameters() → (parse) → (be_placed) → initialize() → connect(). Afterwards it is constant: all that
    * changes is in the State.
    */
   class Item
@@ -46,6 +46,24 @@ namespace samara
     virtual void
     add_parameters(Parameters &)
     {}
+
+    /**
+     * Take what has been read in the axes of a subsystem to those of the model. Entries with three components say
+     * themselves how they turn, see Parameters::turns(); an item overrides this for what it reads or chooses by other means.
+     * @throws std::invalid_argument
+     */
+    virtual void
+    be_placed(const Placement &placement)
+    {
+      parameters.be_placed(placement);
+    }
+
+    /** Whether it acts on all bodies there are: then it cannot stand in a subsystem. */
+    virtual bool
+    acts_on_whole_model() const
+    {
+      return false;
+    }
 
     /** Turn names into references, check values, add nodes and welds. Complaints go to the model. */
     virtual void initialize(Model &model) = 0;

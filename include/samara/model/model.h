@@ -146,12 +146,21 @@ namespace samara
 
     Complaints complaints;
 
+    /**
+     * The subsystem from which names are looked up, "rotor:blade 1:", or "": first those in it, "rotor:blade 1:flap", then
+     * those around it, "rotor:flap", then "flap".
+     */
+    std::string scope;
+
     /** Names of what could not even be constructed; there is a complaint about each. */
     std::unordered_set<std::string> unmade;
 
   private:
-    /** All items of that name, in their order. Items are added, and never taken away nor renamed. */
+    /** All items of that full name, in their order. Items are added, and never taken away nor renamed. */
     const std::vector<Item *> &named(const std::string &name) const;
+
+    /** The full names that @p name may stand for, see `scope`. */
+    std::vector<std::string> full_names(const std::string &name) const;
 
     /** Complains about a name that find() has not found. @throws std::invalid_argument, FollowUp */
     [[noreturn]] void
@@ -171,13 +180,18 @@ namespace samara
   Kind &
   Model::find(const std::string &name, const std::string &noun) const
   {
-    for (auto *const c : named(name))
-      if (auto *const wanted = dynamic_cast<Kind *>(c))
-        {
-          if (c->is_faulty)
-            throw FollowUp();
-          return *wanted;
-        }
+    for (const auto &full_name : full_names(name))
+      {
+        for (auto *const c : named(full_name))
+          if (auto *const wanted = dynamic_cast<Kind *>(c))
+            {
+              if (c->is_faulty)
+                throw FollowUp();
+              return *wanted;
+            }
+        if (unmade.count(full_name) > 0)
+          throw FollowUp();
+      }
     std::vector<const Item *> others;
     if (may_suggest())
       for (const auto &c : items)
@@ -187,6 +201,12 @@ namespace samara
   }
 
 
+
+  /** What stands between the name of a subsystem and those of the objects in it: "blade 1:flap". */
+  constexpr char subsystem_separator = ':';
+
+  /** The subsystem of an object with this full name: "rotor:blade 1:" of "rotor:blade 1:flap"; empty in none. */
+  std::string scope_of(const std::string &full_name);
 
   /** Diagonal of the box around the reference positions of all nodes there are [m]. */
   double box_diagonal(const Model &model);
