@@ -1,5 +1,7 @@
 #include <samara/aero/momentum_inflow.h>
+#include <samara/base/errors.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace samara
@@ -160,8 +162,30 @@ namespace samara
 
 
   void
+  MomentumInflow::check_axes(const Point<double> &point) const
+  {
+    const auto spin_of = [&](const Frame &frame) {
+      return Vector3(Frame{frame.node}.triad(point.q) * Frame{frame.node}.twist(point.y).tail<3>());
+    };
+    const bool has_harmonics =
+      std::any_of(disk.shapes.begin(), disk.shapes.end(), [](const auto &shape) { return shape.m > 0; });
+    for (const auto *surface : surfaces)
+      {
+        const Vector3 spin = spin_of(surface->carrier());
+        if (has_harmonics && (spin - spin_of(hub)).norm() > 1e-9 * spin.norm())
+          throw InputError(parameters.where("Hub") + ": the hub of inflow <" + name +
+                           "> does not turn with its blades: steady harmonics are those in axes that do; name a point "
+                           "that turns");
+      }
+  }
+
+
+
+  void
   MomentumInflow::tangent(const Point<double> &point, SparseMatrix &A) const
   {
+    if (point.held) // statics
+      check_axes(point);
     Eigen::MatrixXd K, C;
     differentiate(point, K, C);
     K.leftCols<6>() += C.leftCols<6>() * ad(hub.twist(point.y));

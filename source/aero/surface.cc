@@ -47,10 +47,12 @@ namespace samara
     prm.add("Airfoils",
             airfoil_names,
             "Airfoil; or airfoils along the span, blended between: name at s, name at s, ...");
-    prm.add("Unsteady",
-            unsteady_name,
-            "How lift follows the motion: at once, or with two lags a station, states in m/s.",
-            Selection("two lags|quasi-steady"));
+    prm.add(
+      "Unsteady",
+      unsteady_name,
+      "How lift follows the motion: at once; with two lags a station, states in m/s; or with these and two states of "
+      "flow that separates: dynamic stall.",
+      Selection("two lags|quasi-steady|dynamic stall"));
     prm.add("Virtual mass",
             has_virtual_mass,
             "Whether the mass of the air moved along counts: needed for flutter, small against the mass of blades.");
@@ -70,7 +72,9 @@ namespace samara
       parameters.require(entry, model->complaints);
     if (model->complaints.count() != before)
       return;
-    unsteady          = unsteady_name == "two lags" ? Unsteady::two_lags : Unsteady::quasi_steady;
+    unsteady          = unsteady_name == "two lags"      ? Unsteady::two_lags :
+                        unsteady_name == "dynamic stall" ? Unsteady::dynamic_stall :
+                                                           Unsteady::quasi_steady;
     std::string where = "Air";
     try
       {
@@ -90,18 +94,38 @@ namespace samara
     for (auto &element : elements)
       if (has_virtual_mass)
         find_virtual_mass(element);
-    if (unsteady == Unsteady::two_lags)
-      for (auto &element : elements)
-        for (auto &station : element.stations)
-          {
-            station.first_lag = element.lags.size();
-            for (unsigned int i = 0; i < lags::n; ++i)
-              element.lags.push_back(model->add_state(name + ", lag " + std::to_string(i + 1) +
-                                                        " at s = " + number_to_text("%.4g", station.s),
-                                                      "m/s",
-                                                      0.,
-                                                      1.));
-          }
+    try
+      {
+        for (auto &element : elements)
+          for (auto &station : element.stations)
+            add_states(station, element);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Unsteady"), problem.what());
+      }
+  }
+
+
+
+  void
+  Surface::add_states(Station &station, Element &element)
+  {
+    static const std::array<std::array<std::string, 2>, 4> names = {
+      {{{"lag 1", "m/s"}}, {{"lag 2", "m/s"}}, {{"angle of pressure", "rad"}}, {{"separation", "1"}}}};
+    station.first_lag = element.lags.size();
+    for (unsigned int i = 0; i < states_of(unsteady); ++i)
+      element.lags.push_back(
+        model->add_state(name + ", " + names[i][0] + " at s = " + number_to_text("%.4g", station.s),
+                         names[i][1],
+                         i == 3 ? 1. : 0., // attached at the start
+                         1.));
+    if (unsteady == Unsteady::dynamic_stall)
+      {
+        const SectionOfWing section = station.section;
+        station.section.separation =
+          std::make_shared<Separation>([section](const double alpha) { return section.coefficients(alpha, 0.).lift; });
+      }
   }
 
 
@@ -427,7 +451,7 @@ namespace samara
       }
     loads.surface = rates.surface = this;
     layout.add(*this, loads);
-    if (unsteady == Unsteady::two_lags || (inflow != nullptr && !inflow->states.empty()))
+    if (states_of(unsteady) > 0 || (inflow != nullptr && !inflow->states.empty()))
       layout.add(*this, rates);
   }
 } // namespace samara

@@ -128,14 +128,14 @@ namespace samara
             sample.x = at.place;
             sample.D << at.axes.e1, at.axes.e2, at.axes.e3;
             sample.velocity = g.frames.velocity(station.N, station.quarter);
-            sample.force    = at.force;
-            sample.moment   = at.moment;
             axis.push_back(sample);
             outlines.push_back(unit);
             for (auto &corner : outlines.back())
               corner *= station.section.chord;
           }
       }
+    if (axis.size() < 2)
+      return;
     drawing.begin_object(name);
     drawing.tube(axis, outlines);
   }

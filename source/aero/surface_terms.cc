@@ -48,12 +48,15 @@ namespace samara
           at.induced += g.amplitudes[k] * at.shapes[k];
         wind -= at.induced * at.thrust_axis;
       }
-    at.air      = wind;
-    at.spin     = g.frames.spin(station.N);
-    at.relative = at.air - g.frames.velocity(station.N, station.three_quarters);
-    at.V        = at.axes.components(at.relative);
-    at.upwash = unsteady == Unsteady::two_lags ? lags::effective_upwash(at.V(2), &g.lags[station.first_lag]) : at.V(2);
-    at.flow   = section_flow(station.section, *air, at.V, at.upwash);
+    at.air                  = wind;
+    at.spin                 = g.frames.spin(station.N);
+    at.relative             = at.air - g.frames.velocity(station.N, station.three_quarters);
+    at.V                    = at.axes.components(at.relative);
+    const Number *const lag = g.lags.data() + station.first_lag;
+    at.upwash               = unsteady == Unsteady::quasi_steady ? at.V(2) : lags::effective_upwash(at.V(2), lag);
+    if (unsteady == Unsteady::dynamic_stall)
+      at.separated = lag[3];
+    at.flow       = section_flow(station.section, *air, at.V, at.upwash, at.separated);
     const auto &l = at.flow.loads;
     at.force      = l(0) * at.axes.e1 + l(1) * at.axes.e2 + l(2) * at.axes.e3;
     at.moment     = l(3) * at.axes.e1;
@@ -111,6 +114,19 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** b − a, less full turns. */
+    template <typename Number>
+    Number
+    angle_between(const Number &a, const Number &b)
+    {
+      return b - a - 2 * M_PI * std::round((std::real(b) - std::real(a)) / (2 * M_PI));
+    }
+  } // namespace
+
+
+
   template <typename Number>
   void
   Surface::Rates::residual_at(const Point<Number> &point, Number *r) const
@@ -124,12 +140,21 @@ namespace samara
         const unsigned int first_lag = 6 * g.frames.D.size(), first_inflow = first_lag + element.lags.size();
         for (const auto &station : element.stations)
           {
-            const auto at = surface->evaluate(station, g, point.time);
+            const auto   at    = surface->evaluate(station, g, point.time);
+            const Number speed = 2 / station.section.chord * lags::speed(at.V, *surface->air);
             for (unsigned int i = 0; i < lags::n && !element.lags.empty(); ++i)
               {
                 const unsigned int k = station.first_lag + i;
-                local(first_lag + k) -=
-                  lags::b[i] * 2 / station.section.chord * lags::speed(at.V, *surface->air) * (at.V(2) - g.lags[k]);
+                local(first_lag + k) -= lags::b[i] * speed * (at.V(2) - g.lags[k]);
+              }
+            if (surface->unsteady == Unsteady::dynamic_stall)
+              {
+                const unsigned int k     = station.first_lag + lags::n;
+                const Number       angle = g.lags[k], lack = angle_between(angle, at.flow.alpha);
+                const auto         v = station.section.separation->at(std::real(angle));
+                const Number       f = internal::continued(v.place, v.place_alpha, 0., angle, Number(0));
+                local(first_lag + k) -= speed / lags::T_p * lack;
+                local(first_lag + k + 1) -= speed / lags::T_f * (f - g.lags[k + 1]);
               }
             if (inflow != nullptr && !inflow->states.empty())
               for (unsigned int k = 0; k < at.shapes.size(); ++k)
@@ -223,6 +248,42 @@ namespace samara
         }
     }
 
+    /** Rates of the angle of pressure and of the place of separation. */
+    void
+    add_stall_rows(const Station           &station,
+                   const Gathered<double>  &g,
+                   const AtStation<double> &at,
+                   const Air               &air,
+                   Eigen::MatrixXd         &K,
+                   Eigen::MatrixXd         &C) const
+    {
+      const unsigned int n_twists = turn.place.cols(), n_states = turn.states.cols(), k = station.first_lag + lags::n,
+                         row             = n_twists + k;
+      const double             per_chord = 2 / station.section.chord, U = lags::speed(at.V, air), speed = per_chord * U;
+      const Eigen::RowVector3d dspeed = per_chord * Eigen::RowVector3d(0., at.V(1) / U, at.V(2) / U);
+      // α = atan2(w, −V₂), w = (1 − A₁ − A₂) V₃ + A₁ x₁ + A₂ x₂
+      const double             square = at.V(1) * at.V(1) + at.upwash * at.upwash;
+      const double             by_w = square > 0 ? -at.V(1) / square : 0., by_V2 = square > 0 ? at.upwash / square : 0.;
+      const Eigen::RowVector3d dalpha(0., by_V2, by_w * (1 - lags::A[0] - lags::A[1]));
+      const double             angle = g.lags[k], lack = angle_between(angle, at.flow.alpha), x = g.lags[k + 1];
+      const auto               v = station.section.separation->at(angle);
+
+      const Eigen::RowVector3d first  = -(speed * dalpha + lack * dspeed) / lags::T_p,
+                               second = -(v.place - x) / lags::T_f * dspeed;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const Eigen::RowVector3d &slope = i == 0 ? first : second;
+          K.row(row + i).head(n_twists) += slope * V.place;
+          K.row(row + i).tail(n_states) += slope * V.states;
+          C.row(row + i).head(n_twists) += slope * V.twist;
+        }
+      for (unsigned int i = 0; i < lags::n; ++i)
+        K(row, n_twists + station.first_lag + i) -= speed / lags::T_p * by_w * lags::A[i];
+      K(row, row) += speed / lags::T_p;
+      K(row + 1, row) -= speed / lags::T_f * v.place_alpha;
+      K(row + 1, row + 1) += speed / lags::T_f;
+    }
+
     /** What of the virtual mass is a load. */
     void
     of_virtual_mass(const Station &station, const AtStation<double> &at, const Matrix3 &E)
@@ -280,7 +341,7 @@ namespace samara
   {
     const auto         at       = evaluate(station, g, point.time);
     const unsigned int n_twists = 6 * g.frames.D.size(), n_states = K.cols() - n_twists, n_lags = g.lags.size();
-    const bool         has_lags = unsteady == Unsteady::two_lags;
+    const bool         has_lags = unsteady != Unsteady::quasi_steady;
     Derivatives        d(n_twists, n_states);
     d.of_frames(station, g.frames, at.axes);
     d.air.add<3>(air->gradient(at.place(2), point.time) * Eigen::RowVector3d::Unit(2), d.place);
@@ -293,7 +354,9 @@ namespace samara
     d.V.add<3>(E.transpose(), d.relative);
     d.V.add<3>(E.transpose() * skew(at.relative), d.turn);
 
-    Eigen::Matrix4d J = section_tangent(station.section, *air, at.V, at.upwash, at.flow);
+    Eigen::Matrix<double, 4, 5> J = section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.flow);
+    if (unsteady == Unsteady::dynamic_stall)
+      d.loads.states.col(station.first_lag + 3) += J.col(4);
     if (has_lags)
       for (unsigned int i = 0; i < lags::n; ++i)
         d.loads.states.col(station.first_lag + i) += lags::A[i] * J.col(3);
@@ -337,6 +400,10 @@ namespace samara
         K(row, row) -= rate * U;
         C.row(row).head(n_twists) += slope * d.V.twist;
       }
+
+    // rows of dynamic stall
+    if (unsteady == Unsteady::dynamic_stall)
+      d.add_stall_rows(station, g, at, *air, K, C);
 
     // rows of the inflow
     if (inflow == nullptr || inflow->states.empty())

@@ -58,7 +58,7 @@ subsection Bodies
   subsection blade
     set Type        = beam
     set Shape       = expressions
-    set Expressions = 3*s; 0.3*s^2; 0.2*s^2
+    set Expressions = 3*s, 0.3*s^2, 0.2*s^2
     set Section     = bar
     set Elements    = 2
     set Twist       = 0.3 - 0.05*s

@@ -111,7 +111,7 @@ TEST(FiniteStateInflow, MatricesOfPetersAndHe)
       EXPECT_NEAR(l, number(row, "L_integrated"), 5e-5);
       ++n_rows;
     }
-  EXPECT_GT(n_rows, 100u);
+  EXPECT_EQ(n_rows, 65u);
   EXPECT_EQ(FiniteStateInflow::peters_he(2, 4).size(), 11u);
   EXPECT_EQ(FiniteStateInflow::peters_he(4, 8).size(), 33u);
   EXPECT_EQ(FiniteStateInflow::peters_he(8, 12).size(), 79u);
@@ -341,6 +341,8 @@ TEST(MomentumInflow, DerivativesAgainstComplexSteps)
        {"uniform inflow", "Pitt-Peters inflow", "Peters-He inflow\n    set Harmonics = 2\n    set Power = 4"})
     for (const std::string hub : {"ground", "rotor.centre"})
       {
+        if (hub == "ground" && kind != "uniform inflow") // refused in statics
+          continue;
         const Scene       scene(rotor(kind, hub, "12, 3, -1", "    set Virtual mass = true\n"));
         const ComplexStep step(scene.system, false, false, true);
         EXPECT_LT(step.error_of_tangent(), 1e-12) << kind << hub;
@@ -359,22 +361,24 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
                                  "Peters-He inflow\n    set Harmonics = 0\n    set Power = 0",
                                  "Peters-He inflow\n    set Harmonics = 4\n    set Power = 8"})
     {
-      double first = 0;
-      for (const std::string hub : {"ground", "rotor.centre"})
+      Scene scene(rotor(kind, "rotor.centre"));
+      scene.equilibrium();
+      const double T = scene.value("flow.thrust"), nu = scene.value("flow.mean");
+      EXPECT_GT(T, 100.);
+      EXPECT_NEAR(T, 2 * 1.225 * M_PI * 9 * nu * nu, 1e-8 * T) << kind;
+      // the power of a rotor that hovers turns the shaft
+      EXPECT_NEAR(scene.value("flow.power"), 30 * scene.value("flow.torque"), 1e-8 * scene.value("flow.power"));
+      // in axes that stand still, flow without harmonics is the same, and steady harmonics are not to be had
+      Scene fixed(rotor(kind, "ground"));
+      if (scene.system.layout.n_states == 1)
         {
-          Scene scene(rotor(kind, hub));
-          scene.equilibrium();
-          const double T = scene.value("flow.thrust"), nu = scene.value("flow.mean");
-          EXPECT_GT(T, 100.);
-          EXPECT_NEAR(T, 2 * 1.225 * M_PI * 9 * nu * nu, 1e-8 * T) << kind << hub;
-          // the power of a rotor that hovers turns the shaft
-          EXPECT_NEAR(scene.value("flow.power"), 30 * scene.value("flow.torque"), 1e-8 * scene.value("flow.power"));
-          if (first == 0)
-            first = T;
-          EXPECT_NEAR(T, first, 1e-8 * T) << kind << hub;
+          fixed.equilibrium();
+          EXPECT_NEAR(fixed.value("flow.thrust"), T, 1e-8 * T);
         }
+      else
+        EXPECT_THROW(fixed.equilibrium(), InputError);
       if (kind == "uniform inflow")
-        thrust = first;
+        thrust = T;
     }
   // a climb needs more collective, and wind from above is one
   Scene climbing(rotor("uniform inflow", "ground", "0, 0, -3"));

@@ -39,6 +39,7 @@ subsection Bodies
     set Velocity = 1, 2, 3
     set Frames   = other at 0.3 0.1 0.2
     set Rotation = 0.2, 0.3, 0.1
+    set Angular velocity = 0.3, 0.2, 0.5
   end
 end
 subsection Airfoils
@@ -68,7 +69,7 @@ end
   }
 
   const std::string analytic = "    set Type = analytic\n    set Lift slope = 5.5\n    set Moment = 0.02, 0.1\n",
-                    air      = "    set Type = air\n    set Wind = 1, 30, 4\n    set Ground = -3\n",
+                    air      = "    set Type = air\n    set Wind = 1, -30, 4\n    set Ground = -3\n",
                     flow     = "    set Hub = body\n    set Radius = 2.5\n    set Air = air\n",
                     uniform  = "    set Type = uniform inflow\n" + flow;
 
@@ -103,7 +104,7 @@ TEST_F(Catalogued, Airfoils)
   const std::string folder = ScratchFolder().path; // that of the runs
   files["one.c81"] =
     "# FREE FORMAT\none; 1 3 1 3 1 3\n0\n-180 0\n0 1\n180 0\n0\n-180 0\n0 0.1\n180 0\n0\n-180 0\n0 0.1\n180 0\n";
-  files["two.c81"]   = changed(files["one.c81"], "-180 0", "-179 0.5");
+  files["two.c81"]   = changed(changed(files["one.c81"], "-180 0", "-179 0"), "0 1\n", "0 0.9\n");
   files["one.dat"]   = "2 NumTabs\n3 NumAlf\n-180 0 0\n0 1 0.1\n180 0 0\n3 NumAlf\n-180 0 0\n0 2 0.1\n180 0 0\n";
   files["two.dat"]   = changed(files["one.dat"], "0 1 0.1", "0 1 0.2");
   files["short.dat"] = changed(files["one.dat"], "-180 0 0", "-170 0 0");
@@ -129,15 +130,19 @@ TEST_F(Catalogued, AirAndInflow)
         "Aerodynamics/air",
         {{"Density", "1"},
          {"Speed of sound", "300", {"Airfoils/it/Compressible = true"}},
-         {"Wind", "1, 31, 4"},
+         {"Wind", "1, -31, 4"},
          {"Shear exponent", "0.2"},
          {"Shear height", "5", {"Aerodynamics/air/Shear exponent = 0.2"}},
          {"Ground", "-4", {"Aerodynamics/air/Shear exponent = 0.2"}}});
+  Changes of_flow;
+  for (const auto &change : of_hub)
+    if (change.entry != "Air")
+      of_flow.push_back(change);
   check("prescribed inflow",
         flyer(analytic, air, "    set Type = prescribed inflow\n    set Velocity = 2, 1, 0.5\n" + flow, ""),
         "Aerodynamics/flow",
-        joined(of_hub, {{{"Velocity", "2, 1, 0.4"}}}),
-        {});
+        joined(of_flow, {{{"Velocity", "2, 1, 0.4"}}}),
+        {{"Air", "the flow is given"}});
   Changes           without_direction;
   const std::string no_azimuth = "a uniform flow has no azimuth";
   for (const auto &change : of_hub)

@@ -25,6 +25,9 @@ namespace samara
   public:
     virtual ~LoadedSurface() = default;
 
+    /** A frame that moves with it; known when it is connected. */
+    virtual Frame carrier() const = 0;
+
     /** The moment about @p centre [m]; power in axes that move with the velocity @p carried [m/s]. */
     virtual AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const = 0;
   };

@@ -43,6 +43,12 @@ namespace samara
     template <typename Number>
     FiniteStateInflow::Flight<Number> flight(const Point<Number> &point) const;
 
+    /**
+     * Where the model turns steadily, amplitudes of harmonics are constant in axes that turn with the blades alone.
+     * @throws InputError if blades turn and the hub does not turn with them
+     */
+    void check_axes(const Point<double> &point) const;
+
     /** K without what follows from twists, and C; 6 columns of the hub, then states. */
     void differentiate(const Point<double> &point, Eigen::MatrixXd &K, Eigen::MatrixXd &C) const;
   };

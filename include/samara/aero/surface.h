@@ -40,6 +40,12 @@ namespace samara
     AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const override;
     void     add_virtual_mass(std::vector<Matrix6> &of_nodes) const override;
 
+    Frame
+    carrier() const override
+    {
+      return elements.empty() ? Frame() : elements.front().frames.front();
+    }
+
   private:
     // entries
     std::string              body_name, air_name, inflow_name, unsteady_name = "two lags";
@@ -76,6 +82,7 @@ namespace samara
     };
     std::vector<Element> elements;
 
+    void add_states(Station &station, Element &element);
     void find_virtual_mass(Element &element);
 
     /** The loads, and all derivatives: those of the states' rates, too. */
@@ -121,7 +128,7 @@ namespace samara
       Vec3<Number>        relative, V;          ///< of the air to three quarters of the chord: inertial, section axes
       Vec3<Number>        on_disk, thrust_axis; ///< place in the hub's frame
       std::vector<Number> shapes;               ///< of the inflow
-      Number              induced = Number(0), upwash = Number(0);
+      Number              induced = Number(0), upwash = Number(0), separated = Number(1);
       SectionFlow<Number> flow;
       Vec3<Number>        force, moment; ///< at the quarter chord, inertial axes, per length
       Vec3<Number>        middle_force;  ///< at half chord, of the virtual mass
