@@ -1,3 +1,6 @@
+#include <samara/aero/airfoil_table.h>
+#include <samara/aero/momentum_inflow.h>
+#include <samara/aero/surface.h>
 #include <samara/analysis/dynamic.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
@@ -60,13 +63,32 @@ namespace samara
     Registry<Item> states;
     states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
 
+    Registry<Item> airfoils;
+    airfoils.add<AnalyticAirfoil>("analytic", "coefficients in closed form");
+    airfoils.add<C81Airfoil>("C81", "tables of coefficients over angle of attack and Mach number");
+    airfoils.add<AeroDynAirfoil>("AeroDyn", "polars in the format of AeroDyn");
+
+    Registry<Item> aerodynamics;
+    aerodynamics.add<Air>("air", "density, speed of sound and wind");
+    aerodynamics.add<PrescribedInflow>("prescribed inflow", "flow through a rotor's disk, given");
+
+    aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
+    aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
+    aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");
+
+    Registry<Item> surfaces;
+    surfaces.add<Surface>("lifting line", "wing or blade on a beam or a rigid body");
+
     groups = {{"Materials", "material", materials},
               {"Layups", "layup", layups, "layup"},
               {"Sections", "section", sections},
               {"States", "state", states, "first order"},
               {"Bodies", "body", bodies},
               {"Joints", "joint", joints},
-              {"Loads", "load", loads}};
+              {"Airfoils", "airfoil", airfoils},
+              {"Aerodynamics", "air or inflow", aerodynamics},
+              {"Surfaces", "surface", surfaces, "lifting line"},
+              {"Loads", "load", loads}}; // loads know what of the inertia has weight
 
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");

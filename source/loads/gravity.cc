@@ -1,4 +1,5 @@
 #include <samara/loads/loads.h>
+#include <samara/model/virtual_mass.h>
 
 #include <algorithm>
 
@@ -38,7 +39,19 @@ namespace samara
     blocks.resize(layout.n_nodes);
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       layout.couple(blocks[node], {Frame{node}});
+    without_weight = virtual_mass(layout.model);
     layout.add(*this, *this);
+  }
+
+
+
+  Eigen::Matrix<double, 6, 3>
+  Gravity::weighed(const unsigned int node) const
+  {
+    Eigen::Matrix<double, 6, 3> M = model->nodes[node].inertia.leftCols<3>();
+    if (!without_weight.empty())
+      M -= without_weight[node].leftCols<3>();
+    return M;
   }
 
 
@@ -54,7 +67,7 @@ namespace samara
       {
         const Mat3<Number>                D      = Frame{node}.triad(point.q);
         const Eigen::Matrix<Number, 3, 1> a_node = D.transpose() * a;
-        local.noalias()                          = -model->nodes[node].inertia.leftCols<3>() * a_node;
+        local.noalias()                          = -weighed(node) * a_node;
         blocks[node].add(local, r);
       }
   }
@@ -70,7 +83,7 @@ namespace samara
       {
         const Matrix3 D = Frame{node}.triad(point.q);
         local.setZero();
-        local.rightCols<3>() = -model->nodes[node].inertia.leftCols<3>() * skew((D.transpose() * a).eval());
+        local.rightCols<3>() = -weighed(node) * skew((D.transpose() * a).eval());
         blocks[node].add(local, K);
       }
   }
@@ -93,10 +106,10 @@ namespace samara
     for (unsigned int node = 1; node < blocks.size(); ++node)
       {
         // m (x + D c), with m c~ in the inertia
-        const Matrix6 &M = model->nodes[node].inertia;
-        const Frame    frame{node};
-        const Vector3  moment =
-          M(0, 0) * frame.position(point.q) + frame.triad(point.q) * axial(M.bottomLeftCorner<3, 3>());
+        const Eigen::Matrix<double, 6, 3> M = weighed(node);
+        const Frame                       frame{node};
+        const Vector3                     moment =
+          M(0, 0) * frame.position(point.q) + frame.triad(point.q) * axial(M.bottomRows<3>());
         energy -= a.dot(moment);
       }
     return energy;

@@ -1,5 +1,6 @@
 #include <samara/model/strain_rows.h>
 #include <samara/model/system.h>
+#include <samara/model/virtual_mass.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -310,12 +311,16 @@ namespace samara
   System::mass_properties(const State &state) const
   {
     // the inertia of everything seen at the origin, [m I, −m c~; m c~, J]
-    Matrix6 total = Matrix6::Zero();
+    Matrix6    total          = Matrix6::Zero();
+    const auto without_weight = virtual_mass(model);
     for (unsigned int node = 0; node < layout.n_nodes; ++node)
       {
         // a node is a frame at its place with its axes in a body at the origin
         const Matrix6 S = twist_transfer(state.position(node), state.triad(node));
-        total += S.transpose() * model.nodes[node].inertia * S;
+        Matrix6       M = model.nodes[node].inertia;
+        if (!without_weight.empty())
+          M -= without_weight[node];
+        total += S.transpose() * M * S;
       }
     const double  mass   = total.topLeftCorner<3, 3>().trace() / 3;
     const Vector3 centre = mass > 0 ? Vector3(axial(total.bottomLeftCorner<3, 3>()) / mass) : Vector3::Zero();

@@ -1,6 +1,7 @@
 #include <samara/time/rival_alpha.h>
 #include <samara/time/rival_bdf.h>
 #include <samara/time/rival_energy_decaying.h>
+#include <samara/model/virtual_mass.h>
 #include <samara/time/rivals.h>
 
 #include <stdexcept>
@@ -22,6 +23,9 @@ namespace samara
   {
     if (system.layout.n_states > 0)
       throw std::invalid_argument("the integrator <" + name + "> knows no states of first order; <family> does");
+    for (const auto &of_node : virtual_mass(system.model))
+      if (!of_node.isZero(0.))
+        throw std::invalid_argument("the integrator <" + name + "> knows no virtual mass of the air; <family> does");
     if (name == "generalised alpha")
       return std::make_unique<GeneralisedAlpha>(system,
                                                 GeneralisedAlpha::of_spectral_radius(settings.spectral_radius),

@@ -53,6 +53,10 @@ namespace samara
     VectorOfTime       acceleration{{FunctionOfTime(0), FunctionOfTime(0), FunctionOfTime(-9.80665)}};
     const Model       *model = nullptr;
     std::vector<Block> blocks; // of all nodes but the ground
+
+    /** [m I; m c~] of a node: what has weight, without virtual mass. */
+    Eigen::Matrix<double, 6, 3> weighed(unsigned int node) const;
+    std::vector<Matrix6>        without_weight; ///< of each node, if there is any
   };
 
 

@@ -1,0 +1,120 @@
+#ifndef samara_aero_inflow_h
+#define samara_aero_inflow_h
+
+#include <samara/aero/air.h>
+#include <samara/aero/disk_shapes.h>
+#include <samara/model/layout.h>
+
+#include <array>
+#include <limits>
+
+namespace samara
+{
+  /** What the air does to a surface. */
+  struct AirLoads
+  {
+    Vector3 force = Vector3::Zero(), moment = Vector3::Zero(); ///< inertial axes, moment about a given point [N, N m]
+    double  power = 0;                                         ///< work on the surface in unit time [W]
+  };
+
+
+
+  /** A surface whose loads can be asked for. */
+  class LoadedSurface
+  {
+  public:
+    virtual ~LoadedSurface() = default;
+
+    /** A frame that moves with it; known when it is connected. */
+    virtual Frame carrier() const = 0;
+
+    /** The moment about @p centre [m]; power in axes that move with the velocity @p carried [m/s]. */
+    virtual AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const = 0;
+  };
+
+
+
+  /**
+   * The flow w that a rotor induces on its disk, against its thrust axis e₃ [m/s]: the air at a station has the
+   * velocity wind − w e₃. It is a sum w = Σ z_k φ_k of shapes on the disk, seen in the hub's frame: origin at the
+   * centre, axis 3 the thrust axis, azimuth ψ from axis 1, positive about axis 3. The frame may tilt and turn: states
+   * of harmonics in axes that turn are others, and obey equations with their spin; what they say of the air is the
+   * same.
+   *
+   * The z_k are states of first order or prescribed.
+   */
+  class Inflow : public Item
+  {
+  public:
+    void                     add_parameters(Parameters &prm) override;
+    void                     initialize(Model &model) override;
+    void                     connect(Layout &layout) override;
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
+
+    Frame                     hub; ///< resolved when connected
+    double                    radius = 1;
+    DiskShapes                disk;   ///< in coordinates divided by the radius
+    std::vector<unsigned int> states; ///< of all shapes, or none
+
+    /** What a force F [N] of blades along the thrust axis does: ż_k += load_weights[k] F φ_k. */
+    std::vector<double> load_weights;
+
+    /** z_k */
+    template <typename Number>
+    void
+    amplitudes(const Point<Number> &point, Number *z) const
+    {
+      for (unsigned int k = 0; k < disk.shapes.size(); ++k)
+        z[k] = states.empty() ? Number(prescribed(k, point.time)) : point.states[states[k]];
+    }
+
+    /** The first corner in time of what is prescribed. */
+    virtual double
+    next_corner(double /*from*/, double /*to*/) const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+
+    /** Surfaces that live in it. */
+    std::vector<const LoadedSurface *> surfaces;
+
+    const Air *air = nullptr;
+
+  protected:
+    virtual double
+    prescribed(unsigned int /*k*/, double /*time*/) const
+    {
+      return 0;
+    }
+
+    /** The mean flow that belongs to the thrust [m/s]. */
+    virtual double mean(const State &state) const = 0;
+
+  private:
+    std::string hub_name, air_name;
+    Vector3     axis = Vector3::Zero(), direction = Vector3::Zero();
+
+    AirLoads loads(const State &state) const;
+  };
+
+
+
+  /** w = w₀(t) + r/R (w_c(t) cos ψ + w_s(t) sin ψ), given. */
+  class PrescribedInflow : public Inflow
+  {
+  public:
+    void   add_parameters(Parameters &prm) override;
+    void   initialize(Model &model) override;
+    double next_corner(double from, double to) const override;
+
+  protected:
+    double prescribed(unsigned int k, double time) const override;
+    double mean(const State &state) const override;
+
+  private:
+    std::array<FunctionOfTime, 3> components;
+  };
+} // namespace samara
+
+#endif

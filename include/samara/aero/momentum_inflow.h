@@ -1,0 +1,103 @@
+#ifndef samara_aero_momentum_inflow_h
+#define samara_aero_momentum_inflow_h
+
+#include <samara/aero/finite_state.h>
+#include <samara/aero/inflow.h>
+
+namespace samara
+{
+  /**
+   * Inflow whose states obey momentum theory, see FiniteStateInflow: what the surfaces that name it push against the
+   * air along the thrust axis drives it, the flow of wind and flight through the disk carries it away.
+   *
+   * Momentum theory does not hold where the rotor descends into its own wake, −1 < λ_f/ν_h < 0: results are smooth
+   * there and not to be trusted; warning() says so.
+   */
+  class MomentumInflow : public Inflow, public Evaluated<MomentumInflow, StateEquation>
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+    void tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void damping(const Point<double> &point, SparseMatrix &C) const override;
+
+  protected:
+    virtual FiniteStateInflow make() const = 0;
+
+    double mean(const State &state) const override;
+
+  private:
+    FiniteStateInflow theory;
+    double            initial = 0;
+    Block             block; ///< hub, states
+
+    /** Speed below which air counts as still [m/s]. */
+    double least_speed() const;
+
+    template <typename Number>
+    FiniteStateInflow::Vector<Number> values(const Point<Number> &point) const;
+    template <typename Number>
+    FiniteStateInflow::Flight<Number> flight(const Point<Number> &point) const;
+
+    /**
+     * Where the model turns steadily, amplitudes of harmonics are constant in axes that turn with the blades alone.
+     * @throws InputError if blades turn and the hub does not turn with them
+     */
+    void check_axes(const Point<double> &point) const;
+
+    /** K without what follows from twists, and C; 6 columns of the hub, then states. */
+    void differentiate(const Point<double> &point, Eigen::MatrixXd &K, Eigen::MatrixXd &C) const;
+  };
+
+
+
+  /** The mean flow alone, of H. Glauert, with the time constant of a rigid disk. */
+  class UniformInflow : public MomentumInflow
+  {
+  protected:
+    FiniteStateInflow
+    make() const override
+    {
+      return FiniteStateInflow::uniform();
+    }
+  };
+
+
+
+  class PittPetersInflow : public MomentumInflow
+  {
+  protected:
+    FiniteStateInflow
+    make() const override
+    {
+      return FiniteStateInflow::pitt_peters();
+    }
+  };
+
+
+
+  class PetersHeInflow : public MomentumInflow
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+
+  protected:
+    FiniteStateInflow
+    make() const override
+    {
+      return FiniteStateInflow::peters_he(harmonics, power, mass_flow == "first state");
+    }
+
+  private:
+    unsigned int harmonics = 4, power = 8;
+    std::string  mass_flow = "uniform load";
+  };
+
+  extern template class Evaluated<MomentumInflow, StateEquation>;
+} // namespace samara
+
+#endif

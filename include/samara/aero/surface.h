@@ -1,0 +1,159 @@
+#ifndef samara_aero_surface_h
+#define samara_aero_surface_h
+
+#include <samara/aero/station.h>
+#include <samara/model/virtual_mass.h>
+
+namespace samara
+{
+  /**
+   * A wing, a blade, a fin: a lifting line on a beam or a rigid body.
+   *
+   * Its span is divided into panels, which end where chord, twist, offset or airfoils have corners and where the user
+   * says, with Gauss's points in each: stations do not depend on the mesh. At each of them the air is met at three
+   * quarters of the chord and acts at a quarter of it (section_loads.h). Forces on nodes are the exact dual of the
+   * velocities of these points, so that their power is that of the air: with f, m per length, and the arm r of the
+   * quarter chord
+   *
+   *     on frame a: N_a D_aᵀ f,  N_a (r × D_aᵀ f + D_aᵀ m)
+   *
+   * Section axes: e₁ along the reference line, e₂ to the leading edge, e₃ = e₁ × e₂ to the upper side; where the upper
+   * side is the other one, e₁ looks to the start of the line. A positive twist turns the leading edge up.
+   *
+   * Virtual mass (T. Theodorsen, NACA Report 496, 1935), m = πρc²/4 per length: the force −m d(v₃)/dt e₃ at half chord
+   * and the couple −(m c²/32) dΩ₁/dt e₁, with the component v₃ of the velocity of that point relative to the air,
+   * become part of the mass of the nodes, lumped like that of beams; what is left are the force m (ω × e₃)·u e₃ of the
+   * air's velocity u and the couple (m c/4) V₂ Ω₁ e₁. The air's own acceleration is left out.
+   *
+   * Source: the paper, section 2.3; the lifting line and its derivatives are derived in doc/theory/aerodynamics.md.
+   */
+  class Surface : public Item, public LoadedSurface, public VirtualMass
+  {
+  public:
+    void                     add_parameters(Parameters &prm) override;
+    void                     initialize(Model &model) override;
+    void                     connect(Layout &layout) override;
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
+    void                     draw(const State &state, Drawing &drawing) const override;
+
+    AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const override;
+    void     add_virtual_mass(std::vector<Matrix6> &of_nodes) const override;
+
+    Frame
+    carrier() const override
+    {
+      return elements.empty() ? Frame() : elements.front().frames.front();
+    }
+
+  private:
+    // entries
+    std::string              body_name, air_name, inflow_name, unsteady_name = "two lags";
+    std::vector<Vector3>     line;
+    std::vector<double>      range, more_breaks;
+    unsigned int             points_a_panel = 4;
+    Expression               chord, offset, twist, lift_factor{1.};
+    bool                     has_virtual_mass = false;
+    Vector3                  leading_edge = Vector3::Zero(), upper_side = Vector3::Zero();
+    std::vector<std::string> airfoil_names;
+
+    Model     *model    = nullptr;
+    const Air *air      = nullptr;
+    Inflow    *inflow   = nullptr;
+    Unsteady   unsteady = Unsteady::two_lags;
+
+    struct PlacedAirfoil
+    {
+      const Airfoil *airfoil;
+      double         s;
+    };
+    std::vector<PlacedAirfoil> airfoils;
+    std::vector<double>        panels; ///< where they end, abscissae
+
+    /** Stations between the same frames. */
+    struct Element
+    {
+      std::vector<Frame>        frames;
+      std::vector<double>       abscissae;
+      std::vector<Station>      stations;
+      std::vector<unsigned int> lags;              ///< numbers of their states
+      std::vector<Matrix6>      virtual_mass = {}; ///< of the air, lumped at the frames; or none
+      Block                     block        = {}; ///< frames, the hub's, lags, states of the inflow
+    };
+    std::vector<Element> elements;
+
+    void add_states(Station &station, Element &element);
+    void find_virtual_mass(Element &element);
+
+    /** The loads, and all derivatives: those of the states' rates, too. */
+    class Loads : public Evaluated<Loads, Force>
+    {
+    public:
+      const Surface *surface = nullptr;
+      template <typename Number>
+      void   residual_at(const Point<Number> &point, Number *r) const;
+      void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+      void   damping(const Point<double> &point, SparseMatrix &C) const override;
+      double next_corner(double from, double to) const override;
+    };
+    /** Rates of lags, and what the loads do to the inflow. */
+    class Rates : public Evaluated<Rates, StateEquation>
+    {
+    public:
+      const Surface *surface = nullptr;
+      template <typename Number>
+      void residual_at(const Point<Number> &point, Number *r) const;
+    };
+    Loads loads;
+    Rates rates;
+
+    // reading
+    bool                find_body();
+    bool                find_airfoils();
+    std::vector<double> breaks() const;
+    void                add_stations();
+    Station             station_at(double s, double weight, const Element &element) const;
+
+    /** The state of a station, and what the air does there. */
+    template <typename Number>
+    struct AtStation
+    {
+      AtStation(const Station &station, const FramesInState<Number> &frames)
+        : axes(station, frames)
+      {}
+
+      SectionAxes<Number> axes;
+      Vec3<Number>        place;                ///< of the quarter chord [m]
+      Vec3<Number>        air, spin;            ///< velocity of the air, spin of the section; inertial axes
+      Vec3<Number>        relative, V;          ///< of the air to three quarters of the chord: inertial, section axes
+      Vec3<Number>        on_disk, thrust_axis; ///< place in the hub's frame
+      std::vector<Number> shapes;               ///< of the inflow
+      Number              induced = Number(0), upwash = Number(0), separated = Number(1);
+      SectionFlow<Number> flow;
+      Vec3<Number>        force, moment; ///< at the quarter chord, inertial axes, per length
+      Vec3<Number>        middle_force;  ///< at half chord, of the virtual mass
+    };
+
+    /** The frames of an element, the hub's behind them, and the amplitudes of the inflow. */
+    template <typename Number>
+    struct Gathered
+    {
+      FramesInState<Number> frames;
+      std::vector<Number>   lags, amplitudes;
+    };
+    template <typename Number>
+    Gathered<Number> gather(const Element &element, const Point<Number> &point) const;
+    template <typename Number>
+    AtStation<Number> evaluate(const Station &station, const Gathered<Number> &g, double time) const;
+
+    struct Derivatives;
+    void differentiate(const Station          &station,
+                       const Gathered<double> &g,
+                       const Point<double>    &point,
+                       Eigen::MatrixXd        &K,
+                       Eigen::MatrixXd        &C) const;
+    void add_matrix(const Point<double> &point, bool by_velocity, SparseMatrix &A) const;
+  };
+} // namespace samara
+
+#endif

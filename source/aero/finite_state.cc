@@ -1,0 +1,402 @@
+#include <samara/aero/finite_state.h>
+#include <samara/base/errors.h>
+
+#include <cmath>
+#include <complex>
+
+namespace samara
+{
+  namespace
+  {
+    /** n!!, with (−1)!! = 0!! = 1 */
+    double
+    double_factorial(const int n)
+    {
+      double product = 1;
+      for (int i = n; i > 1; i -= 2)
+        product *= i;
+      return product;
+    }
+
+    double
+    H(const int n, const int m)
+    {
+      return double_factorial(n + m - 1) * double_factorial(n - m - 1) /
+             (double_factorial(n + m) * double_factorial(n - m));
+    }
+
+    /** φ_n^m = r^m Σ c_j r^{2j} */
+    std::vector<double>
+    radial_polynomial(const int n, const int m)
+    {
+      std::vector<double> c;
+      for (int q = m; q <= n - 1; q += 2)
+        c.push_back(std::sqrt((2 * n + 1) * H(n, m)) * (((q - m) / 2) % 2 == 0 ? 1 : -1) * double_factorial(n + q) /
+                    (double_factorial(q - m) * double_factorial(q + m) * double_factorial(n - q - 1)));
+      return c;
+    }
+
+    /** What a pressure (m, n) induces of (r, j). */
+    double
+    gamma(const int r, const int m, const int j, const int n)
+    {
+      const double scale = std::sqrt(H(n, m) * H(j, r));
+      if ((r + m) % 2 == 0)
+        return (((n + j - 2 * r) / 2) % 2 == 0 ? 1 : -1) * 2 * std::sqrt((2. * n + 1) * (2 * j + 1)) /
+               (scale * (j + n) * (j + n + 2) * ((j - n) * (j - n) - 1));
+      if (std::abs(j - n) != 1)
+        return 0;
+      return M_PI / 2 * (r > m ? 1 : -1) / (scale * std::sqrt((2. * n + 1) * (2 * j + 1)));
+    }
+
+    /** ∫₀¹ P̄_n⁰(ν) dν with P̄_n⁰ = ν φ_n⁰, r² = 1 − ν²: the pressure of a uniform load has these parts. */
+    double
+    mean_of_pressure(const int n)
+    {
+      // ∫ ν (1 − ν²)^j dν = 1/(2(j + 1))
+      const auto c   = radial_polynomial(n, 0);
+      double     sum = 0;
+      for (unsigned int j = 0; j < c.size(); ++j)
+        sum += c[j] / (2. * (j + 1));
+      return sum;
+    }
+
+    constexpr double pi = M_PI;
+  } // namespace
+
+
+
+  void
+  FiniteStateInflow::add_shape(const unsigned int         m,
+                               const std::vector<double> &c,
+                               const double               mass,
+                               const double               weight)
+  {
+    disk.shapes.push_back({m, false, c});
+    apparent_mass.push_back(mass);
+    load_weights.push_back(weight);
+  }
+
+
+
+  void
+  FiniteStateInflow::add_sines()
+  {
+    const unsigned int n = size();
+    sine_of.assign(n, -1);
+    for (unsigned int i = 0; i < n; ++i)
+      if (disk.shapes[i].m > 0)
+        {
+          sine_of[i] = size();
+          disk.shapes.push_back({disk.shapes[i].m, true, disk.shapes[i].c});
+          apparent_mass.push_back(apparent_mass[i]);
+          load_weights.push_back(load_weights[i]);
+        }
+    u.resize(size(), 0.);
+  }
+
+
+
+  FiniteStateInflow
+  FiniteStateInflow::uniform()
+  {
+    FiniteStateInflow inflow;
+    inflow.add_shape(0, {1.}, 8 / (3 * pi), 1 / pi);
+    inflow.terms = {{0, 0, 0, false, false, 0.5, true}};
+    inflow.u     = {1.};
+    inflow.k     = 0.5;
+    inflow.add_sines();
+    return inflow;
+  }
+
+
+
+  FiniteStateInflow
+  FiniteStateInflow::pitt_peters()
+  {
+    FiniteStateInflow inflow;
+    inflow.add_shape(0, {1.}, 8 / (3 * pi), 1 / pi);
+    inflow.add_shape(1, {1.}, 16 / (45 * pi), 1 / pi);
+    // with 4/(1 + cos χ) = 2(1 + X²) and 4 cos χ/(1 + cos χ) = 2(1 − X²)
+    const double b = 15 * pi / 64;
+    inflow.terms   = {{0, 0, 0, false, false, 0.5, true},
+                      {0, 1, 1, true, false, -b, true},
+                      {1, 0, 1, false, false, b, false},
+                      {1, 1, 0, false, false, 2., false},
+                      {1, 1, 2, false, true, -2., false}};
+    inflow.u       = {1., 0.};
+    inflow.k       = 0.5;
+    inflow.add_sines();
+    return inflow;
+  }
+
+
+
+  FiniteStateInflow
+  FiniteStateInflow::peters_he(const unsigned int harmonics, const unsigned int power, const bool first_state_alone)
+  {
+    FiniteStateInflow                inflow;
+    std::vector<std::pair<int, int>> mn;
+    for (int m = 0; m <= static_cast<int>(harmonics); ++m)
+      for (int n = m + 1; n <= static_cast<int>(power) + 1; n += 2)
+        {
+          mn.emplace_back(m, n);
+          // t/2 stands on the right: half of (1 or 2)/(2π)
+          inflow.add_shape(m, radial_polynomial(n, m), 2 / pi * H(n, m), (m == 0 ? 1 : 2) / (4 * pi));
+          inflow.u.push_back(m > 0 ? 0. : first_state_alone ? (n == 1) : mean_of_pressure(n) / mean_of_pressure(1));
+        }
+    for (unsigned int a = 0; a < mn.size(); ++a)
+      for (unsigned int b = 0; b < mn.size(); ++b)
+        {
+          const int    r = mn[a].first, m = mn[b].first;
+          const double g = gamma(r, m, mn[a].second, mn[b].second);
+          if (g == 0)
+            continue;
+          inflow.terms.push_back({a, b, static_cast<unsigned int>(std::abs(r - m)), r < m, false, g, r == 0});
+          if (r > 0)
+            inflow.terms.push_back(
+              {a, b, static_cast<unsigned int>(m + r), false, true, std::min(r, m) % 2 == 0 ? g : -g, false});
+        }
+    inflow.k = 2 / std::sqrt(3.);
+    inflow.add_sines();
+    return inflow;
+  }
+
+
+
+  namespace
+  {
+    /** X^n, real and imaginary parts. */
+    template <typename Number>
+    std::pair<Number, Number>
+    power_of(const Number &x, const Number &y, const unsigned int n)
+    {
+      Number re(1), im(0);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const Number next = re * x - im * y;
+          im                = re * y + im * x;
+          re                = next;
+        }
+      return {re, im};
+    }
+  } // namespace
+
+
+
+  template <typename Number>
+  void
+  FiniteStateInflow::add_term(const Term &term, const Number &re, const Number &im, Matrix<Number> &A) const
+  {
+    // (a + ib) t or (a + ib) conj(t) with t = t_c + i t_s
+    const Number a = term.factor * re, b = term.factor * im;
+    const double sign     = term.of_conjugate ? -1 : 1;
+    const int    row_sine = sine_of[term.row], column_sine = sine_of[term.column];
+    A(term.row, term.column) += a;
+    if (column_sine >= 0)
+      A(term.row, column_sine) -= sign * b;
+    if (term.real_part || row_sine < 0)
+      return;
+    A(row_sine, term.column) += b;
+    if (column_sine >= 0)
+      A(row_sine, column_sine) += sign * a;
+  }
+
+
+
+  template <typename Number>
+  FiniteStateInflow::Matrix<Number>
+  FiniteStateInflow::influence(const Number &x, const Number &y) const
+  {
+    Matrix<Number> L = Matrix<Number>::Zero(size(), size());
+    for (const auto &term : terms)
+      {
+        const auto [re, im] = power_of(x, term.conjugate ? Number(-y) : y, term.power);
+        add_term(term, re, im, L);
+      }
+    return L;
+  }
+
+
+
+  std::pair<Eigen::MatrixXd, Eigen::MatrixXd>
+  FiniteStateInflow::influence_slopes(const double x, const double y) const
+  {
+    Eigen::MatrixXd by_x = Eigen::MatrixXd::Zero(size(), size()), by_y = by_x;
+    for (const auto &term : terms)
+      if (term.power > 0)
+        {
+          const double sign   = term.conjugate ? -1 : 1;
+          const auto [re, im] = power_of(x, sign * y, term.power - 1);
+          add_term(term, term.power * re, term.power * im, by_x);
+          // i times it, or −i
+          add_term(term, -sign * term.power * im, sign * term.power * re, by_y);
+        }
+    return {by_x, by_y};
+  }
+
+
+
+  namespace
+  {
+    /** A smooth |λ|. */
+    template <typename Number>
+    Number
+    smooth_size(const Number &lambda, const double least)
+    {
+      using std::sqrt;
+      return sqrt(lambda * lambda + least * least);
+    }
+
+    double
+    real_of(const double x)
+    {
+      return x;
+    }
+    double
+    real_of(const std::complex<double> &x)
+    {
+      return x.real();
+    }
+
+    // the least speed in V_T itself, where it must not be seen, in parts of that of |λ|
+    constexpr double in_mean_flow = 1e-5;
+  } // namespace
+
+
+
+  template <typename Number>
+  double
+  FiniteStateInflow::slope_of_mean(const Flow<Number> &f, const double least) const
+  {
+    const double x = real_of(f.X_x), y = real_of(f.X_y);
+    if (x == 0 && y == 0)
+      return 1;
+    const double lambda = real_of(f.lambda), V_T = real_of(f.V_T), size = smooth_size(lambda, least),
+                 by_lambda = (lambda / V_T + lambda / size) / (V_T + size);
+    Eigen::VectorXd y_real(f.y.size());
+    for (unsigned int j = 0; j < f.y.size(); ++j)
+      y_real(j) = real_of(f.y(j));
+    const auto [by_x, by_y]  = influence_slopes(x, y);
+    const Eigen::VectorXd dL = -by_lambda * (by_x * x + by_y * y) * y_real;
+    return 1 + k * influence(x, y).partialPivLu().solve(dL)(0);
+  }
+
+
+
+  template <typename Number>
+  FiniteStateInflow::Flow<Number>
+  FiniteStateInflow::flow(const Vector<Number> &z,
+                          const Flight<Number> &flight,
+                          const double          radius,
+                          const double          least) const
+  {
+    using std::sqrt;
+    Flow<Number> f;
+    const Number mu2   = flight.mu_x * flight.mu_x + flight.mu_y * flight.mu_y;
+    const double still = in_mean_flow * least;
+    const auto   solve = [&](const Number &nu) {
+      f.nu                = nu;
+      f.lambda            = flight.lambda_f + nu;
+      f.V_T               = sqrt(mu2 + f.lambda * f.lambda + still * still);
+      const Number height = f.V_T + smooth_size(f.lambda, least);
+      f.X_x               = flight.mu_x / height;
+      f.X_y               = flight.mu_y / height;
+      f.y                 = influence(f.X_x, f.X_y).partialPivLu().solve(z);
+      return Number(k * f.y(0));
+    };
+    // Newton's method for ν = k y₁(X(ν)), with the real slope; the start is that of a wake without skew
+    Number nu   = k * (influence(Number(0), Number(0)).partialPivLu().solve(z))(0);
+    double miss = 1e300;
+    for (unsigned int i = 0; miss > 1e-12; ++i)
+      {
+        const Number found = solve(nu), lack = nu - found;
+        const double scale =
+          std::abs(real_of(nu)) + std::abs(real_of(found)) + std::sqrt(std::abs(real_of(mu2))) + still;
+        miss = std::abs(real_of(lack)) / scale;
+        if (i == 100 || !std::isfinite(miss))
+          throw NotConverged("there is no mean inflow for these states: the wake goes neither up nor down");
+        nu -= lack / slope_of_mean(f, least); // what is imaginary is right with the slope of the solution
+      }
+    solve(nu);
+    f.V_m = (mu2 + f.lambda * (f.lambda + f.nu)) / f.V_T;
+    f.rate.resize(size());
+    for (unsigned int j = 0; j < size(); ++j)
+      f.rate(j) = -(f.V_m * f.y(j) + (f.V_T - f.V_m) * u[j] * f.y(0)) / (radius * apparent_mass[j]);
+    for (unsigned int j = 0; j < sine_of.size(); ++j)
+      if (sine_of[j] >= 0)
+        {
+          const double m = disk.shapes[j].m;
+          f.rate(j) += m * flight.spin * z(sine_of[j]);
+          f.rate(sine_of[j]) -= m * flight.spin * z(j);
+        }
+    return f;
+  }
+
+
+
+  FiniteStateInflow::Derivatives
+  FiniteStateInflow::derivatives(const Flow<double>    &f,
+                                 const Eigen::VectorXd &z,
+                                 const Flight<double>  &flight,
+                                 const double           radius,
+                                 const double           least) const
+  {
+    // columns: z, then μ_x, μ_y, λ_f
+    const unsigned int                         n = size();
+    const Eigen::MatrixXd                      L = influence(f.X_x, f.X_y);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(L);
+    const auto [by_x, by_y]   = influence_slopes(f.X_x, f.X_y);
+    const Eigen::VectorXd Y_x = lu.solve(by_x * f.y), Y_y = lu.solve(by_y * f.y);
+    using Row                   = Eigen::RowVectorXd;
+    const double size_of_lambda = smooth_size(f.lambda, least), height = f.V_T + size_of_lambda;
+    const Row    dmu_x = Row::Unit(n + 3, n), dmu_y = Row::Unit(n + 3, n + 1), dlambda_f = Row::Unit(n + 3, n + 2);
+
+    // dX = a + b dν
+    const Row    dV_of_mu  = (flight.mu_x * dmu_x + flight.mu_y * dmu_y) / f.V_T;
+    const double by_lambda = f.lambda / f.V_T + f.lambda / size_of_lambda;
+    const Row    dheight   = dV_of_mu + by_lambda * dlambda_f;
+    const Row    a_x = (dmu_x - f.X_x * dheight) / height, a_y = (dmu_y - f.X_y * dheight) / height;
+    const double b_x = -f.X_x * by_lambda / height, b_y = -f.X_y * by_lambda / height;
+
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(n, n + 3);
+    inverse.leftCols(n)     = lu.inverse();
+    const Row dnu = k * (Row(inverse.row(0)) - Y_x(0) * a_x - Y_y(0) * a_y) / (1 + k * (Y_x(0) * b_x + Y_y(0) * b_y));
+    const Eigen::MatrixXd dy = inverse - Y_x * (a_x + b_x * dnu) - Y_y * (a_y + b_y * dnu);
+
+    const Row dlambda = dlambda_f + dnu, dV_T = dV_of_mu + f.lambda / f.V_T * dlambda,
+              dV_m =
+                (2 * (flight.mu_x * dmu_x + flight.mu_y * dmu_y) + (2 * f.lambda + f.nu) * dlambda + f.lambda * dnu) /
+                  f.V_T -
+                f.V_m / f.V_T * dV_T;
+    Eigen::MatrixXd d(n, n + 3);
+    for (unsigned int j = 0; j < n; ++j)
+      d.row(j) = -(f.V_m * dy.row(j) + f.y(j) * dV_m + u[j] * ((f.V_T - f.V_m) * dy.row(0) + f.y(0) * (dV_T - dV_m))) /
+                 (radius * apparent_mass[j]);
+
+    Derivatives result;
+    result.by_z                    = d.leftCols(n);
+    result.by_flight               = Eigen::MatrixXd::Zero(n, 4);
+    result.by_flight.leftCols<3>() = d.rightCols<3>();
+    for (unsigned int j = 0; j < sine_of.size(); ++j)
+      if (sine_of[j] >= 0)
+        {
+          const double m = disk.shapes[j].m;
+          result.by_z(j, sine_of[j]) += m * flight.spin;
+          result.by_z(sine_of[j], j) -= m * flight.spin;
+          result.by_flight(j, 3) += m * z(sine_of[j]);
+          result.by_flight(sine_of[j], 3) -= m * z(j);
+        }
+    return result;
+  }
+
+
+
+  template FiniteStateInflow::Matrix<double> FiniteStateInflow::influence(const double &, const double &) const;
+  template FiniteStateInflow::Flow<double>
+  FiniteStateInflow::flow(const Vector<double> &, const Flight<double> &, double, double) const;
+  template FiniteStateInflow::Flow<std::complex<double>> FiniteStateInflow::flow(const Vector<std::complex<double>> &,
+                                                                                 const Flight<std::complex<double>> &,
+                                                                                 double,
+                                                                                 double) const;
+} // namespace samara

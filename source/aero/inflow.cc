@@ -1,0 +1,169 @@
+#include <samara/aero/inflow.h>
+
+#include <algorithm>
+
+namespace samara
+{
+  void
+  Inflow::add_parameters(Parameters &prm)
+  {
+    using dealii::Patterns::Double;
+    prm.add("Hub", hub_name, "Point at the centre of the disk, body.point: the axes of the inflow move with it.");
+    prm.add("Axis",
+            axis,
+            "Thrust axis in the reference configuration, inertial components; 0, 0, 0: axis 3 of the hub [1].");
+    prm.add("Direction",
+            direction,
+            "Direction near which azimuth zero lies in the reference configuration; 0, 0, 0: any [1].");
+    prm.add("Radius", radius, "Radius of the disk [m].", Double(1e-300));
+    prm.add("Air", air_name, "Name of the air; needed only if there are several.");
+  }
+
+
+
+  void
+  Inflow::initialize(Model &model)
+  {
+    if (!parameters.require("Hub", model.complaints))
+      return;
+    parameters.require("Radius", model.complaints);
+    std::string where = "Hub";
+    try
+      {
+        const Frame given = model.frame(hub_name);
+        where             = "Air";
+        air               = &Air::of(model, air_name);
+        const Vector3 e3  = axis.isZero(0.) ? Vector3(model.triad(given).col(2)) : axis;
+        const Vector3 e1  = !direction.isZero(0.) ? direction :
+                            axis.isZero(0.)       ? Vector3(model.triad(given).col(0)) :
+                                                    Vector3::Zero();
+        if (e3.normalized().cross(e1).norm() < 1e-9 * e1.norm())
+          {
+            model.complaints.add(parameters.where("Direction"),
+                                 "the direction of azimuth zero is along the thrust axis");
+            return;
+          }
+        hub = model.frame_at(given, model.position(given), triad_about(e3, e1));
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where(where), problem.what());
+      }
+  }
+
+
+
+  void
+  Inflow::connect(Layout &layout)
+  {
+    hub = layout.model.resolved(hub);
+  }
+
+
+
+  AirLoads
+  Inflow::loads(const State &state) const
+  {
+    const Vector3 centre  = hub.position(state.q.data()),
+                  carried = hub.triad(state.q.data()) * hub.twist(state.y.data()).head<3>();
+    AirLoads sum;
+    for (const auto *surface : surfaces)
+      {
+        const AirLoads part = surface->air_loads(state, centre, carried);
+        sum.force += part.force;
+        sum.moment += part.moment;
+        sum.power += part.power;
+      }
+    return sum;
+  }
+
+
+
+  std::optional<Probe>
+  Inflow::probe(const std::string &path) const
+  {
+    const auto axes = [this](const State &state) { return hub.triad(state.q.data()); };
+    const auto part = [&](const std::string &quantity) {
+      return path.size() == quantity.size() + 2 && path.rfind(quantity + " ", 0) == 0 ?
+               std::string("123").find(path.back()) :
+               std::string::npos;
+    };
+    if (path == "thrust")
+      return Probe{path, "N", [=](const State &s) { return axes(s).col(2).dot(loads(s).force); }};
+    if (path == "torque")
+      return Probe{path, "N m", [=](const State &s) { return -axes(s).col(2).dot(loads(s).moment); }};
+    if (path == "power")
+      return Probe{path, "W", [=](const State &s) { return -loads(s).power; }};
+    if (path == "mean")
+      return Probe{path, "m/s", [=](const State &s) { return mean(s); }};
+    if (const auto i = part("force"); i != std::string::npos)
+      return Probe{path, "N", [=](const State &s) { return axes(s).col(i).dot(loads(s).force); }};
+    if (const auto i = part("moment"); i != std::string::npos)
+      return Probe{path, "N m", [=](const State &s) { return axes(s).col(i).dot(loads(s).moment); }};
+    for (unsigned int k = 0; k < states.size(); ++k)
+      if (path == "state " + std::to_string(k + 1))
+        return Probe{path, "m/s", [=](const State &s) { return s.states[states[k]]; }};
+    return {};
+  }
+
+
+
+  std::vector<std::string>
+  Inflow::probe_names() const
+  {
+    std::vector<std::string> names = {"thrust", "torque", "power", "mean"};
+    for (const std::string quantity : {"force", "moment"})
+      for (const char i : {'1', '2', '3'})
+        names.push_back(quantity + " " + i);
+    for (unsigned int k = 0; k < states.size(); ++k)
+      names.push_back("state " + std::to_string(k + 1));
+    return names;
+  }
+
+
+
+  void
+  PrescribedInflow::add_parameters(Parameters &prm)
+  {
+    Inflow::add_parameters(prm);
+    prm.add(
+      "Velocity",
+      components,
+      "w0, wc, ws: flow against the thrust axis, and how much more it is at the edge at azimuth 0 and 90 degrees, "
+      "functions of time t [m/s].");
+  }
+
+
+
+  void
+  PrescribedInflow::initialize(Model &model)
+  {
+    Inflow::initialize(model);
+    disk.shapes = {{0, false, {1.}}, {1, false, {1.}}, {1, true, {1.}}};
+  }
+
+
+
+  double
+  PrescribedInflow::prescribed(const unsigned int k, const double time) const
+  {
+    return components[k](time);
+  }
+
+
+
+  double
+  PrescribedInflow::mean(const State &state) const
+  {
+    return components[0](state.time);
+  }
+
+
+
+  double
+  PrescribedInflow::next_corner(const double from, const double to) const
+  {
+    return std::min(
+      {components[0].next_corner(from, to), components[1].next_corner(from, to), components[2].next_corner(from, to)});
+  }
+} // namespace samara

@@ -1,0 +1,217 @@
+#include <samara/aero/momentum_inflow.h>
+#include <samara/base/errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  void
+  MomentumInflow::add_parameters(Parameters &prm)
+  {
+    Inflow::add_parameters(prm);
+    prm.add("Initial", initial, "Mean inflow at the start; statics find theirs [m/s].");
+  }
+
+
+
+  void
+  PetersHeInflow::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    MomentumInflow::add_parameters(prm);
+    prm.add("Harmonics", harmonics, "Highest harmonic of the azimuth.", Integer(0, 20));
+    prm.add("Power",
+            power,
+            "Highest power of the radius in the shapes, at least the highest harmonic: 4 and 8 make 33 states.",
+            Integer(0, 40));
+    prm.add(
+      "Mass flow",
+      mass_flow,
+      "What the total flow through the disk carries away: the pressure of a uniform load, which makes the mean flow "
+      "that of momentum theory, or the first state, as in the literature.",
+      Selection("uniform load|first state"));
+  }
+
+
+
+  void
+  MomentumInflow::initialize(Model &model)
+  {
+    Inflow::initialize(model);
+    theory = make();
+    disk   = theory.disk;
+    for (const auto &shape : disk.shapes)
+      if (shape.c.empty())
+        model.complaints.add(parameters.where("Power"), "the power is less than the highest harmonic");
+    if (air == nullptr)
+      return;
+    // a uniform flow: of radial functions φ, one for each n, the sum of a_n φ_n is 1 where all of them are taken; the
+    // first state alone has the mean flow that is given
+    const FiniteStateInflow::Flow<double> unit =
+      theory.flow<double>(Eigen::VectorXd::Unit(theory.size(), 0), {0., 0., 0., 0.}, radius, 1e-300);
+    for (unsigned int k = 0; k < theory.size(); ++k)
+      {
+        const auto &shape = disk.shapes[k];
+        states.push_back(model.add_state(name + ", state " + std::to_string(k + 1) + " (harmonic " +
+                                           std::to_string(shape.m) +
+                                           (shape.m == 0  ? "" :
+                                            shape.is_sine ? ", sine" :
+                                                            ", cosine") +
+                                           ")",
+                                         "m/s",
+                                         k == 0 ? initial / unit.nu : 0.,
+                                         0.1));
+        load_weights.push_back(theory.load_weights[k] / (air->density * std::pow(radius, 3) * theory.apparent_mass[k]));
+      }
+  }
+
+
+
+  void
+  MomentumInflow::connect(Layout &layout)
+  {
+    Inflow::connect(layout);
+    layout.couple(block, {hub}, {}, {}, states);
+    layout.add(*this, *this);
+  }
+
+
+
+  double
+  MomentumInflow::least_speed() const
+  {
+    return 1e-4 * air->speed_of_sound;
+  }
+
+
+
+  template <typename Number>
+  FiniteStateInflow::Vector<Number>
+  MomentumInflow::values(const Point<Number> &point) const
+  {
+    FiniteStateInflow::Vector<Number> z(states.size());
+    for (unsigned int k = 0; k < states.size(); ++k)
+      z(k) = point.states[states[k]];
+    return z;
+  }
+
+
+
+  template <typename Number>
+  FiniteStateInflow::Flight<Number>
+  MomentumInflow::flight(const Point<Number> &point) const
+  {
+    const Mat3<Number> H     = hub.triad(point.q);
+    const Vec6<Number> twist = hub.template twist<Number>(point.y);
+    const Vec3<Number> wind  = air->wind(hub.position(point.q), point.time);
+    const Vec3<Number> v     = H.transpose() * (wind - H * twist.template head<3>());
+    return {v(0), v(1), -v(2), twist(5)};
+  }
+
+
+
+  template <typename Number>
+  void
+  MomentumInflow::residual_at(const Point<Number> &point, Number *r) const
+  {
+    const auto                               flow  = theory.flow(values(point), flight(point), radius, least_speed());
+    Eigen::Matrix<Number, Eigen::Dynamic, 1> local = Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(block.size());
+    local.tail(states.size())                      = -flow.rate;
+    block.add(local, r);
+  }
+
+
+
+  void
+  MomentumInflow::differentiate(const Point<double> &point, Eigen::MatrixXd &K, Eigen::MatrixXd &C) const
+  {
+    const unsigned int n    = states.size();
+    const auto         z    = values(point);
+    const auto         f    = flight(point);
+    const auto         flow = theory.flow(z, f, radius, least_speed());
+    const auto         d    = theory.derivatives(flow, z, f, radius, least_speed());
+    const Matrix3      H    = hub.triad(point.q);
+    const Vector6      y    = hub.twist(point.y);
+    const Vector3      x = hub.position(point.q), s = air->wind(x, point.time) - H * y.head<3>();
+
+    // v = Hᵀ s, s = wind − H y
+    Eigen::Matrix<double, 3, 6> place = Eigen::Matrix<double, 3, 6>::Zero(), twist = place;
+    place.leftCols<3>()  = H.transpose() * air->gradient(x(2), point.time) * H.row(2);
+    place.rightCols<3>() = skew(Vector3(H.transpose() * s)) + H.transpose() * H * skew(Vector3(y.head<3>()));
+    twist.leftCols<3>()  = -H.transpose() * H;
+
+    Eigen::MatrixXd by_v = d.by_flight.leftCols<3>();
+    by_v.col(2) *= -1; // λ_f = −v₃
+    K.setZero(6 + n, 6 + n);
+    C                        = K;
+    K.bottomLeftCorner(n, 6) = -by_v * place;
+    C.bottomLeftCorner(n, 6) = -by_v * twist;
+    C.col(5).tail(n) -= d.by_flight.col(3);
+    K.bottomRightCorner(n, n) = -d.by_z;
+    // in air at rest the equations are of second order in z, which statics would not leave: Newton's first step is one
+    // through air that moves
+    if (flow.V_T < 0.1 * least_speed())
+      {
+        const Eigen::MatrixXd inverse = theory.influence(flow.X_x, flow.X_y).inverse();
+        for (unsigned int k = 0; k < n; ++k)
+          K.row(6 + k).tail(n) += 100 * least_speed() / (radius * theory.apparent_mass[k]) * inverse.row(k);
+      }
+  }
+
+
+
+  void
+  MomentumInflow::check_axes(const Point<double> &point) const
+  {
+    const auto spin_of = [&](const Frame &frame) {
+      return Vector3(Frame{frame.node}.triad(point.q) * Frame{frame.node}.twist(point.y).tail<3>());
+    };
+    const bool has_harmonics =
+      std::any_of(disk.shapes.begin(), disk.shapes.end(), [](const auto &shape) { return shape.m > 0; });
+    for (const auto *surface : surfaces)
+      {
+        const Vector3 spin = spin_of(surface->carrier());
+        if (has_harmonics && (spin - spin_of(hub)).norm() > 1e-9 * spin.norm())
+          throw InputError(parameters.where("Hub") + ": the hub of inflow <" + name +
+                           "> does not turn with its blades: steady harmonics are those in axes that do; name a point "
+                           "that turns");
+      }
+  }
+
+
+
+  void
+  MomentumInflow::tangent(const Point<double> &point, SparseMatrix &A) const
+  {
+    if (point.held) // statics
+      check_axes(point);
+    Eigen::MatrixXd K, C;
+    differentiate(point, K, C);
+    K.leftCols<6>() += C.leftCols<6>() * ad(hub.twist(point.y));
+    block.add(K, A);
+  }
+
+
+
+  void
+  MomentumInflow::damping(const Point<double> &point, SparseMatrix &A) const
+  {
+    Eigen::MatrixXd K, C;
+    differentiate(point, K, C);
+    block.add(C, A);
+  }
+
+
+
+  double
+  MomentumInflow::mean(const State &state) const
+  {
+    const auto point = state.point();
+    return theory.flow(values(point), flight(point), radius, least_speed()).nu;
+  }
+
+
+
+  template class Evaluated<MomentumInflow, StateEquation>;
+} // namespace samara

@@ -1,0 +1,457 @@
+// Entries of a surface, and its stations.
+
+#include <samara/aero/surface.h>
+#include <samara/base/composite_rule.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  void
+  Surface::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Body", body_name, "Beam or rigid body that carries the surface.");
+    prm.add(
+      "Line",
+      line,
+      "On a rigid body: start and end of the reference line in the reference configuration, x, y, z; x, y, z; on a "
+      "beam its axis is the line [m].");
+    prm.add(
+      "Range",
+      range,
+      "Where the surface starts and ends: abscissae s, arc lengths of the line from its start; not given: all of it "
+      "[m].");
+    prm.add(
+      "Breaks",
+      more_breaks,
+      "Abscissae where panels end, beside those where chord, twist, offset, lift factor or airfoils have corners [m].");
+    prm.add("Stations", points_a_panel, "Gauss points of each panel, at which loads are computed.", Integer(1, 40));
+    prm.add("Chord", chord, "Chord, a function of s [m].");
+    prm.add("Quarter chord",
+            offset,
+            "How far the quarter chord lies ahead of the reference line, to the leading edge, a function of s [m].");
+    prm.add("Twist",
+            twist,
+            "Angle of the chord from the direction of the leading edge, positive nose up, a function of s [rad].");
+    prm.add(
+      "Leading edge",
+      leading_edge,
+      "Direction near which the leading edge lies seen from the line, reference configuration; 0, 0, 0: axis 2 of the "
+      "body, which on a beam turns with its twist [1].");
+    prm.add(
+      "Upper side",
+      upper_side,
+      "Direction to which the upper side looks, reference configuration; 0, 0, 0: that of line times leading edge [1].");
+    prm.add("Airfoils",
+            airfoil_names,
+            "Airfoil; or airfoils along the span, blended between: name at s, name at s, ...");
+    prm.add(
+      "Unsteady",
+      unsteady_name,
+      "How lift follows the motion: at once; with two lags a station, states in m/s; or with these and two states of "
+      "flow that separates: dynamic stall.",
+      Selection("two lags|quasi-steady|dynamic stall"));
+    prm.add("Virtual mass",
+            has_virtual_mass,
+            "Whether the mass of the air moved along counts: needed for flutter, small against the mass of blades.");
+    prm.add("Lift factor", lift_factor, "What lift is multiplied by, a function of s: losses at tips [1].");
+    prm.add("Inflow", inflow_name, "Name of the inflow in which the surface moves; empty: none.");
+    prm.add("Air", air_name, "Name of the air; needed only if there are several.");
+  }
+
+
+
+  void
+  Surface::initialize(Model &m)
+  {
+    model             = &m;
+    const auto before = model->complaints.count();
+    for (const std::string entry : {"Body", "Chord", "Airfoils"})
+      parameters.require(entry, model->complaints);
+    if (model->complaints.count() != before)
+      return;
+    unsteady          = unsteady_name == "two lags"      ? Unsteady::two_lags :
+                        unsteady_name == "dynamic stall" ? Unsteady::dynamic_stall :
+                                                           Unsteady::quasi_steady;
+    std::string where = "Air";
+    try
+      {
+        air   = &Air::of(*model, air_name);
+        where = "Inflow";
+        if (!inflow_name.empty())
+          inflow = &model->find<Inflow>(inflow_name, "inflow");
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where(where), problem.what());
+      }
+    if (find_airfoils() && find_body() && model->complaints.count() == before)
+      add_stations();
+    if (inflow != nullptr)
+      inflow->surfaces.push_back(this);
+    for (auto &element : elements)
+      if (has_virtual_mass)
+        find_virtual_mass(element);
+    try
+      {
+        for (auto &element : elements)
+          for (auto &station : element.stations)
+            add_states(station, element);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Unsteady"), problem.what());
+      }
+  }
+
+
+
+  void
+  Surface::add_states(Station &station, Element &element)
+  {
+    static const std::array<std::array<std::string, 2>, 4> names = {
+      {{{"lag 1", "m/s"}}, {{"lag 2", "m/s"}}, {{"angle of pressure", "rad"}}, {{"separation", "1"}}}};
+    station.first_lag = element.lags.size();
+    for (unsigned int i = 0; i < states_of(unsteady); ++i)
+      element.lags.push_back(
+        model->add_state(name + ", " + names[i][0] + " at s = " + number_to_text("%.4g", station.s),
+                         names[i][1],
+                         i == 3 ? 1. : 0., // attached at the start
+                         1.));
+    if (unsteady == Unsteady::dynamic_stall)
+      {
+        const SectionOfWing section = station.section;
+        station.section.separation =
+          std::make_shared<Separation>([section](const double alpha) { return section.coefficients(alpha, 0.).lift; });
+      }
+  }
+
+
+
+  bool
+  Surface::find_airfoils()
+  {
+    try
+      {
+        if (airfoil_names.size() == 1)
+          {
+            std::string airfoil, place;
+            double      s = 0;
+            if (!split_at(airfoil_names[0], airfoil, place) || !text_to_number(place, s))
+              airfoil = airfoil_names[0];
+            airfoils = {{&model->find<Airfoil>(airfoil, "airfoil"), 0.}};
+            return true;
+          }
+        for (const auto &text : airfoil_names)
+          {
+            std::string airfoil, place;
+            double      s = 0;
+            if (!split_at(text, airfoil, place) || !text_to_number(place, s))
+              throw std::invalid_argument("an airfoil of several is written <name at s>, s in metres, not <" + text +
+                                          ">");
+            if (!airfoils.empty() && !(s > airfoils.back().s))
+              throw std::invalid_argument("airfoils stand in the order of their abscissae: <" + text + ">");
+            airfoils.push_back({&model->find<Airfoil>(airfoil, "airfoil"), s});
+          }
+        return !airfoils.empty();
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Airfoils"), problem.what());
+        return false;
+      }
+  }
+
+
+
+  bool
+  Surface::find_body()
+  {
+    std::string where = "Body";
+    try
+      {
+        const Body &body  = model->find<Body>(body_name, "body");
+        const auto  spans = body.spans();
+        where             = "Line";
+        if (!spans.empty() && !line.empty())
+          throw std::invalid_argument("the line of a surface on a beam is its axis; <Line> is for rigid bodies");
+        for (const auto &span : spans)
+          elements.push_back({span.frames, span.abscissae, {}, {}});
+        if (!spans.empty())
+          return true;
+        if (line.size() != 2 || (line[1] - line[0]).isZero(0.))
+          throw std::invalid_argument("a surface on a rigid body needs a <Line> from one point to another");
+        // the frame of the body at the start of the line
+        const Frame frame = body.frame("");
+        elements          = {{{model->frame_at(frame, line[0], model->triad(frame))}, {0.}, {}, {}}};
+        return true;
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where(where), problem.what());
+        return false;
+      }
+  }
+
+
+
+  namespace
+  {
+    void
+    add_corners(const Expression &f, const double from, const double to, std::vector<double> &breaks)
+    {
+      for (double s = f.next_corner(from, to); s < to; s = f.next_corner(s, to))
+        breaks.push_back(s);
+    }
+  } // namespace
+
+
+
+  /** Where panels end. @throws std::invalid_argument */
+  std::vector<double>
+  Surface::breaks() const
+  {
+    double start = 0, end = line.size() == 2 ? (line[1] - line[0]).norm() : 0;
+    for (const auto &element : elements)
+      end = std::max(end, *std::max_element(element.abscissae.begin(), element.abscissae.end()));
+    const double length = end;
+    if (!range.empty())
+      {
+        if (range.size() != 2 || !(range[1] > range[0]) || range[0] < -1e-9 * length || range[1] > (1 + 1e-9) * length)
+          throw std::invalid_argument("<Range> says where the surface starts and ends, between 0 and " +
+                                      number_to_text("%.6g", length) + " m");
+        start = std::max(0., range[0]);
+        end   = std::min(length, range[1]);
+      }
+    std::vector<double> result = {start, end};
+    for (const auto *f : {&chord, &offset, &twist, &lift_factor})
+      add_corners(*f, start, end, result);
+    for (const auto &airfoil : airfoils)
+      if (airfoils.size() > 1 && airfoil.s > start && airfoil.s < end)
+        result.push_back(airfoil.s);
+    for (const double s : more_breaks)
+      if (s < start - 1e-9 * length || s > end + 1e-9 * length)
+        throw std::invalid_argument("the break at " + number_to_text(s) +
+                                    " m is outside of the surface, which is from " + number_to_text("%.6g", start) +
+                                    " to " + number_to_text("%.6g", end) + " m");
+      else
+        result.push_back(std::min(end, std::max(start, s)));
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(),
+                             result.end(),
+                             [=](const double a, const double b) { return b - a < 1e-9 * length; }),
+                 result.end());
+    return result;
+  }
+
+
+
+  void
+  Surface::add_stations()
+  {
+    std::string where = "Breaks";
+    try
+      {
+        panels = breaks();
+        where  = "Chord";
+        for (const auto &point : composite_rule(panels, points_a_panel))
+          {
+            // the element it lies in: the last that begins before it
+            unsigned int i = 0;
+            while (i + 1 < elements.size() && elements[i + 1].abscissae.front() <= point.x)
+              ++i;
+            elements[i].stations.push_back(station_at(point.x, point.weight, elements[i]));
+          }
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        if (where == "Breaks" && !range.empty() && std::string(problem.what()).rfind("<Range>", 0) == 0)
+          where = "Range";
+        model->complaints.add(parameters.where(where), problem.what());
+      }
+    elements.erase(std::remove_if(elements.begin(),
+                                  elements.end(),
+                                  [this](const Element &e) { return e.stations.empty() && !has_virtual_mass; }),
+                   elements.end());
+  }
+
+
+
+  namespace
+  {
+    /** Derivative of lagrange() by @p x. */
+    double
+    lagrange_slope(const std::vector<double> &nodes, const unsigned int a, const double x)
+    {
+      double sum = 0;
+      for (unsigned int c = 0; c < nodes.size(); ++c)
+        if (c != a)
+          {
+            double product = 1 / (nodes[a] - nodes[c]);
+            for (unsigned int b = 0; b < nodes.size(); ++b)
+              if (b != a && b != c)
+                product *= (x - nodes[b]) / (nodes[a] - nodes[b]);
+            sum += product;
+          }
+      return sum;
+    }
+  } // namespace
+
+
+
+  /** @throws std::invalid_argument if its chord has no length, or no direction */
+  Station
+  Surface::station_at(const double s, const double weight, const Element &element) const
+  {
+    Station station;
+    station.s      = s;
+    station.weight = weight;
+    Vector3 x = Vector3::Zero(), tangent = Vector3::Zero();
+    Matrix3 F = Matrix3::Zero();
+    for (unsigned int a = 0; a < element.frames.size(); ++a)
+      {
+        station.N.push_back(lagrange(element.abscissae, a, s));
+        const Vector3 x_a = model->position(element.frames[a]);
+        x += station.N[a] * x_a;
+        tangent += lagrange_slope(element.abscissae, a, s) * x_a;
+        F += station.N[a] * model->triad(element.frames[a]);
+      }
+    const Vector3 axis = x; // what moves with the frames; on a rigid body the line is elsewhere
+    if (!line.empty())
+      {
+        tangent = line[1] - line[0];
+        x       = line[0] + s * tangent.normalized();
+      }
+
+    const std::string here = " at s = " + number_to_text("%.6g", s) + " m";
+    station.section.chord  = chord(s);
+    if (!(station.section.chord > 0) || !std::isfinite(station.section.chord))
+      throw std::invalid_argument("the chord must be positive, and is " +
+                                  number_to_text("%.6g", station.section.chord) + " m" + here);
+    Vector3       e1     = tangent.normalized();
+    const Vector3 ahead  = leading_edge.isZero(0.) ? Vector3(F.col(1)) : leading_edge,
+                  across = ahead - e1 * e1.dot(ahead);
+    if (across.norm() < 1e-6 * ahead.norm())
+      throw std::invalid_argument("the leading edge lies in the direction of the reference line" + here +
+                                  ": say with <Leading edge> where it is");
+    Vector3 e2 = across.normalized(), e3 = e1.cross(e2);
+    if (!upper_side.isZero(0.))
+      {
+        if (std::abs(e3.dot(upper_side)) < 1e-6 * upper_side.norm())
+          throw std::invalid_argument("the upper side looks neither up nor down" + here +
+                                      ": <Upper side> lies in the plane of line and leading edge");
+        if (e3.dot(upper_side) < 0)
+          {
+            e3 = -e3;
+            e1 = -e1;
+          }
+      }
+    const double  angle    = twist(s);
+    const Vector3 nose     = std::cos(angle) * e2 + std::sin(angle) * e3;
+    const Matrix3 into_F   = F.inverse();
+    station.along          = into_F * e1;
+    station.chordwise      = into_F * nose;
+    station.quarter        = into_F * (x - axis + offset(s) * nose);
+    station.three_quarters = into_F * (x - axis + (offset(s) - 0.5 * station.section.chord) * nose);
+
+    station.section.lift_factor = lift_factor(s);
+    unsigned int i              = 0;
+    while (i + 2 < airfoils.size() && airfoils[i + 1].s <= s)
+      ++i;
+    station.section.airfoil = airfoils[i].airfoil;
+    if (airfoils.size() > 1)
+      {
+        station.section.next  = airfoils[i + 1].airfoil;
+        station.section.share = std::min(1., std::max(0., (s - airfoils[i].s) / (airfoils[i + 1].s - airfoils[i].s)));
+      }
+    return station;
+  }
+
+
+
+  void
+  Surface::find_virtual_mass(Element &element)
+  {
+    const unsigned int n = element.frames.size();
+    element.virtual_mass.assign(n, Matrix6::Zero());
+    std::vector<double> lumped(n, 0.), pieces;
+    double              total = 0;
+    for (auto &station : element.stations)
+      station.virtual_mass = M_PI / 4 * air->density * station.section.chord * station.section.chord;
+    // the part of each panel that is on the element, whatever stations there are
+    const double end = element.abscissae.size() > 1 ?
+                         *std::max_element(element.abscissae.begin(), element.abscissae.end()) :
+                         panels.back();
+    for (const double s : panels)
+      pieces.push_back(std::min(end, std::max(element.abscissae.front(), s)));
+    for (const auto &point : composite_rule(pieces, 10))
+      {
+        if (point.weight == 0)
+          continue;
+        const Station station = station_at(point.x, point.weight, element);
+        const double  c = station.section.chord, m = station.weight * M_PI / 4 * air->density * c * c;
+        // v₃ of the half chord and Ω₁ of a frame's twist
+        const Vector3 e1 = station.along, e3 = e1.cross(station.chordwise);
+        Vector6       v3, spin               = Vector6::Zero();
+        v3 << e3, station.middle().cross(e3);
+        spin.tail<3>()  = e1;
+        const Matrix6 M = m * (v3 * v3.transpose() + c * c / 32 * spin * spin.transpose());
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            element.virtual_mass[a] += station.N[a] * M;
+            lumped[a] += station.N[a] * m;
+          }
+        total += m;
+      }
+    for (unsigned int a = 0; a < n; ++a)
+      if (lumped[a] < -1e-9 * total)
+        {
+          model->complaints.add(parameters.where("Virtual mass"),
+                                "the surface starts or ends within an element of <" + body_name +
+                                  ">, where its virtual mass cannot be lumped at the nodes: let an element end there");
+          return;
+        }
+    for (unsigned int a = 0; a < n; ++a)
+      model->add_inertia(element.frames[a], element.virtual_mass[a]);
+  }
+
+
+
+  void
+  Surface::add_virtual_mass(std::vector<Matrix6> &of_nodes) const
+  {
+    for (const auto &element : elements)
+      for (unsigned int a = 0; a < element.virtual_mass.size(); ++a)
+        {
+          const Frame  &frame = element.frames[a];
+          const Matrix6 T     = twist_transfer(frame.arm, frame.rotation);
+          of_nodes[frame.node] += T.transpose() * element.virtual_mass[a] * T;
+        }
+  }
+
+
+
+  void
+  Surface::connect(Layout &layout)
+  {
+    for (auto &element : elements)
+      {
+        for (auto &frame : element.frames)
+          frame = layout.model.resolved(frame);
+        std::vector<Frame>        frames = element.frames;
+        std::vector<unsigned int> states = element.lags;
+        if (inflow != nullptr)
+          {
+            frames.push_back(inflow->hub);
+            states.insert(states.end(), inflow->states.begin(), inflow->states.end());
+          }
+        layout.couple(element.block, frames, {}, {}, states);
+      }
+    loads.surface = rates.surface = this;
+    layout.add(*this, loads);
+    if (states_of(unsteady) > 0 || (inflow != nullptr && !inflow->states.empty()))
+      layout.add(*this, rates);
+  }
+} // namespace samara

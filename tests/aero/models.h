@@ -1,0 +1,109 @@
+#ifndef samara_tests_aero_models_h
+#define samara_tests_aero_models_h
+
+#include <string>
+
+namespace samara::aero_models
+{
+  /** Air with a wind, inertial components [m/s]. */
+  inline std::string
+  air(const std::string &wind, const std::string &more = "")
+  {
+    return "  subsection air\n    set Type = air\n    set Wind = " + wind + "\n" + more + "  end\n";
+  }
+
+  inline std::string
+  subsection(const std::string &name, const std::string &content)
+  {
+    return "subsection " + name + "\n" + content + "end\n";
+  }
+
+  /** A section that stalls, depends on the Mach number and pitches. */
+  inline std::string
+  airfoils()
+  {
+    return subsection("Airfoils", R"(
+  subsection plain
+    set Type   = analytic
+    set Drag   = 0.01, 0.02, 0.5
+    set Moment = -0.02, 0.1
+  end
+  subsection full
+    set Type            = analytic
+    set Zero-lift angle = -3 deg
+    set Drag            = 0.01, 0, 0.4
+    set Moment          = -0.05, 0.2
+    set Compressible    = true
+    set Stall angle     = 14 deg
+    set Stall width     = 2 deg
+  end
+)");
+  }
+
+  /** A curved, twisted, elastic blade on the ground, with @p entries of its surface. */
+  inline std::string
+  blade(const std::string &aerodynamics, const std::string &entries)
+  {
+    return R"(
+subsection Sections
+  subsection bar
+    set Type    = rectangle
+    set E       = 2e7
+    set Density = 800
+    set Width 2 = 0.2
+    set Width 3 = 0.05
+  end
+end
+subsection Bodies
+  subsection blade
+    set Type        = beam
+    set Shape       = expressions
+    set Expressions = 3*s, 0.3*s^2, 0.2*s^2
+    set Section     = bar
+    set Elements    = 2
+    set Twist       = 0.3 - 0.05*s
+  end
+  subsection hub
+    set Type     = rigid body
+    set Mass     = 3
+    set Inertia  = 1, 1, 2
+    set Position = -0.2, 0, 0.1
+    set Rotation = 0.2, 0.1, -0.1
+    set Frames   = off at -0.1 0.05 0.2
+  end
+end
+subsection Joints
+  subsection root
+    set Type   = spherical
+    set Body A = hub.off
+    set Body B = blade.start
+    set Gap    = allowed
+  end
+end
+)" + airfoils() +
+           subsection("Aerodynamics", aerodynamics) +
+           subsection("Surfaces", subsection("it", "    set Body = blade\n" + entries));
+  }
+
+  /** A rigid body that carries a straight wing of 4 m, leading edge to −x, from y = −1 to 3. */
+  inline std::string
+  rigid_wing(const std::string &aerodynamics, const std::string &entries, const std::string &body = "")
+  {
+    return R"(
+subsection Bodies
+  subsection wing
+    set Type    = rigid body
+    set Mass    = 5
+    set Inertia = 2, 1, 2.5
+)" + body + "  end\nend\n" +
+           airfoils() + subsection("Aerodynamics", aerodynamics) +
+           subsection(
+             "Surfaces",
+             subsection("it",
+                        "    set Body = wing\n    set Line = 0, -1, 0; 0, 3, 0\n    set Leading edge = -1, 0, 0\n"
+                        "    set Upper side = 0, 0, 1\n" +
+                          entries));
+  }
+} // namespace samara::aero_models
+
+#endif

@@ -1,0 +1,150 @@
+// Forward flight of a rotor with flapping blades and inflow: orders of convergence, energy, axes of the inflow.
+
+#include <samara/time/projection.h>
+#include <samara/time/stage_integrator.h>
+
+#include "../scene.h"
+#include "../time/systems.h"
+#include <gtest/gtest.h>
+
+#include "models.h"
+
+using namespace samara;
+using namespace samara::aero_models;
+
+namespace
+{
+  /** Two blades on flap hinges, lags, inflow of Pitt and Peters, a wind of 12 m/s along x; turning at 30 rad/s. */
+  std::string
+  rotor(const std::string &hub, const std::string &entries)
+  {
+    std::string bodies = R"(
+  subsection hub
+    set Type             = rigid body
+    set Mass             = 5
+    set Inertia          = 1, 1, 2
+    set Angular velocity = 0, 0, 30
+  end
+)",
+                joints = R"(
+  subsection shaft
+    set Type   = revolute
+    set Body A = ground
+    set Body B = hub.centre
+    set Axis   = 0, 0, 1
+    subsection rotation
+      set Prescribed = 30*t
+    end
+  end
+)",
+                surfaces;
+    for (const std::string sign : {"", "-"})
+      {
+        const std::string name = sign.empty() ? "blade 1" : "blade 2";
+        bodies += "  subsection " + name +
+                  "\n    set Type = rigid body\n    set Mass = 3\n    set Inertia = 0.01, 1.5, 1.5\n"
+                  "    set Position = " +
+                  sign + "1.6, 0, 0\n    set Angular velocity = 0, 0, 30\n    set Velocity = 0, " + sign +
+                  "48, 0\n  end\n";
+        joints += "  subsection flap " + name +
+                  "\n    set Type = revolute\n    set Body A = hub.centre\n    set Body B = " + name +
+                  ".centre\n    set Position = " + sign + "0.2, 0, 0\n    set Axis = 0, " + (sign.empty() ? "-" : "") +
+                  "1, 0\n"
+                  "    subsection rotation\n      set Spring = 50\n    end\n  end\n";
+        surfaces += subsection(name,
+                               "    set Body = " + name + "\n    set Line = " + sign + "0.5, 0, 0; " + sign +
+                                 "3, 0, 0\n"
+                                 "    set Leading edge = 0, " +
+                                 sign +
+                                 "1, 0\n    set Chord = 0.2\n    set Twist = 8 deg - 1 deg*s\n"
+                                 "    set Airfoils = plain\n    set Inflow = flow\n" +
+                                 entries);
+      }
+    return subsection("Bodies", bodies) + subsection("Joints", joints) + airfoils() +
+           subsection("Aerodynamics",
+                      air("12, 0, -1") +
+                        subsection("flow",
+                                   "    set Type = Pitt-Peters inflow\n    set Hub = " + hub +
+                                     "\n    set Axis = 0, 0, 1\n    set Radius = 3\n    set Initial = 5\n")) +
+           subsection("Surfaces", surfaces);
+  }
+
+  Record
+  flown(const Scene &scene, const Tableau &tableau, const double T, const unsigned int n)
+  {
+    State state = scene.system.reference();
+    scene.system.add_initial_velocities(state);
+    Projection(scene.system).velocities(state);
+    state.held    = false;
+    Record record = run(scene.system, state, tableau, T / n, n);
+    EXPECT_EQ(record.n_steps, n);
+    Projection(scene.system).velocities(record.state);
+    return record;
+  }
+
+  /** Hub loads in fixed axes. */
+  std::vector<double>
+  hub_loads(const Scene &scene, const State &state)
+  {
+    std::vector<double> values;
+    for (const std::string blade : {"blade 1", "blade 2"})
+      for (const std::string quantity : {"force x", "force z", "moment x", "moment y", "moment z"})
+        values.push_back(scene.input.model.probe(blade + "." + quantity).value(state));
+    return values;
+  }
+} // namespace
+
+
+
+TEST(ForwardFlight, OrdersOfHubLoads)
+{
+  const Scene  scene(rotor("ground", ""));
+  const double T     = 0.12; // 0.6 of a turn
+  const auto   exact = hub_loads(scene, flown(scene, Tableau(3, 1.), T, 240).state);
+  struct Member
+  {
+    unsigned int s;
+    double       rho;
+    unsigned int n;
+    double       order;
+  };
+  for (const Member &m :
+       {Member{1, 1., 40, 2}, Member{2, 1., 24, 4}, Member{2, 0., 24, 3}, Member{3, 1., 16, 6}, Member{3, 0., 16, 5}})
+    {
+      const Tableau tableau(m.s, m.rho);
+      const double  coarse = distance(hub_loads(scene, flown(scene, tableau, T, m.n).state), exact),
+                   fine    = distance(hub_loads(scene, flown(scene, tableau, T, 2 * m.n).state), exact);
+      EXPECT_NEAR(std::log2(coarse / fine), m.order, 0.45)
+        << "s = " << m.s << ", rho = " << m.rho << ", errors " << coarse << " " << fine;
+    }
+}
+
+
+
+TEST(ForwardFlight, EnergyStatement)
+{
+  const Scene scene(rotor("hub.centre", "    set Virtual mass = true\n"));
+  for (const double rho : {1., 0.})
+    for (const unsigned int s : {2, 3})
+      {
+        const Record record = flown(scene, Tableau(s, rho), 0.12, 24);
+        EXPECT_LT(record.balance, 1e-12);
+        EXPECT_GE(record.least_dissipated, -1e-12 * record.energy);
+        EXPECT_GT(std::abs(record.work_of_loads), 1.);
+      }
+}
+
+
+
+// The axes of the inflow may turn with the hub or not: the air is the same.
+TEST(ForwardFlight, InflowInTurningAxes)
+{
+  const Scene fixed(rotor("ground", "")), turning(rotor("hub.centre", ""));
+  const auto  a = flown(fixed, Tableau(3, 1.), 0.2, 60), b = flown(turning, Tableau(3, 1.), 0.2, 60);
+  const auto  loads = hub_loads(fixed, a.state), same = hub_loads(turning, b.state);
+  EXPECT_LT(distance(loads, same), 1e-8);
+  // the gradients are seen in other axes
+  EXPECT_GT(std::abs(fixed.input.model.probe("flow.state 2").value(a.state) -
+                     turning.input.model.probe("flow.state 2").value(b.state)),
+            0.01);
+}

@@ -1,0 +1,389 @@
+// Inflow: matrices against references, momentum theory exactly, derivatives, axes; hover as an equilibrium.
+
+#include <samara/aero/finite_state.h>
+
+#include "../complex_step.h"
+#include "../reference.h"
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include "models.h"
+
+using namespace samara;
+using namespace samara::aero_models;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  /** Numbers of the shapes of harmonic @p m, radial number n = m + 1 + 2i; of sines if wanted. */
+  unsigned int
+  number_of(const FiniteStateInflow &inflow, const unsigned int m, const unsigned int n, const bool is_sine)
+  {
+    for (unsigned int k = 0; k < inflow.size(); ++k)
+      {
+        const auto &s = inflow.disk.shapes[k];
+        if (s.m == m && s.is_sine == is_sine && m + 2 * s.c.size() - 1 == n)
+          return k;
+      }
+    ADD_FAILURE() << "no shape " << m << " " << n;
+    return 0;
+  }
+
+  double
+  number(const std::map<std::string, std::string> &row, const std::string &column)
+  {
+    return std::stod(row.at(column));
+  }
+
+  /** Steady states under loads t in units of ρ R² = 1, R = 1, by Newton's method; start: mean flow @p nu. */
+  Eigen::VectorXd
+  steady(const FiniteStateInflow                                       &inflow,
+         const std::function<Eigen::VectorXd(const Eigen::VectorXd &)> &loads,
+         const FiniteStateInflow::Flight<double>                       &flight,
+         const double                                                   start)
+  {
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(inflow.size());
+    z(0)              = start;
+    const auto rate   = [&](const Eigen::VectorXd &at) {
+      Eigen::VectorXd r = inflow.flow<double>(at, flight, 1., 1e-6).rate;
+      const auto      t = loads(at);
+      for (unsigned int k = 0; k < inflow.size(); ++k)
+        r(k) += inflow.load_weights[k] * t(k) / inflow.apparent_mass[k];
+      return r;
+    };
+    for (unsigned int i = 0; i < 40; ++i)
+      {
+        const auto            flow = inflow.flow<double>(z, flight, 1., 1e-6);
+        Eigen::MatrixXd       J    = inflow.derivatives(flow, z, flight, 1., 1e-6).by_z;
+        const Eigen::VectorXd here = loads(z);
+        for (unsigned int k = 0; k < inflow.size(); ++k) // loads are linear in z
+          {
+            const Eigen::VectorXd d = loads(z + Eigen::VectorXd::Unit(inflow.size(), k)) - here;
+            for (unsigned int j = 0; j < inflow.size(); ++j)
+              J(j, k) += inflow.load_weights[j] * d(j) / inflow.apparent_mass[j];
+          }
+        z -= J.partialPivLu().solve(rate(z));
+      }
+    EXPECT_LT(rate(z).cwiseAbs().maxCoeff(), 1e-13);
+    return z;
+  }
+
+  /** Σ F φ of a uniform load, of thrust T on the unit disk. */
+  Eigen::VectorXd
+  uniform_load(const FiniteStateInflow &inflow, const double T)
+  {
+    Eigen::VectorXd t = Eigen::VectorXd::Zero(inflow.size());
+    for (unsigned int k = 0; k < inflow.size(); ++k)
+      if (inflow.disk.shapes[k].m == 0)
+        for (unsigned int j = 0; j < inflow.disk.shapes[k].c.size(); ++j) // 2 ∫ r^{2j} r dr
+          t(k) += T * inflow.disk.shapes[k].c[j] / (j + 1.);
+    return t;
+  }
+
+  double
+  disk_average(const FiniteStateInflow &inflow, const Eigen::VectorXd &z)
+  {
+    return z.dot(uniform_load(inflow, 1.));
+  }
+} // namespace
+
+
+
+TEST(FiniteStateInflow, MatricesOfPetersAndHe)
+{
+  const auto inflow = FiniteStateInflow::peters_he(4, 10);
+  for (const auto &row : reference_rows("rotor/peters_he_H.csv"))
+    if (number(row, "n") <= 11 && number(row, "m") <= 4)
+      {
+        const unsigned int k = number_of(inflow, number(row, "m"), number(row, "n"), false);
+        EXPECT_NEAR(inflow.apparent_mass[k], number(row, "K"), 1e-11);
+      }
+  unsigned int n_rows = 0;
+  for (const auto &row : reference_rows("rotor/peters_he_L_integrated.csv"))
+    {
+      const double          X       = std::tan(number(row, "chi_deg") * M_PI / 360);
+      const Eigen::MatrixXd L       = inflow.influence(X, 0.);
+      const bool            is_sine = row.at("type") == "sin";
+      const double          l       = L(number_of(inflow, number(row, "r"), number(row, "j"), is_sine),
+                         number_of(inflow, number(row, "m"), number(row, "n"), is_sine));
+      EXPECT_NEAR(l, number(row, "L_formula"), 1e-9);
+      EXPECT_NEAR(l, number(row, "L_integrated"), 5e-5);
+      ++n_rows;
+    }
+  EXPECT_EQ(n_rows, 65u);
+  EXPECT_EQ(FiniteStateInflow::peters_he(2, 4).size(), 11u);
+  EXPECT_EQ(FiniteStateInflow::peters_he(4, 8).size(), 33u);
+  EXPECT_EQ(FiniteStateInflow::peters_he(8, 12).size(), 79u);
+}
+
+
+
+// Signs: loads here are forces on blades along the thrust axis, those of the table aerodynamic moments.
+TEST(FiniteStateInflow, MatrixOfPittAndPeters)
+{
+  const auto inflow = FiniteStateInflow::pitt_peters();
+  for (const auto &row : reference_rows("rotor/pitt_peters_L.csv"))
+    {
+      const Eigen::MatrixXd L = inflow.influence(number(row, "X"), 0.);
+      // states here: mean, cosine, sine
+      EXPECT_NEAR(L(0, 0), number(row, "L11"), 1e-11);
+      EXPECT_NEAR(std::abs(L(0, 1)), std::abs(number(row, "L13")), 1e-11);
+      EXPECT_NEAR(L(1, 0), number(row, "L31"), 1e-11);
+      EXPECT_LE(L(0, 1), 0.); // aft load lowers the mean inflow
+      EXPECT_NEAR(L(2, 2), -number(row, "L22"), 1e-11);
+      EXPECT_NEAR(L(1, 1), -number(row, "L33"), 1e-11);
+    }
+}
+
+
+
+// In axes that are turned by Δ all is the same: L(X e^{iΔ}) = T L(X) T⁻¹.
+TEST(FiniteStateInflow, TurnsWithItsAxes)
+{
+  const double delta = 0.7;
+  for (const auto &inflow : {FiniteStateInflow::pitt_peters(), FiniteStateInflow::peters_he(3, 6)})
+    {
+      Eigen::MatrixXd T = Eigen::MatrixXd::Identity(inflow.size(), inflow.size());
+      for (unsigned int k = 0; k < inflow.size(); ++k)
+        for (unsigned int j = 0; j < inflow.size(); ++j)
+          {
+            const auto &a = inflow.disk.shapes[k], &b = inflow.disk.shapes[j];
+            if (a.m > 0 && a.m == b.m && a.c == b.c)
+              T(k, j) = a.is_sine == b.is_sine ? std::cos(a.m * delta) : (a.is_sine ? 1 : -1) * std::sin(a.m * delta);
+          }
+      const Eigen::MatrixXd straight = T * inflow.influence(0.6, 0.) * T.transpose(),
+                            turned   = inflow.influence(0.6 * std::cos(delta), 0.6 * std::sin(delta));
+      EXPECT_LT((straight - turned).cwiseAbs().maxCoeff(), 1e-13);
+    }
+}
+
+
+
+// The mean flow is thrust/(2 ρ A V_T) for any number of states: √(C_T/2), and Glauert's in forward flight.
+TEST(FiniteStateInflow, MeanFlowIsThatOfMomentumTheory)
+{
+  for (const auto &inflow : {FiniteStateInflow::uniform(),
+                             FiniteStateInflow::pitt_peters(),
+                             FiniteStateInflow::peters_he(0, 0),
+                             FiniteStateInflow::peters_he(2, 4),
+                             FiniteStateInflow::peters_he(2, 4, true)})
+    for (const auto &row : reference_rows("rotor/glauert_forward_flight.csv"))
+      {
+        const double CT = number(row, "CT"), mu = number(row, "mu"), alpha = number(row, "alpha_deg") * M_PI / 180;
+        const FiniteStateInflow::Flight<double> flight{0.6 * mu, 0.8 * mu, mu * std::tan(alpha), 0.};
+        const Eigen::VectorXd                   t = uniform_load(inflow, M_PI * CT);
+        const auto                              z = steady(
+          inflow, [&](const auto &) { return t; }, flight, number(row, "lambda_i"));
+        EXPECT_NEAR(inflow.flow<double>(z, flight, 1., 1e-6).nu, number(row, "lambda_i"), 1e-10);
+      }
+}
+
+
+
+// Blade elements of infinitely many blades in hover.
+TEST(FiniteStateInflow, HoverOfBladeElements)
+{
+  std::vector<double> r, w;
+  for (const auto &[x, weight] : composite_rule({0., 0.25, 0.5, 0.75, 1.}, 10))
+    {
+      r.push_back(x);
+      w.push_back(weight);
+    }
+  unsigned int n_rows = 0;
+  for (const auto &row : reference_rows("rotor/hover_finite_state.csv"))
+    {
+      const auto   inflow = FiniteStateInflow::peters_he(0, 2 * number(row, "S") - 2, row.at("form") == "left");
+      const double sigma = number(row, "sigma"), a = number(row, "a"), theta0 = number(row, "theta0_deg") * M_PI / 180,
+                   twist = number(row, "twist_deg") * M_PI / 180;
+      double     CT = 0, CPi = 0;
+      const auto loads = [&](const Eigen::VectorXd &z) {
+        Eigen::VectorXd t = Eigen::VectorXd::Zero(inflow.size()), phi(inflow.size());
+        CT = CPi = 0;
+        for (unsigned int i = 0; i < r.size(); ++i)
+          {
+            inflow.disk.evaluate(r[i], 0., phi.data());
+            const double v = z.dot(phi), f = sigma * a / 2 * ((theta0 + twist * r[i]) * r[i] * r[i] - v * r[i]) * w[i];
+            t += M_PI * f * phi;
+            CT += f;
+            CPi += f * v;
+          }
+        return t;
+      };
+      const auto z = steady(inflow, loads, {0., 0., 0., 0.}, 0.03);
+      loads(z);
+      EXPECT_NEAR(CT, number(row, "CT"), 1e-6 * CT);
+      EXPECT_NEAR(CPi, number(row, "CPi"), 1e-6 * CPi);
+      EXPECT_NEAR(z(0), number(row, "alpha_01"), 1e-6);
+      EXPECT_NEAR(inflow.flow<double>(z, {0., 0., 0., 0.}, 1., 1e-6).nu, std::sqrt(CT / 2), 1e-10);
+      ++n_rows;
+    }
+  EXPECT_GT(n_rows, 20u);
+}
+
+
+
+// A step of load on air that flows through the disk: the linear equations with V_T = V_m.
+TEST(FiniteStateInflow, GrowsInTime)
+{
+  for (const auto &row : reference_rows("rotor/inflow_step.csv"))
+    {
+      const auto   inflow = FiniteStateInflow::peters_he(0, 2 * number(row, "S") - 2);
+      const double t      = number(row, "t");
+      // fast axial flow, so small a load that it changes nothing
+      const FiniteStateInflow::Flight<double> flight{0., 0., 0.1, 0.};
+      const Eigen::VectorXd                   none = Eigen::VectorXd::Zero(inflow.size());
+      const auto                              flow = inflow.flow<double>(none, flight, 1., 1e-6);
+      const Eigen::MatrixXd                   A    = inflow.derivatives(flow, none, flight, 1., 1e-6).by_z;
+      Eigen::VectorXd                         b    = uniform_load(inflow, 1.);
+      for (unsigned int k = 0; k < inflow.size(); ++k)
+        b(k) *= inflow.load_weights[k] / inflow.apparent_mass[k];
+      const Eigen::EigenSolver<Eigen::MatrixXd> modes(A);
+      const Eigen::MatrixXcd                    V     = modes.eigenvectors();
+      const Eigen::VectorXcd                    e     = (modes.eigenvalues() * t).array().exp();
+      const Eigen::VectorXd                     final = -A.partialPivLu().solve(b);
+      const Eigen::VectorXd                     z     = final - (V * e.asDiagonal() * V.inverse() * final).real();
+      EXPECT_NEAR(disk_average(inflow, z) / disk_average(inflow, final), number(row, "average"), 1e-4);
+      EXPECT_NEAR(z(0) / final(0), number(row, "alpha_01"), 1e-4);
+    }
+}
+
+
+
+TEST(FiniteStateInflow, DerivativesAgainstComplexSteps)
+{
+  for (const auto &inflow :
+       {FiniteStateInflow::uniform(), FiniteStateInflow::pitt_peters(), FiniteStateInflow::peters_he(3, 6)})
+    for (const double mu : {0., 3., 12.})
+      for (const double lambda : {-15., 0., 4.})
+        {
+          const unsigned int n = inflow.size();
+          Eigen::VectorXd    z(n);
+          for (unsigned int k = 0; k < n; ++k)
+            z(k) = k == 0 ? 4. : 0.4 * std::sin(2. * k);
+          const FiniteStateInflow::Flight<double> flight{0.6 * mu, -0.8 * mu, lambda, 2.};
+          const auto                              flow = inflow.flow<double>(z, flight, 3., 0.03);
+          const auto                              d    = inflow.derivatives(flow, z, flight, 3., 0.03);
+          const double                            step = 1e-30, size = d.by_z.cwiseAbs().maxCoeff();
+          for (unsigned int k = 0; k < n + 4; ++k)
+            {
+              Eigen::VectorXcd zc  = z.cast<Complex>();
+              Complex          f[] = {flight.mu_x, flight.mu_y, flight.lambda_f, flight.spin};
+              (k < n ? zc(k) : f[k - n]) += Complex(0, step);
+              const Eigen::VectorXd slope =
+                inflow.flow<Complex>(zc, {f[0], f[1], f[2], f[3]}, 3., 0.03).rate.imag() / step;
+              const Eigen::VectorXd given = k < n ? d.by_z.col(k) : d.by_flight.col(k - n);
+              EXPECT_LT((slope - given).cwiseAbs().maxCoeff(), 1e-12 * (1 + size)) << mu << " " << lambda << " " << k;
+            }
+        }
+}
+
+
+
+namespace
+{
+  /** Four blades on a body that turns at 30 rad/s about z; hub, inflow and wind as given. */
+  std::string
+  rotor(const std::string &inflow,
+        const std::string &hub,
+        const std::string &wind = "0, 0, 0",
+        const std::string &more = "")
+  {
+    std::string surfaces;
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        const int  x = k == 0 ? 1 : k == 2 ? -1 : 0, y = k == 1 ? 1 : k == 3 ? -1 : 0;
+        const auto at = [&](const double r) { return number_to_text(x * r) + ", " + number_to_text(y * r) + ", 0"; };
+        surfaces += subsection("blade " + std::to_string(k + 1),
+                               "    set Body = rotor\n    set Line = " + at(0.6) + "; " + at(3) +
+                                 "\n    set Leading edge = " + number_to_text(-y) + ", " + number_to_text(x) +
+                                 ", 0\n    set Chord = 0.2\n    set Twist = 10 deg - 1.2 deg*s\n"
+                                 "    set Airfoils = plain\n    set Inflow = flow\n    set Unsteady = quasi-steady\n" +
+                                 more);
+      }
+    return R"(
+subsection Bodies
+  subsection rotor
+    set Type    = rigid body
+    set Mass    = 5
+    set Inertia = 2, 2, 4
+  end
+end
+subsection Joints
+  subsection shaft
+    set Type   = revolute
+    set Body A = ground
+    set Body B = rotor.centre
+    set Axis   = 0, 0, 1
+  end
+end
+subsection Loads
+  subsection turning
+    set Type  = steady rotation
+    set Joint = shaft
+    set Speed = 30
+  end
+end
+)" + airfoils() +
+           subsection("Aerodynamics",
+                      air(wind) +
+                        subsection("flow",
+                                   "    set Type = " + inflow + "\n    set Hub = " + hub + "\n    set Radius = 3\n")) +
+           subsection("Surfaces", surfaces);
+  }
+} // namespace
+
+
+
+TEST(MomentumInflow, DerivativesAgainstComplexSteps)
+{
+  for (const std::string kind :
+       {"uniform inflow", "Pitt-Peters inflow", "Peters-He inflow\n    set Harmonics = 2\n    set Power = 4"})
+    for (const std::string hub : {"ground", "rotor.centre"})
+      {
+        if (hub == "ground" && kind != "uniform inflow") // refused in statics
+          continue;
+        const Scene       scene(rotor(kind, hub, "12, 3, -1", "    set Virtual mass = true\n"));
+        const ComplexStep step(scene.system, false, false, true);
+        EXPECT_LT(step.error_of_tangent(), 1e-12) << kind << hub;
+        EXPECT_LT(step.error_of_damping(), 1e-12) << kind << hub;
+      }
+}
+
+
+
+// Hover is an equilibrium: found from air at rest, in axes that turn or not; momentum theory to round-off.
+TEST(MomentumInflow, HoverIsAnEquilibrium)
+{
+  double thrust = 0;
+  for (const std::string kind : {"uniform inflow",
+                                 "Pitt-Peters inflow",
+                                 "Peters-He inflow\n    set Harmonics = 0\n    set Power = 0",
+                                 "Peters-He inflow\n    set Harmonics = 4\n    set Power = 8"})
+    {
+      Scene scene(rotor(kind, "rotor.centre"));
+      scene.equilibrium();
+      const double T = scene.value("flow.thrust"), nu = scene.value("flow.mean");
+      EXPECT_GT(T, 100.);
+      EXPECT_NEAR(T, 2 * 1.225 * M_PI * 9 * nu * nu, 1e-8 * T) << kind;
+      // the power of a rotor that hovers turns the shaft
+      EXPECT_NEAR(scene.value("flow.power"), 30 * scene.value("flow.torque"), 1e-8 * scene.value("flow.power"));
+      // in axes that stand still, flow without harmonics is the same, and steady harmonics are not to be had
+      Scene fixed(rotor(kind, "ground"));
+      if (scene.system.layout.n_states == 1)
+        {
+          fixed.equilibrium();
+          EXPECT_NEAR(fixed.value("flow.thrust"), T, 1e-8 * T);
+        }
+      else
+        EXPECT_THROW(fixed.equilibrium(), InputError);
+      if (kind == "uniform inflow")
+        thrust = T;
+    }
+  // a climb needs more collective, and wind from above is one
+  Scene climbing(rotor("uniform inflow", "ground", "0, 0, -3"));
+  climbing.equilibrium();
+  const double T = climbing.value("flow.thrust"), nu = climbing.value("flow.mean");
+  EXPECT_LT(T, thrust);
+  EXPECT_NEAR(T, 2 * 1.225 * M_PI * 9 * nu * (nu + 3), 1e-8 * T);
+}

@@ -1,0 +1,238 @@
+// Loads of surfaces: derivatives, power, closed forms, independence of meshes and of axes.
+
+#include <samara/aero/surface.h>
+
+#include "../complex_step.h"
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include "models.h"
+
+using namespace samara;
+using namespace samara::aero_models;
+
+namespace
+{
+  const std::string inflow = R"(
+  subsection flow
+    set Type      = prescribed inflow
+    set Hub       = hub.off
+    set Axis      = 0.1, -0.2, 1
+    set Direction = 1, 1, 0
+    set Radius    = 3.5
+    set Velocity  = 2 + t, 0.5, -1
+  end
+)";
+  const std::string shear  = "    set Shear exponent = 0.2\n    set Ground = -7\n    set Shear height = 5\n";
+
+  const std::string entries = R"(
+    set Chord         = 0.4 - 0.05*s
+    set Quarter chord = 0.05 + 0.01*s
+    set Twist         = 0.1 - 0.02*s
+    set Airfoils      = plain at 0.5, full at 2.5
+)";
+
+  /** Largest error of tangent and damping matrix, relative, in a random state that moves. */
+  double
+  error_of_matrices(const std::string &model)
+  {
+    const Scene       scene(model);
+    const ComplexStep step(scene.system, false, false, true);
+    return std::max(step.error_of_tangent(), step.error_of_damping());
+  }
+} // namespace
+
+
+
+TEST(Surface, DerivativesAgainstComplexSteps)
+{
+  // virtual mass goes with a surface that ends where elements end
+  for (const std::string unsteady : {"quasi-steady", "two lags", "dynamic stall"})
+    for (const std::string more : {"    set Range = 0.3, 2.9\n", "    set Virtual mass = true\n"})
+      {
+        SCOPED_TRACE(unsteady + more);
+        const std::string text = entries + "    set Unsteady = " + unsteady + "\n" + more;
+        EXPECT_LT(error_of_matrices(blade(air("20, 5, -3"), text)), 1e-12);
+        EXPECT_LT(error_of_matrices(blade(air("20, 5*cos(t), -3", shear) + inflow, text + "    set Inflow = flow\n")),
+                  1e-12);
+        // air from behind, and a mirrored section
+        const std::string mirrored = "    set Upper side = 0, 0, -1\n    set Leading edge = 0.1, 1, 0\n";
+        EXPECT_LT(error_of_matrices(blade(air("10, -30, 5"), text + mirrored)), 1e-12);
+      }
+}
+
+
+
+// What the forces on the nodes do is what the air does.
+TEST(Surface, PowerIsDual)
+{
+  for (const std::string virtual_mass : {"false", "true"})
+    {
+      Scene  scene(blade(air("20, 5, -3") + inflow,
+                        "    set Chord = 0.4 - 0.05*s\n    set Quarter chord = 0.1\n    set Airfoils = full\n"
+                         "    set Inflow = flow\n    set Virtual mass = " +
+                          virtual_mass + "\n"));
+      State &state = scene.context.state;
+      // deformed as well
+      std::vector<double> z(scene.system.size());
+      for (unsigned int i = 0; i < z.size(); ++i)
+        z[i] = 0.05 * std::sin(3. * i);
+      scene.system.update(state, z);
+      for (unsigned int i = 6; i < state.y.size(); ++i)
+        state.y[i] = 3 * std::cos(2. * i);
+      std::vector<double> r(scene.system.size() + 6, 0.);
+      scene.system.add_loads(state.point(), r.data());
+      double power = 0;
+      for (unsigned int i = 6; i < state.y.size(); ++i)
+        power -= r[i - 6] * state.y[i];
+      EXPECT_GT(std::abs(power), 10.);
+      EXPECT_NEAR(power, scene.value("it.power"), 1e-12 * std::abs(power));
+    }
+}
+
+
+
+// A wing in steady flow, everything in closed form.
+TEST(Surface, ClosedForms)
+{
+  const double alpha = 0.1, U = 30, c = 0.5, rho = 1.225, q = 0.5 * rho * U * U;
+  Scene        scene(rigid_wing(air("30*cos(0.1), 0, 30*sin(0.1)"),
+                         "    set Chord = 0.5\n    set Airfoils = plain\n    set Unsteady = quasi-steady\n"));
+  const double lift = q * c * 4 * 2 * M_PI * std::sin(alpha) * std::cos(alpha), s = std::sin(alpha),
+               drag = q * c * 4 * (0.01 + 0.02 * s + 0.5 * s * s), m = q * c * c * 4 * (-0.02 + 0.1 * s);
+  EXPECT_NEAR(scene.value("it.force x"), drag * std::cos(alpha) - lift * s, 1e-12 * lift);
+  EXPECT_NEAR(scene.value("it.force z"), lift * std::cos(alpha) + drag * s, 1e-12 * lift);
+  EXPECT_NEAR(scene.value("it.force y"), 0., 1e-12 * lift);
+  // nose up: the leading edge at −x goes up, about +y
+  EXPECT_NEAR(scene.value("it.moment y"), m, 1e-12 * lift);
+  EXPECT_NEAR(scene.value("it.moment x"), scene.value("it.force z") * 1., 1e-12 * lift);
+  EXPECT_NEAR(scene.value("it.at 1.angle of attack"), alpha * 180 / M_PI, 1e-12);
+  EXPECT_NEAR(scene.value("it.at 1.Mach"), U / 340.3, 1e-12);
+}
+
+
+
+// Density, chord, offset, twist, lift factor say what they are called.
+TEST(Surface, EntriesMeanWhatTheySay)
+{
+  const std::string usual = "    set Airfoils = plain\n    set Unsteady = quasi-steady\n";
+  const auto        value = [&](const std::string &entries, const std::string &probe, const std::string &of_air = "") {
+    return Scene(rigid_wing(air("30, 0, 0", of_air), usual + entries)).value(probe);
+  };
+  // twist is an angle of attack
+  Scene twisted(rigid_wing(air("30, 0, 0"), usual + "    set Chord = 0.5\n    set Twist = 5 deg\n"));
+  EXPECT_NEAR(twisted.value("it.at 2.angle of attack"), 5., 1e-12);
+  const double lift = value("    set Chord = 0.5\n    set Twist = 0.1\n", "it.force z");
+  EXPECT_NEAR(value("    set Chord = 0.5\n    set Twist = 0.1\n", "it.force z", "    set Density = 2.45\n"),
+              2 * lift,
+              1e-10);
+  EXPECT_NEAR(value("    set Chord = 1\n    set Twist = 0.1\n", "it.force z"), 2 * lift, 1e-10);
+  EXPECT_NEAR(value("    set Chord = 0.5\n    set Twist = 0.1\n    set Range = 1, 2\n", "it.force z"), lift / 4, 1e-10);
+  EXPECT_NEAR(value("    set Chord = 0.5\n    set Twist = 0.1\n    set Lift factor = s < 1 ? 0 : 1\n", "it.force z"),
+              0.75 * lift,
+              1e-10);
+  // an offset to the leading edge at −x: lift turns the nose up
+  const double before = value("    set Chord = 0.5\n    set Twist = 0.1\n", "it.moment y"),
+               after  = value("    set Chord = 0.5\n    set Twist = 0.1\n    set Quarter chord = 0.2\n", "it.moment y");
+  EXPECT_NEAR(after - before,
+              0.2 * std::cos(0.1) * lift +
+                0.2 * std::sin(0.1) * value("    set Chord = 0.5\n    set Twist = 0.1\n", "it.force x"),
+              1e-9 * lift);
+}
+
+
+
+// Stations are independent of the mesh: a straight beam that is not deformed has the same loads for any elements.
+TEST(Surface, LoadsDoNotDependOnTheMesh)
+{
+  const auto forces = [](const std::string &mesh) {
+    const Scene scene(R"(
+subsection Sections
+  subsection bar
+    set Type         = tube
+    set E            = 1e9
+    set Density      = 800
+    set Outer radius = 0.05
+  end
+end
+subsection Bodies
+  subsection wing
+    set Type    = beam
+    set Points  = 0, 0, 0; 0, 5, 0
+    set Axis 2  = -1, 0, 0
+    set Section = bar
+)" + mesh + "  end\nend\n" +
+                      airfoils() + subsection("Aerodynamics", air("40, 3, 2")) +
+                      subsection("Surfaces", subsection("it", R"(
+    set Body       = wing
+    set Chord      = table: 0 0.5; 2.1 0.7; 5 0.3
+    set Twist      = 0.1 - 0.02*s
+    set Airfoils   = full
+    set Upper side = 0, 0, 1
+)")));
+    return std::vector<double>{scene.value("it.force x"), scene.value("it.force z"), scene.value("it.moment x")};
+  };
+  const auto one = forces("    set Elements = 1\n");
+  EXPECT_GT(one[1], 100.);
+  for (const std::string mesh : {"    set Elements = 7\n", "    set Elements = 3\n    set Degree = 1\n"})
+    {
+      const auto other = forces(mesh);
+      for (unsigned int i = 0; i < 3; ++i)
+        EXPECT_NEAR(other[i], one[i], 1e-11 * one[1]);
+    }
+}
+
+
+
+// The same wing turned, moved, flying instead of blown at; and its mirror image.
+TEST(Surface, FramesAndMirrors)
+{
+  const std::string wing = "    set Chord = 0.5 - 0.02*s\n    set Twist = 0.1 + 0.01*s\n    set Airfoils = full\n"
+                           "    set Unsteady = quasi-steady\n    set Quarter chord = 0.1\n";
+  Scene             blown(rigid_wing(air("30, 4, 2"), wing)),
+    flying(rigid_wing(air("0, 0, 0"), wing, "    set Velocity = -30, -4, -2\n"));
+  flying.system.add_initial_velocities(flying.context.state);
+  for (const std::string probe :
+       {"it.force x", "it.force y", "it.force z", "it.moment x", "it.moment y", "it.moment z"})
+    EXPECT_NEAR(blown.value(probe), flying.value(probe), 1e-11 * blown.value("it.force z")) << probe;
+  EXPECT_NEAR(blown.value("it.power"), 0., 1e-12);
+  EXPECT_LT(std::abs(flying.value("it.power") + 30 * flying.value("it.force x") + 4 * flying.value("it.force y") +
+                     2 * flying.value("it.force z")),
+            1e-9 * blown.value("it.force z"));
+
+  // the mirror image at y = 0: the line runs to −y, and the upper side stays up
+  std::string mirrored = rigid_wing(air("30, -4, 2"), wing);
+  mirrored.replace(mirrored.find("0, -1, 0; 0, 3, 0"), 17, "0, 1, 0; 0, -3, 0");
+  Scene mirror(mirrored);
+  for (const auto &[probe, sign] : std::vector<std::pair<std::string, double>>{{"it.force x", 1},
+                                                                               {"it.force y", -1},
+                                                                               {"it.force z", 1},
+                                                                               {"it.moment x", -1},
+                                                                               {"it.moment y", 1},
+                                                                               {"it.moment z", -1}})
+    EXPECT_NEAR(mirror.value(probe), sign * blown.value(probe), 1e-11 * blown.value("it.force z")) << probe;
+}
+
+
+
+TEST(Surface, RefusesBadInput)
+{
+  const std::string good = "    set Chord = 0.5\n    set Airfoils = plain\n";
+  const auto        of = [&](const std::string &entries) { return complaint_of(rigid_wing(air("1, 0, 0"), entries)); };
+  EXPECT_EQ(of(good), "");
+  EXPECT_NE(of("    set Chord = 0.5 - s\n    set Airfoils = plain\n").find("the chord must be positive"),
+            std::string::npos);
+  EXPECT_NE(of(good + "    set Range = 1, 5\n").find("between 0 and 4 m"), std::string::npos);
+  EXPECT_NE(of(good + "    set Range = 2, 1\n").find("<Range>"), std::string::npos);
+  EXPECT_NE(of(good + "    set Breaks = 7\n").find("outside of the surface"), std::string::npos);
+  EXPECT_NE(of("    set Chord = 0.5\n    set Airfoils = plane\n").find("plain"), std::string::npos);
+  EXPECT_NE(of("    set Chord = 0.5\n    set Airfoils = plain at 1, full at 0.5\n").find("order"), std::string::npos);
+  EXPECT_NE(of(good + "    set Inflow = flow\n").find("flow"), std::string::npos);
+  EXPECT_NE(complaint_of(rigid_wing("", good)).find("has no air"), std::string::npos);
+  std::string along = rigid_wing(air("1, 0, 0"), good);
+  along.replace(along.find("-1, 0, 0\n"), 8, "0, 1, 0");
+  EXPECT_NE(complaint_of(along).find("direction of the reference line"), std::string::npos);
+  std::string sideways = rigid_wing(air("1, 0, 0"), good);
+  sideways.replace(sideways.find("Upper side = 0, 0, 1"), 20, "Upper side = 0, 1, 0");
+  EXPECT_NE(complaint_of(sideways).find("neither up nor down"), std::string::npos);
+}

@@ -1,0 +1,218 @@
+// Unsteady loads: lift deficiency, Theodorsen's lift and moment, divergence, flutter of Goland's wing.
+
+#include <samara/analysis/modal.h>
+#include <samara/analysis/static.h>
+
+#include "../reference.h"
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include "models.h"
+
+using namespace samara;
+using namespace samara::aero_models;
+
+namespace
+{
+  using Complex = std::complex<double>;
+
+  /** R. T. Jones's C(k). */
+  Complex
+  deficiency(const double k)
+  {
+    const Complex s(0, k);
+    return 1. - 0.165 * s / (s + 0.0455) - 0.335 * s / (s + 0.3);
+  }
+
+  const double speed = 30, semichord = 0.25, density = 1.225, span = 4;
+
+  /** A rigid wing of chord 0.5 m in a wind of 30 m/s, its node @p a semichords behind half chord; no drag. */
+  std::string
+  thin_wing(const double a, const std::string &more)
+  {
+    const std::string plate = "  subsection plate\n    set Type = analytic\n  end\n";
+    std::string       text  = rigid_wing(air("30, 0, 0", "    set Speed of sound = 1\n"),
+                                  "    set Chord = 0.5\n    set Airfoils = plate\n    set Quarter chord = " +
+                                    number_to_text((0.5 + a) * semichord) + "\n" + more);
+    return text.replace(text.find("subsection Airfoils\n"), 20, "subsection Airfoils\n" + plate);
+  }
+
+  /** Force along z and moment about y [N, N m] of the air for unit harmonic motions along z and about y. */
+  Eigen::Matrix2cd
+  response(const Scene &scene, const double omega)
+  {
+    const System &system = scene.system;
+    SparseMatrix  K(system.layout.pattern), C(K), M(K);
+    system.tangent(scene.context.state, K);
+    system.damping(scene.context.state, C);
+    system.mass(M);
+    Eigen::MatrixXcd S = K.dense().cast<Complex>() + Complex(0, omega) * C.dense() - omega * omega * M.dense();
+    // what is not air
+    Eigen::VectorXd body(6);
+    body << 5, 5, 5, 2, 1, 2.5;
+    S.topLeftCorner<6, 6>() += omega * omega * Eigen::MatrixXd(body.asDiagonal());
+    const unsigned int n         = S.rows() - 6;
+    Eigen::MatrixXcd   condensed = S.topLeftCorner<6, 6>();
+    if (n > 0)
+      condensed -= S.topRightCorner(6, n) * S.bottomRightCorner(n, n).partialPivLu().solve(S.bottomLeftCorner(n, 6));
+    Eigen::Matrix2cd F;
+    F << -condensed(2, 2), -condensed(2, 4), -condensed(4, 2), -condensed(4, 4);
+    return F;
+  }
+} // namespace
+
+
+
+TEST(Unsteady, LiftDeficiencyOfTwoLags)
+{
+  const Scene scene(thin_wing(0., "")), steady(thin_wing(0., "    set Unsteady = quasi-steady\n"));
+  for (const auto &row : reference_rows("rotor/lift_deficiency.csv"))
+    {
+      const double  k = std::stod(row.at("k")), omega = k * speed / semichord;
+      const Complex C = response(scene, omega)(0, 0) / response(steady, omega)(0, 0);
+      EXPECT_NEAR(C.real(), std::stod(row.at("jones_re")), 1e-9);
+      EXPECT_NEAR(C.imag(), std::stod(row.at("jones_im")), 1e-9);
+      EXPECT_NEAR(std::abs(C - Complex(std::stod(row.at("re")), std::stod(row.at("im")))), 0., 0.015);
+    }
+  // quasi-steady lift of a motion up is −2π ρ U b S iω
+  EXPECT_NEAR(std::abs(response(steady, 7.)(0, 0) + Complex(0, 14.) * M_PI * density * speed * semichord * span),
+              0.,
+              1e-8);
+}
+
+
+
+// T. Theodorsen, NACA Report 496 (1935), with C(k) of the lags: heave and pitch, lift and moment, any axis.
+TEST(Unsteady, LiftAndMomentOfTheodorsen)
+{
+  for (const double a : {-0.5, -0.34, 0., 0.2})
+    {
+      const Scene scene(thin_wing(a, "    set Virtual mass = true\n"));
+      for (const double k : {0.05, 0.3, 1., 4.})
+        {
+          const Complex s(0, k), C = deficiency(k);
+          // h down in semichords, α nose up; lift up over ρU²b, moment nose up over ρU²b²
+          const Complex L_h = M_PI * s * s + 2 * M_PI * C * s,
+                        L_a = M_PI * (s - a * s * s) + 2 * M_PI * C * (1. + (0.5 - a) * s),
+                        M_h = M_PI * a * s * s + 2 * M_PI * (a + 0.5) * C * s,
+                        M_a = M_PI * (-(0.5 - a) * s - (1. / 8 + a * a) * s * s) +
+                              2 * M_PI * (a + 0.5) * C * (1. + (0.5 - a) * s);
+          const double           q     = density * speed * speed * semichord * span;
+          const Eigen::Matrix2cd F     = response(scene, k * speed / semichord);
+          const double           bound = 1e-9 * (1 + k * k);
+          EXPECT_LT(std::abs(F(0, 0) * semichord / q + L_h), bound) << a << " " << k;
+          EXPECT_LT(std::abs(F(0, 1) / q - L_a), bound) << a << " " << k;
+          EXPECT_LT(std::abs(F(1, 0) / q + M_h), bound) << a << " " << k;
+          EXPECT_LT(std::abs(F(1, 1) / (q * semichord) - M_a), bound) << a << " " << k;
+        }
+    }
+}
+
+
+
+namespace
+{
+  /**
+   * M. Goland's wing (J. Appl. Mech. 12, 1945) in a wind along x: 6.096 m, chord 1.8288 m, elastic axis at 0.33, mass
+   * centre at 0.43 of the chord; stiff in what is not bending up and twist.
+   */
+  std::string
+  goland(const double speed, const std::string &surface)
+  {
+    return R"(
+set Analyses = static, modal
+subsection Sections
+  subsection wing
+    set Type        = engineering constants
+    set EA          = 1e11
+    set GA2         = 1e11
+    set GA3         = 1e11
+    set GJ          = 0.987e6
+    set EI2         = 9.77e6
+    set EI3         = 1e11
+    set Mass        = 35.71
+    set Mass centre = -0.18288, 0
+    set I2          = 0
+    set I3          = 7.445665
+  end
+end
+subsection Bodies
+  subsection wing
+    set Type     = beam
+    set Points   = 0, 0, 0; 0, 6.096, 0
+    set Axis 2   = -1, 0, 0
+    set Section  = wing
+    set Elements = 5
+  end
+end
+subsection Joints
+  subsection root
+    set Type   = rigid
+    set Body A = ground
+    set Body B = wing.start
+  end
+end
+subsection Airfoils
+  subsection plate
+    set Type = analytic
+  end
+end
+)" + subsection("Aerodynamics", air(number_to_text(speed) + ", 0, 0")) +
+           subsection(
+             "Surfaces",
+             subsection(
+               "lift",
+               "    set Body = wing\n    set Chord = 1.8288\n    set Quarter chord = 0.146304\n"
+               "    set Airfoils = plate\n    set Upper side = 0, 0, 1\n    set Stations = 3\n    set Breaks = 1.2192, 2.4384, 3.6576, 4.8768\n" +
+                 surface)) +
+           "subsection Modal\n  set Modes = 40\nend\n";
+  }
+
+  /** The eigenvalue that grows most among those that turn. */
+  Complex
+  least_stable(const double speed)
+  {
+    Scene   scene(goland(speed, "    set Virtual mass = true\n"));
+    Complex least(-1e300, 0);
+    for (const auto &mode : scene.modes())
+      if (mode.lambda.imag() > 20 && mode.lambda.real() > least.real())
+        least = mode.lambda;
+    return least;
+  }
+} // namespace
+
+
+
+// A clamped wing with a small angle of attack twists by α (1/cos κL − 1), κ² = q c e a/GJ; it diverges at κL = π/2.
+TEST(Unsteady, TwistBeforeDivergence)
+{
+  const double L = 6.096, c = 1.8288, e = 0.146304, alpha = 1e-4;
+  for (const double U : {100., 200., 220.})
+    {
+      const double kappa = std::sqrt(0.5 * 1.225 * U * U * c * e * 2 * M_PI / 0.987e6);
+      ASSERT_LT(kappa * L, M_PI / 2);
+      Scene scene(goland(U, "    set Twist = 1e-4\n"));
+      scene.equilibrium();
+      const double twist = scene.value("wing.end.rotation y") * M_PI / 180,
+                   exact = alpha * (1 / std::cos(kappa * L) - 1);
+      EXPECT_NEAR(twist, exact, 1e-5 * exact) << U;
+    }
+}
+
+
+
+// With the exact C(k) it flutters at 136.95 m/s with 70.02 rad/s; two lags, in another discretisation (eight Ritz
+// functions), at 137.333 m/s with 69.347 rad/s: the difference is that of the lags to C(k).
+TEST(Unsteady, FlutterOfGolandsWing)
+{
+  const double  below = 136.5, above = 138.;
+  const Complex a = least_stable(below), b = least_stable(above);
+  EXPECT_LT(a.real(), 0.);
+  EXPECT_GT(b.real(), 0.);
+  const double share = -a.real() / (b.real() - a.real()), U = below + share * (above - below),
+               omega = a.imag() + share * (b.imag() - a.imag());
+  EXPECT_NEAR(U, 137.333, 0.05);
+  EXPECT_NEAR(omega, 69.347, 0.02);
+  EXPECT_NEAR(U, 136.95043, 0.004 * 136.95);
+  EXPECT_NEAR(omega, 70.018334, 0.011 * 70);
+}
