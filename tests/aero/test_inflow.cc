@@ -52,7 +52,7 @@ namespace
         r(k) += inflow.load_weights[k] * t(k) / inflow.apparent_mass[k];
       return r;
     };
-    for (unsigned int i = 0; i < 40; ++i)
+    for (unsigned int i = 0; i < 40 && rate(z).cwiseAbs().maxCoeff() > 1e-15; ++i)
       {
         const auto            flow = inflow.flow<double>(z, flight, 1., 1e-6);
         Eigen::MatrixXd       J    = inflow.derivatives(flow, z, flight, 1., 1e-6).by_z;
