@@ -380,6 +380,10 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
       if (kind == "uniform inflow")
         thrust = T;
     }
+  std::string small = rotor("uniform inflow", "ground");
+  small.replace(small.find("Radius = 3"), 10, "Radius = 2");
+  EXPECT_NE(complaint_of(small).find("outside of the disk of <flow>"), std::string::npos);
+
   // a climb needs more collective, and wind from above is one
   Scene climbing(rotor("uniform inflow", "ground", "0, 0, -3"));
   climbing.equilibrium();
