@@ -54,15 +54,6 @@ namespace samara
     joints.add<RollingBall>("rolling ball", "ball that rolls on a plane without slipping");
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
 
-    Registry<Item> loads;
-    loads.add<Gravity>("gravity", "weight of everything");
-    loads.add<ConcentratedLoad>("point load", "force and moment at a point of a body");
-    loads.add<LineLoad>("line load", "force and moment per length of a beam");
-    loads.add<SteadyRotation>("steady rotation", "rotation of the model, or of a joint with what it carries along");
-
-    Registry<Item> states;
-    states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
-
     Registry<Item> airfoils;
     airfoils.add<AnalyticAirfoil>("analytic", "coefficients in closed form");
     airfoils.add<C81Airfoil>("C81", "tables of coefficients over angle of attack and Mach number");
@@ -71,7 +62,6 @@ namespace samara
     Registry<Item> aerodynamics;
     aerodynamics.add<Air>("air", "density, speed of sound and wind");
     aerodynamics.add<PrescribedInflow>("prescribed inflow", "flow through a rotor's disk, given");
-
     aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
     aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
     aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");

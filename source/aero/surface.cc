@@ -90,7 +90,10 @@ namespace samara
     if (find_airfoils() && find_body() && model->complaints.count() == before)
       add_stations();
     if (inflow != nullptr)
-      inflow->surfaces.push_back(this);
+      {
+        check_disk();
+        inflow->surfaces.push_back(this);
+      }
     for (auto &element : elements)
       if (has_virtual_mass)
         find_virtual_mass(element);
@@ -104,6 +107,30 @@ namespace samara
       {
         model->complaints.add(parameters.where("Unsteady"), problem.what());
       }
+  }
+
+
+
+  void
+  Surface::check_disk() const
+  {
+    for (const auto &element : elements)
+      for (const auto &station : element.stations)
+        {
+          Vector3 x = Vector3::Zero();
+          for (unsigned int a = 0; a < element.frames.size(); ++a)
+            x += station.N[a] * (model->position(element.frames[a]) + model->triad(element.frames[a]) * station.quarter);
+          const Vector3 seen = model->triad(inflow->hub).transpose() * (x - model->position(inflow->hub));
+          if (const double r = seen.head<2>().norm(); r > (1 + 1e-6) * inflow->radius)
+            {
+              model->complaints.add(parameters.where("Inflow"),
+                                    "the surface is outside of the disk of <" + inflow_name + ">: at s = " +
+                                      number_to_text("%.4g", station.s) + " m it is " + number_to_text("%.4g", r) +
+                                      " m from the axis, and the radius is " + number_to_text("%.4g", inflow->radius) +
+                                      " m");
+              return;
+            }
+        }
   }
 
 

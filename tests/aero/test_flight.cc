@@ -100,7 +100,7 @@ TEST(ForwardFlight, OrdersOfHubLoads)
 {
   const Scene  scene(rotor("ground", ""));
   const double T     = 0.12; // 0.6 of a turn
-  const auto   exact = hub_loads(scene, flown(scene, Tableau(3, 1.), T, 240).state);
+  const auto   exact = hub_loads(scene, flown(scene, Tableau(3, 1.), T, 96).state);
   struct Member
   {
     unsigned int s;
@@ -109,7 +109,7 @@ TEST(ForwardFlight, OrdersOfHubLoads)
     double       order;
   };
   for (const Member &m :
-       {Member{1, 1., 40, 2}, Member{2, 1., 24, 4}, Member{2, 0., 24, 3}, Member{3, 1., 16, 6}, Member{3, 0., 16, 5}})
+       {Member{1, 1., 30, 2}, Member{2, 1., 24, 4}, Member{2, 0., 24, 3}, Member{3, 1., 16, 6}, Member{3, 0., 16, 5}})
     {
       const Tableau tableau(m.s, m.rho);
       const double  coarse = distance(hub_loads(scene, flown(scene, tableau, T, m.n).state), exact),
@@ -127,7 +127,7 @@ TEST(ForwardFlight, EnergyStatement)
   for (const double rho : {1., 0.})
     for (const unsigned int s : {2, 3})
       {
-        const Record record = flown(scene, Tableau(s, rho), 0.12, 24);
+        const Record record = flown(scene, Tableau(s, rho), 0.06, 12);
         EXPECT_LT(record.balance, 1e-12);
         EXPECT_GE(record.least_dissipated, -1e-12 * record.energy);
         EXPECT_GT(std::abs(record.work_of_loads), 1.);
@@ -140,7 +140,7 @@ TEST(ForwardFlight, EnergyStatement)
 TEST(ForwardFlight, InflowInTurningAxes)
 {
   const Scene fixed(rotor("ground", "")), turning(rotor("hub.centre", ""));
-  const auto  a = flown(fixed, Tableau(3, 1.), 0.2, 60), b = flown(turning, Tableau(3, 1.), 0.2, 60);
+  const auto  a = flown(fixed, Tableau(3, 1.), 0.1, 30), b = flown(turning, Tableau(3, 1.), 0.1, 30);
   const auto  loads = hub_loads(fixed, a.state), same = hub_loads(turning, b.state);
   EXPECT_LT(distance(loads, same), 1e-8);
   // the gradients are seen in other axes

@@ -165,7 +165,7 @@ end
                "    set Body = wing\n    set Chord = 1.8288\n    set Quarter chord = 0.146304\n"
                "    set Airfoils = plate\n    set Upper side = 0, 0, 1\n    set Stations = 3\n    set Breaks = 1.2192, 2.4384, 3.6576, 4.8768\n" +
                  surface)) +
-           "subsection Modal\n  set Modes = 40\nend\n";
+           "subsection Modal\n  set Modes = 34\nend\n";
   }
 
   /** The eigenvalue that grows most among those that turn. */

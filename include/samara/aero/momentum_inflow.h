@@ -11,7 +11,7 @@ namespace samara
    * air along the thrust axis drives it, the flow of wind and flight through the disk carries it away.
    *
    * Momentum theory does not hold where the rotor descends into its own wake, −1 < λ_f/ν_h < 0: results are smooth
-   * there and not to be trusted; warning() says so.
+   * there and not to be trusted, and nothing says so.
    */
   class MomentumInflow : public Inflow, public Evaluated<MomentumInflow, StateEquation>
   {

@@ -83,6 +83,7 @@ namespace samara
     std::vector<Element> elements;
 
     void add_states(Station &station, Element &element);
+    void check_disk() const;
     void find_virtual_mass(Element &element);
 
     /** The loads, and all derivatives: those of the states' rates, too. */
