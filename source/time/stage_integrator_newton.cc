@@ -222,11 +222,19 @@ namespace samara
   bool
   StageIntegrator::solve_for_increments(const double h)
   {
-    const unsigned int n = system.size(), n_kinematic = system.layout.of_multiplier(0), s = tableau.s;
-    for (unsigned int k = 0; k < s; ++k)
-      for (auto *const increments : {&dz[k], &dz_rate[k], &d_lambda[k]})
-        std::fill(increments->begin(), increments->end(), 0.);
+    apply_factors(h);
+    if (!correct_for_stops(h))
+      return false;
+    collect_increments(h);
+    return true;
+  }
 
+
+
+  void
+  StageIntegrator::apply_factors(const double h)
+  {
+    const unsigned int n = system.size(), n_kinematic = system.layout.of_multiplier(0), s = tableau.s;
     for_factors([&](const unsigned int j) {
       const auto                &eigenvalue = tableau.eigenvalues[j];
       const std::complex<double> hm         = h * eigenvalue.mu;
@@ -260,9 +268,17 @@ namespace samara
           factors[j].complex->solve(x.data());
         }
     });
+  }
 
-    if (!correct_for_stops(h))
-      return false;
+
+
+  void
+  StageIntegrator::collect_increments(const double h)
+  {
+    const unsigned int n = system.size(), n_kinematic = system.layout.of_multiplier(0), s = tableau.s;
+    for (unsigned int k = 0; k < s; ++k)
+      for (auto *const increments : {&dz[k], &dz_rate[k], &d_lambda[k]})
+        std::fill(increments->begin(), increments->end(), 0.);
 
     // displacements ζ, their rates ζ/(hμ), multipliers; of a complex pair twice the real part
     for (unsigned int j = 0; j < factors.size(); ++j)
@@ -293,7 +309,20 @@ namespace samara
                 d_lambda[k][i - n_kinematic] += product(force, x[i]).real();
             }
       }
-    return true;
+  }
+
+
+
+  Vector6
+  StageIntegrator::change_of_twist(const unsigned int k, const unsigned int node) const
+  {
+    const int                       i = system.layout.of_node(node);
+    const Eigen::Map<const Vector6> zeta(&dz[k][i]), rate(&dz_rate[k][i]);
+    const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), w(&frozen.y[6 * node + 3]);
+    Vector6                         change;
+    change << rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
+      rate.tail<3>() + w.cross(zeta.tail<3>());
+    return change;
   }
 
 
@@ -303,17 +332,8 @@ namespace samara
   {
     if (!solve_for_increments(h))
       return std::nan("");
-    const Layout &layout = system.layout;
-    // to twists: δy = ζ̇ + ad_y ζ
-    return correct_velocities(h, [&](const unsigned int k, const unsigned int node) -> Vector6 {
-      const int                       i = layout.of_node(node);
-      const Eigen::Map<const Vector6> zeta(&dz[k][i]), rate(&dz_rate[k][i]);
-      const Eigen::Map<const Vector3> v(&frozen.y[6 * node]), w(&frozen.y[6 * node + 3]);
-      Vector6                         change;
-      change << rate.head<3>() + w.cross(zeta.head<3>()) + v.cross(zeta.tail<3>()),
-        rate.tail<3>() + w.cross(zeta.tail<3>());
-      return change;
-    });
+    return correct_velocities(h,
+                              [&](const unsigned int k, const unsigned int node) { return change_of_twist(k, node); });
   }
 
 

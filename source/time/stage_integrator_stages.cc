@@ -316,17 +316,9 @@ namespace samara
   double
   StageIntegrator::force_of(const Layout::Correction &correction, const double h) const
   {
-    // where the coordinate turns less than this a step, ρ is a quotient of round-off, and the work not worth mentioning
-    constexpr double least_turn = 1e-8;
-    double           lambda = 0, squares = 0;
-    for (unsigned int k = 0; k < tableau.s; ++k)
-      {
-        lambda += tableau.b(k) * stages[k].multipliers[correction.multiplier];
-        squares += tableau.b(k) * std::pow(h * stages[k].rates[correction.coordinate], 2);
-      }
-    const double rho =
-      h * h * mean_rates[correction.multiplier] * squares / (squares * squares + std::pow(least_turn, 4));
-    return lambda * rho;
+    const auto rate       = [&](const unsigned int k) { return stages[k].rates[correction.coordinate]; };
+    const auto multiplier = [&](const unsigned int k) { return stages[k].multipliers[correction.multiplier]; };
+    return force_of<double>(tableau, h, rate, multiplier, mean_rates[correction.multiplier]);
   }
 
 

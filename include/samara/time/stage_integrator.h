@@ -13,6 +13,8 @@
 
 namespace samara
 {
+  class StepTangent;
+
   /**
    * One step of the integrator family in nodal-frame twists, over the assembled system only:
    *
@@ -51,6 +53,15 @@ namespace samara
     void       forget_history() override;
     void       step_back() override;
 
+    /**
+     * The exact tangent of the last step, which converged and began at @p start, see step_tangent.h. Its products are
+     * as exact as the step is converged: ask for a tolerance of 1e-13 or so. There is one factorisation, if the step
+     * has left no factors of its size.
+     *
+     * @throws NotConverged if a stop is touched in the step: it has no derivative where it opens or closes.
+     */
+    std::unique_ptr<StepTangent> linearize(const State &start);
+
     const Tableau *
     family() const override
     {
@@ -76,6 +87,7 @@ namespace samara
     /** @} */
 
   private:
+    friend class StepTangent;
     const System &system;
     const double  tolerance;
     unsigned int  max_iterations;
@@ -105,18 +117,18 @@ namespace samara
       std::unique_ptr<LinearSolver>  real;
       std::unique_ptr<ComplexSolver> complex;
     };
-    std::vector<Factor>                         factors;
-    double                                      energy_scale   = 0; ///< at the start of the step
-    double                                      kinetic_energy = 0; ///< mean of the stages
-    double                                      moved_energy   = 0; ///< kinetic, and what strain energy has changed by
-    double                                      first_strain = -1;  ///< energy at the first step; negative: not known
-    double                                      factored_step  = 0; ///< step size of the factors; 0: to be made anew
-    double                                      step_of_factors = 0; ///< the same of those that there are; 0: none
-    State                                       frozen;             ///< at which they were made
-    std::unique_ptr<LinearStrains>              frozen_strains;     ///< of the same configuration
-    unsigned int                                n_steps_with_factors = 0, fresh_iterations = 0;
-    double                                      extra_iterations = 0; ///< more than with fresh factors
-    SparseMatrix                                C, K;
+    std::vector<Factor>            factors;
+    double                         energy_scale    = 0;  ///< at the start of the step
+    double                         kinetic_energy  = 0;  ///< mean of the stages
+    double                         moved_energy    = 0;  ///< kinetic, and what strain energy has changed by
+    double                         first_strain    = -1; ///< energy at the first step; negative: not known
+    double                         factored_step   = 0;  ///< step size of the factors; 0: to be made anew
+    double                         step_of_factors = 0;  ///< the same of those that there are; 0: none
+    State                          frozen;               ///< at which they were made
+    std::unique_ptr<LinearStrains> frozen_strains;       ///< of the same configuration
+    unsigned int                   n_steps_with_factors = 0, fresh_iterations = 0;
+    double                         extra_iterations = 0; ///< more than with fresh factors
+    SparseMatrix                   C, K;
     /** Of the mass matrix, where it is not zero, and where that is in the pattern of the factors. */
     struct MassEntry
     {
@@ -124,12 +136,12 @@ namespace samara
       double       value;
     };
     std::vector<MassEntry> mass;
-    std::vector<double>                         gap_scale; ///< of multipliers, see row_scale(); 1 where that is 0
-    std::vector<bool>                           is_constraint_entry, is_nonholonomic;
-    std::vector<bool>                           is_active; ///< multipliers: neither released nor left out
+    std::vector<double>    gap_scale; ///< of multipliers, see row_scale(); 1 where that is 0
+    std::vector<bool>      is_constraint_entry, is_nonholonomic;
+    std::vector<bool>      is_active; ///< multipliers: neither released nor left out
 
-    std::unique_ptr<ExactStages> exact;            ///< the exact matrix, made when it is needed first
-    bool                         is_exact = false; ///< whether it is in use
+    std::unique_ptr<ExactStages>                exact;            ///< the exact matrix, made when it is needed first
+    bool                                        is_exact = false; ///< whether it is in use
     std::vector<std::unique_ptr<LinearStrains>> stage_strains;    ///< for it
 
     std::unique_ptr<RedundantRows> redundant; ///< made when a state has rows left out
@@ -149,8 +161,8 @@ namespace samara
     std::vector<std::complex<double>> x, matrix;
     SparseMatrix                      real_matrix;
     std::vector<int>                  entries_in_use; ///< of the system's pattern, in that of the factors; empty: all
-    Eigen::VectorXd                   final_weights; ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
-    Eigen::VectorXd                   mode_weights;  ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
+    Eigen::VectorXd                   final_weights;  ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
+    Eigen::VectorXd                   mode_weights;   ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
     std::vector<double>               x_real, x_rates, x_states, e, mean_rates, no_multipliers, time_rates, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
     std::vector<std::vector<double>>  d_exact;               ///< those of the exact matrix, or residuals for it
@@ -198,8 +210,20 @@ namespace samara
     double largest_gap(double h) const;
     /** λ̄ ρ, the force of a correction per rate. */
     double force_of(const Layout::Correction &correction, double h) const;
+    /** The same from functions rate(k) and multiplier(k) of the stages, and the mean rate of the constraint. */
+    template <typename Number, typename Rate, typename Multiplier>
+    static Number
+    force_of(const Tableau &tableau, double h, const Rate &rate, const Multiplier &multiplier, const Number &mean_rate);
     /** Increments of the stages from their residuals: dz, dz_rate, d_lambda; false without a solution for the stops. */
-    bool   solve_for_increments(double h);
+    bool solve_for_increments(double h);
+    /** Solve with the factors for the residuals; increments from the solutions. @{ */
+    void apply_factors(double h);
+    void collect_increments(double h);
+    /** @} */
+    /** Twist by which a node's increments change its velocity in stage @p k: δy = ζ̇ + ad_y ζ. */
+    Vector6 change_of_twist(unsigned int k, unsigned int node) const;
+    /** An approximation of the unknowns X of all stages with J X = r, for one factorisation: see StepTangent. */
+    void   solve_stages(const std::vector<double> &r, std::vector<double> &X);
     double solve(double h);
 
     /** @name Stops; gaps at the start, forces of the last evaluation @{ */
@@ -291,16 +315,38 @@ namespace samara
     /** Derivatives of the residuals and excesses by α, times @p epsilon; @p v are stresses. */
     void add_derivatives(const std::vector<Vector6> &u, const std::vector<double> &v, double epsilon);
     /** Residuals and excesses of the stages as they are now, less those of @p base. */
-    void evaluate_difference(const State &state, double h, const std::vector<Stage> &base);
-    void find_frequency(const State &state, double h, StepDifference::Field &field);
-    bool find_load_defect(const State &state, double h);
-    void add_loads(double time, double weight, Stage &stage);
+    void                evaluate_difference(const State &state, double h, const std::vector<Stage> &base);
+    void                find_frequency(const State &state, double h, StepDifference::Field &field);
+    bool                find_load_defect(const State &state, double h);
+    void                add_loads(double time, double weight, Stage &stage);
     std::vector<double> sum_of_stages(const std::vector<std::vector<double>> &values,
                                       const Eigen::VectorXd                  &weights) const;
     std::vector<double> resolved_part(const std::vector<double> &displacement);
     /** @} */
-    void                        finish(State &state, double h);
+    void finish(State &state, double h);
   };
+
+
+
+  template <typename Number, typename Rate, typename Multiplier>
+  Number
+  StageIntegrator::force_of(const Tableau    &tableau,
+                            const double      h,
+                            const Rate       &rate,
+                            const Multiplier &multiplier,
+                            const Number     &mean_rate)
+  {
+    // where the coordinate turns less than this a step, ρ is a quotient of round-off, and the work not worth mentioning
+    constexpr double least_turn = 1e-8;
+    Number           lambda = 0, squares = 0;
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        const Number turn = h * rate(k);
+        lambda += tableau.b(k) * multiplier(k);
+        squares += tableau.b(k) * (turn * turn);
+      }
+    return lambda * (h * h * mean_rate * squares / (squares * squares + std::pow(least_turn, 4)));
+  }
 } // namespace samara
 
 #endif

@@ -1,0 +1,188 @@
+/*
+ * Problem:   the tangent of a step, ∂x_{n+1}/∂x_n
+ * Reference: central differences of sixth order of converged steps; Padé's approximants of the exponential
+ */
+
+#include <samara/time/step_tangent.h>
+
+#include "../states/scenes.h"
+
+#include <cmath>
+#include <random>
+
+#include "systems.h"
+
+using namespace samara;
+
+namespace
+{
+  constexpr double tolerance = 1e-14; ///< of Newton's method
+
+  /** The state from which an increment leads away, @p epsilon times. */
+  State
+  moved(const System &system, const State &state, const std::vector<double> &x, const double epsilon)
+  {
+    const Layout &layout      = system.layout;
+    const int     n_positions = layout.of_multiplier(0);
+    State         result      = state;
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const Vector6       zeta = epsilon * Eigen::Map<const Vector6>(&x[layout.of_node(node)]);
+        Eigen::Map<Vector3> place(&result.q[12 * node]);
+        Eigen::Map<Matrix3> D(&result.q[12 * node + 3]);
+        place += D * zeta.head<3>();
+        D = (D * rotation_of_vector(zeta.tail<3>())).eval();
+        Eigen::Map<Vector6>(&result.y[6 * node]) +=
+          epsilon * Eigen::Map<const Vector6>(&x[n_positions + layout.of_node(node)]);
+      }
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      {
+        result.coordinates[i] += epsilon * x[layout.of_coordinate(i)];
+        result.rates[i] += epsilon * x[n_positions + layout.of_coordinate(i)];
+      }
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      result.states[i] += epsilon * x[layout.of_state(i)];
+    return result;
+  }
+
+
+
+  /** The increment between two states, as seen from the first one. */
+  std::vector<double>
+  increment(const System &system, const State &from, const State &to)
+  {
+    const Layout       &layout      = system.layout;
+    const int           n_positions = layout.of_multiplier(0);
+    std::vector<double> x(n_positions + layout.n_kinematic());
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const Matrix3 D = from.triad(node);
+        Eigen::Map<Vector6>(&x[layout.of_node(node)]) << D.transpose() * (to.position(node) - from.position(node)),
+          axial(D.transpose() * to.triad(node));
+        Eigen::Map<Vector6> velocity(&x[n_positions + layout.of_node(node)]);
+        velocity = Eigen::Map<const Vector6>(&to.y[6 * node]) - Eigen::Map<const Vector6>(&from.y[6 * node]);
+      }
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      {
+        x[layout.of_coordinate(i)]               = to.coordinates[i] - from.coordinates[i];
+        x[n_positions + layout.of_coordinate(i)] = to.rates[i] - from.rates[i];
+      }
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      x[layout.of_state(i)] = to.states[i] - from.states[i];
+    return x;
+  }
+
+
+
+  /** The derivative of a step along @p x, by steps from states up to 3 @p epsilon away; empty if one does not converge.
+   */
+  std::vector<double>
+  by_differences(const System              &system,
+                 const State               &start,
+                 const State               &end,
+                 const Tableau             &tableau,
+                 const double               h,
+                 const std::vector<double> &x,
+                 const double               epsilon)
+  {
+    const double        weights[] = {0.75, -0.15, 1. / 60};
+    std::vector<double> result(x.size(), 0.);
+    for (int j = 1; j <= 3; ++j)
+      for (const int side : {1, -1})
+        {
+          StageIntegrator integrator(system, tableau, tolerance);
+          State           state = moved(system, start, x, side * j * epsilon);
+          if (!integrator.step(state, h).converged)
+            return {}; // too far away
+          const auto there = increment(system, end, state);
+          for (unsigned int i = 0; i < x.size(); ++i)
+            result[i] += side * weights[j - 1] / epsilon * there[i];
+        }
+    return result;
+  }
+
+
+
+  /** Positions and velocities apart: those of one are far larger than those of the other where steps are short. */
+  double
+  worst_distance(const System &system, const std::vector<double> &a, const std::vector<double> &b)
+  {
+    const auto part = [&](const std::vector<double> &x, const bool velocities) {
+      const auto middle = x.begin() + system.layout.of_multiplier(0);
+      return velocities ? std::vector<double>(middle, x.end()) : std::vector<double>(x.begin(), middle);
+    };
+    return std::max(distance(part(a, false), part(b, false)), distance(part(a, true), part(b, true)));
+  }
+
+
+
+  /** A random increment that the constraints allow, as a step leaves one. */
+  std::vector<double>
+  random_increment(StepTangent &tangent, const double h, const unsigned int seed)
+  {
+    std::mt19937                           generator(seed);
+    std::uniform_real_distribution<double> number(-1., 1.);
+    std::vector<double>                    x(tangent.size());
+    for (unsigned int i = 0; i < x.size(); ++i)
+      x[i] = number(generator) * (i < tangent.first_velocity() ? h : 1.);
+    tangent.apply(x.data());
+    return x;
+  }
+
+
+
+  /** @p bound: of the distance from the best of some differences, whose own errors are larger in stiff systems. */
+  void
+  compare(const System &system, const State &begin, const Tableau &tableau, const double h, const double bound)
+  {
+    StageIntegrator integrator(system, tableau, tolerance);
+    State           state = begin;
+    for (unsigned int i = 0; i < 3; ++i)
+      ASSERT_TRUE(integrator.step(state, h).converged);
+    State start = state;
+    ASSERT_TRUE(integrator.step(state, h).converged);
+    const auto                before = integrator.linearize(start);
+    const std::vector<double> x      = random_increment(*before, h, 7);
+
+    start = state;
+    ASSERT_TRUE(integrator.step(state, h).converged);
+    const unsigned int  n_factorizations = integrator.n_factorizations;
+    const auto          tangent          = integrator.linearize(start);
+    std::vector<double> image            = x;
+    tangent->apply(image.data());
+    EXPECT_EQ(integrator.n_factorizations, n_factorizations);
+    double smallest = 1;
+    for (const double epsilon : {1e-2, 1e-3, 1e-4})
+      if (const auto expected = by_differences(system, start, state, tableau, h, x, epsilon); !expected.empty())
+        smallest = std::min(smallest, worst_distance(system, image, expected));
+    EXPECT_LT(smallest, bound);
+  }
+} // namespace
+
+
+
+TEST(StepTangent, IsThatOfConvergedStepsOfAllSystems)
+{
+  for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
+    for (const Tableau &tableau : {Tableau(1, 1.), Tableau(2, 0.5), Tableau(3, 0.)})
+      {
+        SCOPED_TRACE("s = " + std::to_string(tableau.s));
+        compare(system, start, tableau, what.h, what.T > 0 ? 1e-10 : 1e-9);
+      }
+  });
+}
+
+
+
+TEST(StepTangent, WithStatesOfFirstOrder)
+{
+  for (const auto &text : {oscillator_with_lag(), top_with_controls()})
+    {
+      const Scene scene(text);
+      State       start = scene.system.reference();
+      scene.system.add_initial_velocities(start);
+      Projection(scene.system).velocities(start);
+      for (const Tableau &tableau : {Tableau(1, 1.), Tableau(2, 0.5), Tableau(3, 0.)})
+        compare(scene.system, start, tableau, 0.02, 1e-10);
+    }
+}
