@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace samara
@@ -246,34 +247,54 @@ namespace samara
     if (node_frames.empty())
       return;
     drawing.begin_object(name);
-    const unsigned int first_sample = drawing.samples.size(), first_corner = drawing.corners.size(),
-                       object = drawing.objects.size() - 1;
-    for (unsigned int i = 0; i < node_frames.size(); ++i)
-      {
-        Sample sample;
-        sample.x            = node_frames[i].position(state.q.data());
-        sample.D            = node_frames[i].triad(state.q.data());
-        sample.displacement = sample.x - mesh->nodes[i];
-        sample.velocity     = sample.D * node_frames[i].twist(state.y.data()).head<3>();
-        drawing.samples.push_back(sample);
-        drawing.corners.push_back({sample.x, first_sample + i, object});
-      }
     // the nodes of a cell by rows of equal second coordinate
-    std::vector<unsigned int> rows(table->n_nodes);
-    for (unsigned int a = 0; a < rows.size(); ++a)
-      rows[a] = a;
-    std::sort(rows.begin(), rows.end(), [&](const unsigned int a, const unsigned int b) {
+    std::vector<unsigned int> order(table->n_nodes);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
       const auto &x = table->nodes[a], &y = table->nodes[b];
       return std::abs(x[1] - y[1]) > 1e-12 ? x[1] < y[1] : x[0] < y[0];
     });
-    for (const auto &cell : mesh->cells)
-      for (unsigned int j = 0; j < degree; ++j)
-        for (unsigned int i = 0; i < degree; ++i)
+    // each cell has points of its own: section forces jump between cells, and axes at corners
+    std::vector<Sample> samples(table->n_nodes);
+    for (unsigned int i = 0; i < elements.size(); ++i)
+      {
+        for (unsigned int k = 0; k < order.size(); ++k)
+          samples[k] = drawing.sample(elements[i].frames[order[k]], state);
+        const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
+        if (i < n_elements())
+          draw_section_forces(i, state, order, first, drawing);
+      }
+  }
+
+
+
+  void
+  Shell::draw_section_forces(const unsigned int               element,
+                             const State                     &state,
+                             const std::vector<unsigned int> &order,
+                             const unsigned int               first_sample,
+                             Drawing                         &drawing) const
+  {
+    // those of plate_forces: three forces, three moments, two shear forces
+    Field *const fields[3] = {&drawing.field("membrane force", "N/m", {"11", "22", "12"}),
+                              &drawing.field("bending moment", "N", {"11", "22", "12"}),
+                              &drawing.field("shear force", "N/m", {"1", "2"})};
+    for (unsigned int k = 0; k < order.size(); ++k)
+      {
+        VectorN stress = VectorN::Zero();
+        for (unsigned int g = 0; g < table->n_points; ++g)
+          stress += to_nodes(order[k], g) *
+                    Eigen::Map<const VectorN>(&state.stress[first_strain + n * (elements[element].first_point + g)]);
+        std::array<double, 8> values;
+        for (unsigned int i = 0; i < 8; ++i)
           {
-            const auto corner = [&](const unsigned int k, const unsigned int l) {
-              return first_corner + cell.nodes[rows[k + (degree + 1) * l]];
-            };
-            drawing.quads.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+            values[i] = 0;
+            for (const auto &[row, weight] : plate_forces[i].weights)
+              values[i] += weight * stress(row);
           }
+        for (unsigned int f = 0; f < 3; ++f)
+          fields[f]->set(first_sample + k,
+                         std::vector<double>(values.begin() + 3 * f, values.begin() + std::min(8u, 3 * f + 3)));
+      }
   }
 } // namespace samara

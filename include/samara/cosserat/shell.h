@@ -109,6 +109,13 @@ namespace samara
     /** A named point, or "at ...". @throws std::invalid_argument */
     NamedPoint point_named(const std::string &point) const;
 
+    /** Section forces of an element at its nodes, as fields at samples in this @p order of the nodes. */
+    void draw_section_forces(unsigned int                     element,
+                             const State                     &state,
+                             const std::vector<unsigned int> &order,
+                             unsigned int                     first_sample,
+                             Drawing                         &drawing) const;
+
     /** The mean of a section force, weights times the stresses of a point, over the cells at a node with its axes. */
     double resultant(unsigned int node, const VectorN &weights, const State &state) const;
   };
