@@ -7,12 +7,16 @@
 #include <samara/catalogue.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/cosserat/shell.h>
+#include <samara/joints/distributing.h>
 #include <samara/joints/flexible_joint.h>
 #include <samara/joints/lower_pairs.h>
 #include <samara/joints/other_joints.h>
 #include <samara/joints/rolling.h>
+#include <samara/joints/support.h>
 #include <samara/loads/loads.h>
 #include <samara/section/layup.h>
+#include <samara/loads/surface_loads.h>
 #include <samara/states/first_order.h>
 
 namespace samara
@@ -37,6 +41,7 @@ namespace samara
     Registry<Item> bodies;
     bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
     bodies.add<Beam>("beam", "geometrically exact composite beam");
+    bodies.add<Shell>("shell", "geometrically exact shell");
 
     Registry<Item> joints;
     joints.add<Revolute>("revolute", "hinge about axis 3");
@@ -52,7 +57,20 @@ namespace samara
     joints.add<Gear>("gear", "ratio between the rotations of two joints");
     joints.add<FlexibleJoint>("flexible joint", "six springs and dampers");
     joints.add<RollingBall>("rolling ball", "ball that rolls on a plane without slipping");
+    joints.add<Support>("support", "holds points and edges of shells on the ground");
+    joints.add<Distributing>("distributing", "attaches a body to the mean motion of edges of shells");
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
+
+    Registry<Item> loads;
+    loads.add<Gravity>("gravity", "weight of everything");
+    loads.add<ConcentratedLoad>("point load", "force and moment at a point of a body");
+    loads.add<LineLoad>("line load", "force and moment per length of a beam or an edge");
+    loads.add<AreaLoad>("area load", "force and moment per area of a shell");
+    loads.add<Pressure>("pressure", "force along the normal of a shell that follows it");
+    loads.add<SteadyRotation>("steady rotation", "rotation of the model, or of a joint with what it carries along");
+
+    Registry<Item> states;
+    states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
 
     Registry<Item> airfoils;
     airfoils.add<AnalyticAirfoil>("analytic", "coefficients in closed form");

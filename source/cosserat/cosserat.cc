@@ -20,9 +20,8 @@ namespace samara
 
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
-        // derivatives of position by the unit coordinates in the axes of the first node's tangent plane
+        // derivatives of position by the unit coordinates
         Eigen::Matrix<double, 3, dim> dx = Eigen::Matrix<double, 3, dim>::Zero();
-        Matrix3                       d  = Matrix3::Zero();
         for (unsigned int a = 0; a < t.n_nodes; ++a)
           for (unsigned int alpha = 0; alpha < dim; ++alpha)
             dx.col(alpha) += t.gradient_at_points[alpha](g, a) * nodes[a].x;
@@ -35,12 +34,14 @@ namespace samara
           }
         else
           {
-            // local axes: director 1 of the element's middle, made tangent to the surface
-            for (const auto &node : nodes)
-              d += node.D;
+            // directions of the derivatives: director 1 there, made tangent to the surface, so that they are those of the
+            // components
+            Vector3 d_1 = Vector3::Zero();
+            for (unsigned int a = 0; a < t.n_nodes; ++a)
+              d_1 += t.value_at_points(g, a) * nodes[a].D.col(0);
             const Vector3               normal = dx.col(0).cross(dx.col(1)).normalized();
             Eigen::Matrix<double, 3, 2> axes;
-            axes.col(0)  = (d.col(0) - normal * normal.dot(d.col(0))).normalized();
+            axes.col(0)  = (d_1 - normal * normal.dot(d_1)).normalized();
             axes.col(1)  = normal.cross(axes.col(0));
             point.T      = (axes.transpose() * dx).inverse().transpose();
             point.weight = t.weights(g) * dx.col(0).cross(dx.col(1)).norm();

@@ -84,7 +84,7 @@ namespace samara
             B.setZero();
             for (unsigned int alpha = 0; alpha < dim; ++alpha)
               for (unsigned int k = 0; k < t.n_tying; ++k)
-                for (unsigned int beta = 0; beta < dim; ++beta)
+                for (unsigned int beta = 0; beta < dim && t.interpolation[alpha](g, k) != 0.; ++beta)
                   B.template middleRows<6>(6 * beta) += point.T(beta, alpha) * t.interpolation[alpha](g, k) *
                                                         s.B_tied.template middleRows<6>(6 * (alpha * t.n_tying + k));
           }

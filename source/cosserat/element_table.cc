@@ -53,6 +53,10 @@ namespace samara
     points                     = rule.get_points();
     n_points                   = rule.size();
     weights                    = Eigen::Map<const Eigen::VectorXd>(rule.get_weights().data(), n_points);
+    value_at_points.resize(n_points, n_nodes);
+    for (unsigned int g = 0; g < n_points; ++g)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        value_at_points(g, a) = fe.shape_value(a, points[g]);
 
     for (unsigned int alpha = 0; alpha < dim; ++alpha)
       {

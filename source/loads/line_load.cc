@@ -1,6 +1,7 @@
 #include <samara/base/composite_rule.h>
 #include <samara/base/text.h>
 #include <samara/loads/loads.h>
+#include <samara/loads/surface_loads.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,8 @@ namespace samara
   void
   LineLoad::add_parameters(Parameters &prm)
   {
-    prm.add("Body", body, "Beam along which it acts.");
+    prm.add("Body", body, "Beam, or shell, along which it acts.");
+    prm.add("Edge", edge, "Of a shell: the edge along which it acts, edge u0.");
     prm.add("Force", force, "Components per length, expressions of time t and signals [N/m].");
     prm.add("Moment", moment, "Components per length, expressions of time t and signals [N].");
     prm.add("Variation", variation, "Factor along the beam, a function of the arc length s in metres [1].");
@@ -27,7 +29,12 @@ namespace samara
     std::string where = "Body";
     try
       {
-        const auto along = model.find<Body>(body, "body").spans();
+        const Body &found = model.find<Body>(body, "body");
+        if (parameters.is_set("Edge"))
+          where = "Edge";
+        const auto along = parameters.is_set("Edge") ? surface_body(model, body).edge(edge) : found.spans();
+        if (along.empty() && dynamic_cast<const SurfaceBody *>(&found) != nullptr)
+          throw std::invalid_argument("say along which <Edge> of shell <" + body + "> the load acts");
         if (along.empty())
           throw std::invalid_argument("body <" + body + "> has no length along which a load could act");
         where = "Variation";

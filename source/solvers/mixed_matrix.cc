@@ -48,13 +48,14 @@ namespace samara
     sigma = shift;
     reduce_points();
     assemble();
-    scale = equilibrating_factors(*A, 6);
-    const Pattern &pattern = *A->pattern;
-    SparseMatrix   scaled(A->pattern);
+    const auto whole = eliminate();
+    scale            = equilibrating_factors(*whole, 6);
+    const Pattern &pattern = *whole->pattern;
+    SparseMatrix   scaled(whole->pattern);
     for (int j = 0; j < pattern.size(); ++j)
       for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        scaled.values[k] = A->values[k] * scale[j] * scale[pattern.rows[k]];
-    solver = make_solver(A->pattern, library_in_use(), Ordering::columns);
+        scaled.values[k] = whole->values[k] * scale[j] * scale[pattern.rows[k]];
+    solver = make_solver(whole->pattern, library_in_use(), Ordering::columns);
     try
       {
         solver->factorize(scaled);
@@ -193,7 +194,6 @@ namespace samara
 
 
 
-  // Rows and columns alike, until the largest entry of each is about 1 (Ruiz 2001): pivots do not depend on units.
   void
   MixedMatrix::add_viscous_part(const double *zeta, double *b) const
   {
@@ -253,15 +253,155 @@ namespace samara
 
 
 
+  bool
+  MixedMatrix::is_eliminated(const unsigned int point) const
+  {
+    return motion.strains.points[point].size > 6 && motion.B_dot.n_rows() == 0 && points[point].F.rows() > 0;
+  }
+
+
+
+  namespace
+  {
+    /** Sums BᵀF⁻¹B of points that follow each other at the same nodes, those of an element. */
+    class ElementSums
+    {
+    public:
+      explicit ElementSums(std::vector<Eigen::Triplet<double>> &entries)
+        : entries(entries)
+      {}
+
+      /** @p unknowns are sorted; @p B has a column for each. */
+      void
+      add(const std::vector<int> &unknowns, const Eigen::MatrixXd &B, const Eigen::MatrixXd &stiffness)
+      {
+        if (unknowns != columns)
+          {
+            flush();
+            columns = unknowns;
+            sum.setZero(columns.size(), columns.size());
+          }
+        sum.noalias() += B.transpose() * (stiffness * B);
+      }
+
+      void
+      flush()
+      {
+        for (unsigned int j = 0; j < columns.size(); ++j)
+          for (unsigned int i = 0; i < columns.size(); ++i)
+            if (sum(i, j) != 0.)
+              entries.emplace_back(columns[i], columns[j], sum(i, j));
+        columns.clear();
+      }
+
+    private:
+      std::vector<Eigen::Triplet<double>> &entries;
+      std::vector<int>                     columns;
+      Eigen::MatrixXd                      sum;
+    };
+  } // namespace
+
+
+
+  std::unique_ptr<SparseMatrix>
+  MixedMatrix::eliminate()
+  {
+    place.assign(size(), 0);
+    stiffness.assign(points.size(), {});
+    for (unsigned int g = 0; g < points.size(); ++g)
+      if (is_eliminated(g))
+        {
+          stiffness[g] = points[g].F.ldlt().solve(Eigen::MatrixXd::Identity(points[g].F.rows(), points[g].F.cols()));
+          std::fill_n(place.begin() + n + points[g].first, points[g].F.rows(), -1);
+        }
+    n_left = 0;
+    for (auto &p : place)
+      p = p < 0 ? -1 : static_cast<int>(n_left++);
+
+    std::vector<Eigen::Triplet<double>> entries;
+    for_entries([&](const int i, const int j, const double value) {
+      if (place[i] >= 0 && place[j] >= 0)
+        entries.emplace_back(place[i], place[j], value);
+    });
+    ElementSums      sums(entries);
+    std::vector<int> unknowns;
+    for (unsigned int g = 0; g < points.size(); ++g)
+      {
+        if (stiffness[g].size() == 0)
+          continue;
+        // all six unknowns of each node: the same for all points of an element, whatever happens to be zero
+        const unsigned int first = rows.start[points[g].first], last = rows.start[points[g].first + points[g].F.rows()];
+        unknowns.clear();
+        for (unsigned int k = first; k < last; ++k)
+          unknowns.push_back(rows.columns[k] - rows.columns[k] % 6);
+        std::sort(unknowns.begin(), unknowns.end());
+        unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+        std::vector<int> all;
+        for (const int node : unknowns)
+          for (int i = 0; i < 6; ++i)
+            all.push_back(node + i);
+        Eigen::MatrixXd B = Eigen::MatrixXd::Zero(points[g].F.rows(), all.size());
+        for (int i = 0; i < B.rows(); ++i)
+          for (unsigned int k = rows.start[points[g].first + i]; k < rows.start[points[g].first + i + 1]; ++k)
+            B(i, std::lower_bound(all.begin(), all.end(), static_cast<int>(rows.columns[k])) - all.begin()) +=
+              rows.values[k];
+        sums.add(all, B, stiffness[g]);
+      }
+    sums.flush();
+    Eigen::SparseMatrix<double> sum(n_left, n_left);
+    sum.setFromTriplets(entries.begin(), entries.end());
+    return from_eigen(sum);
+  }
+
+
+
+  void
+  MixedMatrix::condense(double *b) const
+  {
+    for (unsigned int g = 0; g < points.size(); ++g)
+      if (stiffness[g].size() > 0)
+        {
+          const unsigned int    first = points[g].first;
+          const Eigen::VectorXd s = stiffness[g] * Eigen::Map<const Eigen::VectorXd>(b + n + first, stiffness[g].rows());
+          for (int i = 0; i < s.size(); ++i)
+            for (unsigned int k = rows.start[first + i]; k < rows.start[first + i + 1]; ++k)
+              b[rows.columns[k]] += rows.values[k] * s(i);
+        }
+  }
+
+
+
+  void
+  MixedMatrix::expand(double *b, const std::vector<double> &e) const
+  {
+    for (unsigned int g = 0; g < points.size(); ++g)
+      if (stiffness[g].size() > 0)
+        {
+          const unsigned int first = points[g].first;
+          Eigen::VectorXd    strain(stiffness[g].rows());
+          for (int i = 0; i < strain.size(); ++i)
+            strain(i) = rows.row_times(first + i, b) - e[n + first + i];
+          Eigen::Map<Eigen::VectorXd>(b + n + first, strain.size()) = stiffness[g] * strain;
+        }
+  }
+
+
+
   void
   MixedMatrix::solve_scaled(double *b) const
   {
     ++n_solutions;
+    const std::vector<double> given(b, b + size());
+    condense(b);
+    left.resize(n_left);
     for (unsigned int i = 0; i < size(); ++i)
-      b[i] *= scale[i];
-    solver->solve(b);
+      if (place[i] >= 0)
+        left[place[i]] = b[i] * scale[place[i]];
+    solver->solve(left.data());
     for (unsigned int i = 0; i < size(); ++i)
-      b[i] *= scale[i];
+      if (place[i] >= 0)
+        b[i] = left[place[i]] * scale[place[i]];
+    expand(b, given);
   }
 
 

@@ -41,6 +41,65 @@ subsection Dynamic
 end
 )";
 
+  /** Two plates with a corner of half a radian between them, that fly and are bent; and one more without it. */
+  inline std::string
+  shell(const std::string &load, const std::string &joint = "")
+  {
+    return R"(
+set Analyses = dynamic
+subsection Materials
+  subsection ply
+    set Type    = isotropic
+    set E       = 1e6
+    set Density = 1000
+  end
+end
+subsection Layups
+  subsection single
+    set Plies = ply, 0, 0.05
+  end
+end
+subsection Bodies
+  subsection it
+    set Type           = shell
+    set Patches        = u, 0.5*v, 0; 1 + u*cos(0.5), 0.5*v, u*sin(0.5)
+    set Elements       = 2, 1
+    set Degree         = 2
+    set Crease angle   = 0.4
+    set E              = 1e6
+    set Thickness      = 0.05
+    set Density        = 1000
+    set Frames         = place at 0.5 0.5
+  end
+  subsection other
+    set Type           = shell
+    set Patches        = u, 2 + 0.5*v, 0
+    set Elements       = 1, 1
+    set Degree         = 2
+    set E              = 1e6
+    set Thickness      = 0.05
+    set Density        = 1000
+  end
+end
+subsection Joints
+)" + joint +
+           R"(
+end
+subsection Loads
+  subsection pull
+    set Type   = point load
+    set At     = it.at 0 0
+    set Force  = 1, 2, 30
+  end
+)" + load +
+           R"(
+end
+subsection Output
+  set Probes = it.at 0 0.position x, it.at 1 1.position y, it.at 1 0.displacement z, it.at 1 0.moment 11, it.at 1 0.force 12, other.at 1 1.velocity z
+end
+)" + two_steps;
+  }
+
   /** A beam that flies and is bent; its section is @p section. */
   inline std::string
   beam(const std::string &section)
@@ -240,8 +299,20 @@ subsection Bodies
     set Elements = 1
     set Degree   = 2
   end
+  subsection plate
+    set Type      = shell
+    set Patches   = u, 2 + 0.5*v, 0
+    set Elements  = 1, 1
+    set Degree    = 2
+    set E         = 1e8
+    set Thickness = 0.05
+  end
 end
 subsection Joints
+  subsection root of the plate
+    set Type  = support
+    set Along = plate.edge u0
+  end
   subsection root
     set Type     = )" +
            std::string(hinged ? "revolute" : "rigid") + R"(

@@ -57,6 +57,7 @@ TEST_F(Catalogued, AllKinds)
                                    "lifting line",
                                    "rigid body",
                                    "beam",
+                                   "shell",
                                    "revolute",
                                    "prismatic",
                                    "screw",
@@ -71,9 +72,13 @@ TEST_F(Catalogued, AllKinds)
                                    "flexible joint",
                                    "rolling ball",
                                    "knife edge",
+                                   "support",
+                                   "distributing",
                                    "gravity",
                                    "point load",
                                    "line load",
+                                   "area load",
+                                   "pressure",
                                    "steady rotation",
                                    "static",
                                    "modal",
@@ -242,6 +247,69 @@ TEST_F(Catalogued, Bodies)
 
 
 
+TEST_F(Catalogued, Shells)
+{
+  const std::string plate = models::shell(""), folder = ScratchFolder().path, no_patches = "Bodies/it/Patches = ";
+  // two cells that are bent between them by less than the crease angle
+  files["mesh.inp"] = "*NODE\n1,0,0,0\n2,1,0,0\n3,2,0,.3\n4,0,1,0\n5,1,1,0\n6,2,1,.3\n*ELEMENT, TYPE=S4\n"
+                      "1,1,2,5,4\n2,2,3,6,5\n";
+  const auto joined = [](std::vector<std::string> a, const std::vector<std::string> &b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  const std::vector<std::string> places = {"Loads/pull/At = it.at 0 0 0", "Output/Probes = it.at 0 0 0.position x"},
+                                 grid   = {no_patches, "Bodies/it/Grid = hyper_cube", "Bodies/it/Grid arguments = 0 : 1 : true"};
+  check("shell",
+        plate,
+        "Bodies/it",
+        {{"Patches", "u, 0.5*v, 0; 1 + u*cos(0.5), 0.5*v, u*sin(0.4)"},
+         {"Elements", "3, 1"},
+         {"Merge", "false"},
+         {"Grid", "hyper_cube", joined(places, {"Bodies/it/Grid arguments = 0 : 1 : true"}), false, {no_patches}},
+         {"Grid arguments", "0 : 2 : true", joined(places, grid)},
+         {"Refinements", "1", joined(places, grid)},
+         {"Mesh file", folder + "/mesh.inp", places, false, {no_patches}},
+         {"Curved", "false", joined(places, {no_patches, "Bodies/it/Mesh file = " + folder + "/mesh.inp"})},
+         {"Degree", "3", {"Loads/pull/Force = 0, 0, 500"}},
+         {"Crease angle", "0.6"},
+         {"Axis 1", "1, 1, 0"},
+         {"Layup", "single", {}, true}, // beside E
+         {"E", "2e6"},
+         {"Poisson ratio", "0.2"},
+         {"Thickness", "0.06"},
+         {"Density", "900"},
+         {"Offset", "0.02"},
+         {"Damping", "0.01"},
+         {"Frames", "place at 0.5 1", {"Loads/pull/At = it.place"}},
+         {"Rigid edges", "root at edge u0"},
+         {"Rigid", "true", {"Output/Probes = it.at 0 0.position x"}},
+         {"Velocity", "0.1, 0, 0"},
+         {"Angular velocity", "0.3, 0.2, -0.6"}});
+  check("support",
+        models::shell("",
+                      "subsection it\n set Type = support\n set Along = it.edge u0\n set Fixed = displacement 3\nend\n"),
+        "Joints/it",
+        {{"Along", "it.edge v0"},
+         {"Fixed", "displacement 3, rotation 1"},
+         {"Axis", "1, 0, 1"},
+         {"Axis 1", "1, 1, 0", {"Joints/it/Fixed = displacement 1"}}});
+  check("distributing",
+        models::shell("",
+                      "subsection it\n set Type = distributing\n set Along = it.edge u0\n set Body = other.at 0 0\nend\n"),
+        "Joints/it",
+        {{"Along", "it.edge v0"}, {"Body", "other.at 1 0"}});
+  check("area load",
+        models::shell("subsection it\n set Type = area load\n set Body = it\n set Force = 1, 2, 3\nend\n"),
+        "Loads/it",
+        {{"Body", "other"}, {"Force", "1, 2, 4"}, {"Moment", "1, 2, 3"}, {"Axes", "body"}});
+  check("pressure",
+        models::shell("subsection it\n set Type = pressure\n set Body = it\n set Pressure = 10\nend\n"),
+        "Loads/it",
+        {{"Body", "other"}, {"Pressure", "12"}});
+}
+
+
+
 TEST_F(Catalogued, States)
 {
   const std::string model =
@@ -269,7 +337,14 @@ TEST_F(Catalogued, Loads)
   check("line load",
         models::blade("set Type = line load\n set Body = blade\n set Force = 1, 2, 3\n"),
         "Loads/it",
-        {{"Body", "second"}, {"Force", "1, 2, 4"}, {"Moment", "1, 2, 3"}, {"Variation", "1 - s"}, {"Axes", "body"}});
+        {{"Body", "second"},
+         {"Edge",
+          "edge u1",
+          {"Loads/it/Body = plate", "Loads/it/Edge = edge v0", "Output/Probes = plate.at 1 1.displacement z"}},
+         {"Force", "1, 2, 4"},
+         {"Moment", "1, 2, 3"},
+         {"Variation", "1 - s"},
+         {"Axes", "body"}});
   // the whole model turns, or the blade at its root; held there at an angle
   const std::string turning = "set Type = steady rotation\n set Speed = 10\n";
   check("steady rotation",

@@ -162,6 +162,44 @@ subsection Joints
                            " set Variation = 1 + s^2\n end\n subsection g\n set Type = line load\n set Body = rod\n"
                            " set Force = 1, t, 3\n set Moment = 2, -1, t^2\n set Axes = body\n"
                            " set Variation = s < 0.7 ? 1 : -s\n end\nend\n";
+    // two walls with a corner between them, above their reference surface
+    const std::string walls = R"(
+  subsection wall
+    set Type = shell
+    set Patches = 3 + u, v, 0.2*u*v; 4, v, 0.2*v + u
+    set Elements = 1, 1
+    set Degree = 2
+    set E = 3
+    set Poisson ratio = 0.3
+    set Thickness = 0.5
+    set Offset = 0.1
+    set Density = 0.4
+    set Damping = 0.2
+  end
+)";
+    s["shell"] = {"", walls, ""};
+    s["support"] = {"",
+                    walls,
+                    "subsection Joints\n subsection a\n set Type = support\n set Along = wall.edge u0, rod.end\n"
+                    " set Fixed = displacement 1, rotation 2\n end\n subsection b\n set Type = support\n"
+                    " set Along = wall.edge v1\n set Fixed = rotation 1, rotation 2\n set Axis = 1, 2, -1\n end\n"
+                    " subsection c\n set Type = support\n set Along = block\n"
+                    " set Fixed = displacement 3, rotation 1, rotation 2, rotation 3\n end\nend\n"};
+    s["distributing"] = {"",
+                         walls,
+                         "subsection Joints\n subsection a\n set Type = distributing\n"
+                         " set Along = wall.edge u0, wall.patch 2 edge v1\n set Body = rod.end\n end\nend\n"};
+    s["area load"] = {"",
+                      walls,
+                      "subsection Loads\n subsection f\n set Type = area load\n set Body = wall\n set Force = 1, t, 3\n"
+                      " set Moment = 2, -1, t\n end\n subsection g\n set Type = area load\n set Body = wall\n"
+                      " set Force = 1, t, 3\n set Moment = 2, -1, t\n set Axes = body\n end\n subsection h\n"
+                      " set Type = line load\n set Body = wall\n set Edge = edge v0\n set Force = 1, t, 3\n"
+                      " set Variation = 1 + s\n end\nend\n"};
+    s["pressure"] = {"",
+                     walls,
+                     "subsection Loads\n subsection p\n set Type = pressure\n set Body = wall\n"
+                     " set Pressure = 2 + t\n end\nend\n"};
     s["steady rotation"].rest = hinge + "end\nsubsection Loads\n subsection r\n set Type = steady rotation\n set Joint = a\n"
                                    " set Speed = 3\n end\nend\n";
     return s;

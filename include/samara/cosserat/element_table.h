@@ -35,6 +35,9 @@ namespace samara
     /** interpolation[α](g, t): weight of tying point t of direction α at integration point g. */
     std::vector<Eigen::MatrixXd> interpolation;
 
+    /** Values of all shape functions at integration points, (point, node). */
+    Eigen::MatrixXd value_at_points;
+
     /** Derivatives of all shape functions at integration points and at nodes, (point, node) for each direction. */
     std::vector<Eigen::MatrixXd> gradient_at_points, gradient_at_nodes;
   };

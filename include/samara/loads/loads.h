@@ -159,7 +159,7 @@ namespace samara
 
 
   /**
-   * A force p(s) f and a moment p(s) m per length along a beam, p its variation. The virtual work is
+   * A force p(s) f and a moment p(s) m per length along a beam or an edge of a shell, p its variation. The virtual work is
    *
    *     ∫ p (f · δx + m · δθ) ds,   x = Σ N_a x_a,  δθ = Σ N_a D_a θ_a,   of a follower with d f, d m for d = Σ N_a
    * D_a,
@@ -175,7 +175,7 @@ namespace samara
     void initialize(Model &model) override;
 
   private:
-    std::string body;
+    std::string body, edge;
     Expression  variation{1.};
 
     void add_span(const Span &span);

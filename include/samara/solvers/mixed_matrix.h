@@ -36,6 +36,10 @@ namespace samara
    *
    * No product BᵀCB is formed: in it soft strains lose what stiff ones round, ε GA L²/EI n² of the lowest modes.
    * Stresses without stiffness are left out. Each solution is refined once with the residual of these rows.
+   *
+   * Points of more than six strains, those of shells, of which there are many with many unknowns each, are eliminated
+   * before the factorisation, BᵀF⁻¹B; what rounds there the refinement makes good as long as bending is not 1e12 times
+   * softer than the membrane over an element.
    */
   class MixedMatrix
   {
@@ -98,10 +102,22 @@ namespace samara
     std::unique_ptr<LinearSolver> solver;
     mutable std::vector<double>   right_side, residual;
 
+    std::vector<int>                place;      ///< of each unknown among those that are left; negative: eliminated
+    unsigned int                    n_left = 0; ///< after the elimination
+    std::vector<Eigen::MatrixXd>    stiffness;  ///< F⁻¹ of the points that are eliminated; empty of others
+    mutable std::vector<double>     left;
+
     void  reduce_points();
     Point reduced(const StrainRows::Point &p) const;
     void  add_rows(const StrainRows::Point &p, const Point &reduced);
     void  assemble();
+
+    bool is_eliminated(unsigned int point) const;
+    /** Decide what is eliminated, and give the matrix of what is left. */
+    std::unique_ptr<SparseMatrix> eliminate();
+    /** Stress by stress: f += Bᵀ F⁻¹ e before a solution, and s = F⁻¹ (B ζ − e) after it. */
+    void condense(double *b) const;
+    void expand(double *b, const std::vector<double> &e) const;
     void  solve_scaled(double *b) const;
   };
 } // namespace samara

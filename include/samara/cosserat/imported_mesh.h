@@ -1,0 +1,34 @@
+#ifndef samara_cosserat_imported_mesh_h
+#define samara_cosserat_imported_mesh_h
+
+#include <samara/rotation/rotation.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  /** Straight quadrilaterals of a file, as they are given. */
+  struct ImportedMesh
+  {
+    std::vector<Vector3>                     vertices;       ///< [m]
+    std::vector<std::array<unsigned int, 4>> quadrilaterals; ///< corners around each
+
+    /** Sides of quadrilaterals by the names that the file gives to curves or sets of nodes. */
+    std::map<std::string, std::vector<std::array<unsigned int, 2>>> lines;
+    std::map<std::string, std::vector<unsigned int>>                sets; ///< of vertices, by name
+  };
+
+  /**
+   * Reads a mesh of Gmsh (.msh, formats 2.2 and 4.1, text) or Abaqus (.inp: *NODE, *ELEMENT, *NSET). Names of curves
+   * are those of their physical groups, or the numbers of these.
+   *
+   * @throws std::invalid_argument, naming the line, for what is not understood, for triangles and for elements of
+   * higher order: cells are straight here.
+   */
+  ImportedMesh read_mesh_file(const std::string &file);
+} // namespace samara
+
+#endif

@@ -1,0 +1,124 @@
+#ifndef samara_cosserat_shell_h
+#define samara_cosserat_shell_h
+
+#include <samara/cosserat/cosserat.h>
+#include <samara/cosserat/initial_velocity.h>
+#include <samara/cosserat/shell_mesh.h>
+#include <samara/model/relative_motion.h>
+#include <samara/model/surface.h>
+#include <samara/section/laminate.h>
+
+namespace samara
+{
+  /**
+   * A geometrically exact shell: Cosserat<2> on a reference surface with a laminate, shear-flexible, with large
+   * displacements and rotations.
+   *
+   * Axes: d₃ normal to the surface (g₁ × g₂ of the cells), d₁ the projection of "Axis 1" on the tangent plane, d₂ = d₃
+   * × d₁. Of the twelve strains Γ_α1 Γ_α2 Γ_α3 K_α1 K_α2 K_α3 along the directions α = 1, 2 those of a plate are
+   *
+   *     ε₁₁ = Γ₁₁   γ₁₂ = Γ₁₂ + Γ₂₁   ε₂₂ = Γ₂₂   κ₁₁ = K₁₂   2κ₁₂ = K₂₂ − K₁₁   κ₂₂ = −K₂₁   γ₁₃ = Γ₁₃   γ₂₃ = Γ₂₃
+   *
+   * The rest, Γ₁₂ − Γ₂₁ (drilling), K₁₁ + K₂₂, K₁₃ and K₂₃, has a stiffness of a tenth of that in shear, so that it
+   * stays small. Normals at nodes are those of the interpolated surface, averaged over cells whose normals differ by
+   * less than the crease angle; where more meet, they share the node, each with a triad of its own.
+   *
+   * Order 2p in frequencies; no locking, though degree 2 is slow in very thin curved shells. Degree 1 is refused where
+   * a cell is no parallelogram. Mass at the nodes by the Gauss–Lobatto rule; rotary inertia also about the normal.
+   *
+   * Source: doc/theory/shell.md.
+   */
+  class Shell : public Cosserat<2>, public SurfaceBody, public RelativeMotions
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+
+    /** Those of the entries "Frames" and "Rigid edges"; "at u v" on the first patch or "at x y z", where a node is. */
+    Frame                    frame(const std::string &point) const override;
+    std::vector<std::string> points() const override;
+
+    std::vector<SurfaceCell> surface() const override;
+    std::vector<Span>        edge(const std::string &name) const override;
+    std::vector<std::string> edges() const override;
+    double                   thickness() const override;
+
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
+    void                     draw(const State &state, Drawing &drawing) const override;
+
+    std::vector<unsigned int> rigid_nodes() const override;
+    void                      add_initial_velocities(State &state) const override;
+
+  private:
+    // entries
+    std::vector<std::array<SurfaceFunction, 3>> patch_entries;
+    std::vector<PatchElements>                  element_counts = {PatchElements()};
+    unsigned int                                degree         = 3;
+    bool                                        merges         = true;
+    std::string                                 grid, grid_arguments, mesh_file;
+    bool                                        is_curved   = true;
+    unsigned int                                refinements = 0;
+    double                                      crease      = 20 * M_PI / 180;
+    Vector3                                     axis_1      = Vector3::Zero();
+    std::string                                 layup_name;
+    double                                      E = 0, nu = 0, density = 0, thickness_entry = 0, offset = 0;
+    double                                      relaxation_time = 0;
+    std::vector<std::string>                    frame_entries, rigid_edges;
+    bool                                        rigid = false;
+    InitialVelocity                             initial_velocity;
+
+    Model                             *model = nullptr;
+    std::unique_ptr<Laminate>          laminate;
+    std::unique_ptr<ShellMesh>         mesh;
+    std::shared_ptr<const SurfaceRule> rule;
+    Eigen::MatrixXd                    to_nodes; ///< values at the nodes of a cell from those at its integration points
+
+    /** Of each node of the mesh, with the axes of the first cell there. */
+    std::vector<Frame> node_frames;
+
+    /** A point that has a name, or has been asked for. */
+    struct NamedPoint
+    {
+      Frame   frame;
+      Vector3 x;         ///< reference position [m]
+      Matrix3 D;         ///< reference axes
+      int     node = -1; ///< of the mesh; negative if it is none
+    };
+    std::map<std::string, NamedPoint> named;
+    std::vector<Matrix3>              node_axes; ///< of the reference configuration, of the nodes of the mesh
+
+    void    make_laminate();
+    bool    make_mesh();
+    void    make_rule();
+    MatrixN stiffness() const;
+    Matrix6 inertia() const; ///< per area, in the axes of the surface
+    void    make_nodes_and_elements();
+    void    name_points();
+    void    make_rigid_edges();
+
+    /** Unit normals of the cells at their nodes, averaged over cells within the crease angle. */
+    std::vector<std::vector<Vector3>> normals() const;
+    /** Axes of a cell at its nodes. @throws std::invalid_argument if "Axis 1" is normal to it. */
+    std::vector<Matrix3> triads(unsigned int cell, const std::vector<Vector3> &normals) const;
+
+    NamedPoint point_of(unsigned int node) const;
+    /** The node of the mesh at "0.5 0" or "1 0.2 0.3". @throws std::invalid_argument if there is none. */
+    unsigned int node_at(const std::string &place) const;
+    /** A named point, or "at ...". @throws std::invalid_argument */
+    NamedPoint point_named(const std::string &point) const;
+
+    /** Section forces of an element at its nodes, as fields at samples in this @p order of the nodes. */
+    void draw_section_forces(unsigned int                     element,
+                             const State                     &state,
+                             const std::vector<unsigned int> &order,
+                             unsigned int                     first_sample,
+                             Drawing                         &drawing) const;
+
+    /** The mean of a section force, weights times the stresses of a point, over the cells at a node with its axes. */
+    double resultant(unsigned int node, const VectorN &weights, const State &state) const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,171 @@
+#ifndef samara_cosserat_shell_mesh_h
+#define samara_cosserat_shell_mesh_h
+
+#include <samara/base/surface_function.h>
+#include <samara/cosserat/element_table.h>
+#include <samara/rotation/rotation.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  struct ImportedMesh;
+
+  /** Numbers of elements along the two coordinates of a patch, written "4, 8". */
+  struct PatchElements
+  {
+    unsigned int u = 4, v = 4;
+  };
+
+  template <>
+  struct Value<PatchElements>
+  {
+    static constexpr char separator = ';';
+    static constexpr bool has_unit  = false;
+
+    static PatchElements  read(const std::string &text, const std::string &unit, const Quantities &quantities);
+    static std::string    write(const PatchElements &value);
+    static PatternPointer pattern();
+  };
+
+
+
+  /** A patch as users write it: x, y, z [m] as functions of u and v from 0 to 1. */
+  struct ShellPatch
+  {
+    std::array<SurfaceFunction, 3> position;
+    PatchElements                  elements;
+  };
+
+
+
+  /**
+   * Quadrilaterals of one degree in space, the order of their nodes that of ElementTable<2>. Cells that share a side
+   * share its nodes; a side may belong to more than two (branches). Normals are g₁ × g₂; those of neighbours are on the
+   * same side of the surface.
+   */
+  class ShellMesh
+  {
+  public:
+    explicit ShellMesh(const ElementTable<2> &table)
+      : table(table)
+    {}
+
+    struct Cell
+    {
+      std::vector<unsigned int> nodes;
+      unsigned int              patch = 0;
+    };
+
+    /** Side 0, 1: the first unit coordinate is 0, 1; side 2, 3: the second is. */
+    struct Side
+    {
+      unsigned int cell, side;
+    };
+
+    std::vector<Vector3>                     nodes; ///< [m]
+    std::vector<Cell>                        cells;
+    std::map<std::string, std::vector<Side>> edges; ///< by name
+
+    /** Where a node has been made: patch and coordinates on it. */
+    struct Origin
+    {
+      unsigned int patch;
+      double       u, v;
+      unsigned int node;
+    };
+    std::vector<Origin> origins;
+
+    /**
+     * Add a patch; its edges are "edge u0", "edge u1", "edge v0", "edge v1", behind "patch 2 " for the second and so
+     * on.
+     * @throws std::invalid_argument if a place is not finite.
+     */
+    void add_patch(const ShellPatch &patch);
+
+    /**
+     * Add a grid of deal.II's GridGenerator, "hyper_sphere" with the arguments "0, 0, 0 : 1", each cell refined so many
+     * times into four, curved as its manifold says; edges are "edge 0" and so on by their boundary ids.
+     * @throws std::invalid_argument with what deal.II says of function and arguments.
+     */
+    void add_grid(const std::string &function, const std::string &arguments, unsigned int refinements);
+    void add_triangulation(const dealii::Triangulation<2, 3> &triangulation);
+
+    /**
+     * Add the cells of a file. If they are to be @p curved, sides are cubics between the tangent planes at their ends,
+     * those of the averaged normals of the straight cells that differ by less than the angle @p crease [rad]; where
+     * planes meet at a crease, sides follow the crease. Edges are "edge NAME" by the names of lines and, of sides that
+     * belong to one cell, of sets of nodes.
+     * @throws std::invalid_argument for named lines that are no sides.
+     */
+    void add_cells(const ImportedMesh &mesh, bool curved, double crease);
+
+    /** Nodes at one place, as near as 1e-6 of the size of all, become one. @throws if a cell would lose a node by it.
+     */
+    void merge();
+
+    /**
+     * Make the normals of neighbours consistent, beginning with those of the first cell of each connected part, and
+     * collect what sides belong to one cell only as "boundary". If @p sides_must_meet, boundaries must not touch.
+     * @throws std::invalid_argument for a surface with one side only (Moebius), for cells that are not convex, for
+     * those of degree 1 that are no parallelograms, and for boundaries that touch without sharing nodes.
+     */
+    void finish(bool sides_must_meet);
+
+    /** Numbers of the nodes of a side, along it. */
+    std::vector<unsigned int> nodes_of(const Side &side) const;
+
+    /** A side with its nodes in the direction in which an edge is walked. */
+    struct Step
+    {
+      unsigned int              cell;
+      std::vector<unsigned int> nodes;
+    };
+    /** The sides of a named edge one behind the other, from one of its ends if it has ends; pieces follow each other.
+     */
+    std::vector<Step> walk(const std::string &edge) const;
+
+    /** Shares of the length of a side in its nodes, by the Gauss–Lobatto rule [m]; @p side as of nodes_of(). */
+    std::vector<double> lengths_of(const std::vector<unsigned int> &side) const;
+
+    /** Arc lengths of the nodes of a side from its first one [m]. */
+    std::vector<double> abscissae_of(const std::vector<unsigned int> &side) const;
+
+    /** x,₁ and x,₂ of a cell at one of its nodes. */
+    std::array<Vector3, 2> tangents(const Cell &cell, unsigned int node) const;
+
+    double size() const; ///< diagonal of the box about all nodes [m]
+
+    /** "the cell of patch 2 about (1, 2, 0)", for messages */
+    std::string name_of(unsigned int cell) const;
+
+  private:
+    const ElementTable<2> &table;
+    unsigned int           n_patches = 0;
+
+    void name_edges(const ImportedMesh                                                       &mesh,
+                    const std::map<std::pair<unsigned int, unsigned int>, std::vector<Side>> &sides);
+
+    /** The derivative of the curve through the nodes of a side at a unit coordinate [m]. */
+    Vector3 slope(const std::vector<unsigned int> &side, double xi) const;
+
+    void check_shapes() const;
+    void orient();
+    /** Exchange the unit coordinates of these cells. */
+    void turn_over(const std::vector<int> &turned);
+    void check_contacts() const;
+
+    /** Of a point from a side, given by its nodes [m]. */
+    double distance(const Vector3 &x, const std::vector<unsigned int> &side) const;
+
+    /** The sides of cells by the sorted numbers of their nodes. */
+    std::map<std::vector<unsigned int>, std::vector<Side>> cells_at_sides() const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,65 @@
+#ifndef samara_loads_surface_loads_h
+#define samara_loads_surface_loads_h
+
+#include <samara/loads/loads.h>
+#include <samara/model/surface.h>
+
+namespace samara
+{
+  /**
+   * A force f and a moment m per area of the reference surface of a shell: dead loads, snow, thrust. The virtual work
+   * is that of a line load with areas for lengths, see LineLoad, integrated by Gauss's rule with (p + 1)² points a
+   * cell; followers have components along d₁ d₂ d₃ of the surface. What presses on the deformed area is a Pressure.
+   */
+  class AreaLoad : public WrenchLoad
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+
+  private:
+    std::string body;
+  };
+
+
+
+  /**
+   * Pressure p on the surface of a shell, positive along the normal d₃: a force p per deformed area, normal to the
+   * deformed surface, on its reference surface. On node a, from points of weights w in the unit square,
+   *
+   *     f_a = Σ_g w_g p N_a (x,₁ × x,₂)
+   *
+   * It follows, so its tangent is not symmetric, and its work is counted as that of loads. It has no moment: an offset
+   * of the laminate is neglected.
+   */
+  class Pressure : public Item, public Evaluated<Pressure, Force>
+  {
+  public:
+    void   add_parameters(Parameters &prm) override;
+    void   initialize(Model &model) override;
+    void   connect(Layout &layout) override;
+    void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    double next_corner(double from, double to) const override;
+
+    template <typename Number>
+    void residual_at(const Point<Number> &point, Number *r) const;
+
+  private:
+    std::string    body;
+    FunctionOfTime pressure;
+
+    struct Cell
+    {
+      SurfaceCell surface;
+      Block       block;
+    };
+    std::vector<Cell> cells;
+  };
+
+  /** The body of that name as one with a surface. @throws std::invalid_argument if it is none. */
+  const SurfaceBody &surface_body(const Model &model, const std::string &name);
+
+  extern template class Evaluated<Pressure, Force>;
+} // namespace samara
+
+#endif

@@ -1,0 +1,379 @@
+// Meshes of other programs: Gmsh and Abaqus.
+
+#include <samara/base/text.h>
+#include <samara/base/text_file.h>
+#include <samara/cosserat/imported_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    /** The lines of a file with their numbers, and numbers read from them one after the other. */
+    class Lines
+    {
+    public:
+      explicit Lines(const std::string &file)
+        : file(file)
+        , in(text_of_file(file))
+      {}
+
+      bool
+      next(std::string &line)
+      {
+        if (!std::getline(in, line))
+          return false;
+        ++number;
+        line = trim(line);
+        return true;
+      }
+
+      /** So many numbers, on as many lines as they take; with 0, those of one line. */
+      std::vector<double>
+      numbers(const std::size_t n)
+      {
+        std::vector<double> result;
+        std::string         line;
+        do
+          {
+            if (!next(line))
+              fail("the file ends too early");
+            const auto of_line = numbers_of(line, ' ');
+            result.insert(result.end(), of_line.begin(), of_line.end());
+          }
+        while (result.size() < n);
+        if (n > 0 && result.size() != n)
+          fail("there are " + std::to_string(result.size()) + " numbers in place of " + std::to_string(n));
+        return result;
+      }
+
+      std::vector<double>
+      numbers_of(std::string line, const char separator)
+      {
+        std::replace(line.begin(), line.end(), separator, ' ');
+        std::istringstream  words(line);
+        std::vector<double> result;
+        std::string         word;
+        double              value = 0;
+        while (words >> word)
+          {
+            if (!text_to_number(word, value) || !std::isfinite(value))
+              fail("<" + word + "> is not a number");
+            result.push_back(value);
+          }
+        return result;
+      }
+
+      [[noreturn]] void
+      fail(const std::string &what) const
+      {
+        throw std::invalid_argument(file + ":" + std::to_string(number) + ": " + what);
+      }
+
+    private:
+      std::string        file;
+      std::istringstream in;
+      unsigned int       number = 0;
+    };
+
+
+
+    /** Vertices by the numbers they have in the file. */
+    class Vertices
+    {
+    public:
+      Vertices(ImportedMesh &mesh, const Lines &lines)
+        : mesh(mesh)
+        , lines(lines)
+      {}
+
+      void
+      add(const double number, const Vector3 &x)
+      {
+        if (!numbers.emplace(std::lround(number), mesh.vertices.size()).second)
+          lines.fail("there are two nodes " + std::to_string(std::lround(number)));
+        mesh.vertices.push_back(x);
+      }
+
+      unsigned int
+      at(const double number) const
+      {
+        const auto found = numbers.find(std::lround(number));
+        if (found == numbers.end())
+          lines.fail("there is no node " + std::to_string(std::lround(number)));
+        return found->second;
+      }
+
+    private:
+      ImportedMesh                &mesh;
+      const Lines                 &lines;
+      std::map<long, unsigned int> numbers;
+    };
+
+
+
+    class GmshReader
+    {
+    public:
+      GmshReader(ImportedMesh &mesh, Lines &lines)
+        : mesh(mesh)
+        , lines(lines)
+        , vertices(mesh, lines)
+      {}
+
+      void
+      read()
+      {
+        std::string line;
+        while (lines.next(line))
+          if (line == "$MeshFormat")
+            read_format();
+          else if (line == "$PhysicalNames")
+            read_names();
+          else if (line == "$Entities")
+            read_entities();
+          else if (line == "$Nodes")
+            version < 3 ? read_nodes_2() : read_nodes_4();
+          else if (line == "$Elements")
+            version < 3 ? read_elements_2() : read_elements_4();
+        if (version == 0)
+          lines.fail("this is no mesh of Gmsh: it has no $MeshFormat");
+      }
+
+    private:
+      ImportedMesh               &mesh;
+      Lines                      &lines;
+      Vertices                    vertices;
+      double                      version = 0;
+      std::map<long, std::string> names;       // of physical curves
+      std::map<long, long>        physical_of; // of the curves of format 4
+
+      void
+      read_format()
+      {
+        const auto format = lines.numbers(0);
+        version           = format.at(0);
+        if (std::abs(version - 2.2) > 1e-9 && std::abs(version - 4.1) > 1e-9)
+          lines.fail("formats 2.2 and 4.1 of Gmsh are read, not " + number_to_text(version));
+        if (format.size() > 1 && format[1] != 0)
+          lines.fail("the file is binary: save it as text (Mesh.Binary = 0)");
+      }
+
+      void
+      read_names()
+      {
+        const long  n = std::lround(lines.numbers(1)[0]);
+        std::string line;
+        for (long i = 0; i < n && lines.next(line); ++i)
+          {
+            std::istringstream words(line);
+            long               dimension = 0, number = 0;
+            words >> dimension >> number;
+            const auto first = line.find('"'), last = line.rfind('"');
+            if (!words || last <= first || last == std::string::npos)
+              lines.fail("a physical name is written <1 2 \"root\">");
+            if (dimension == 1)
+              names[number] = line.substr(first + 1, last - first - 1);
+          }
+      }
+
+      void
+      read_entities()
+      {
+        const auto n = lines.numbers(4);
+        for (unsigned int dimension = 0; dimension < 4; ++dimension)
+          for (long i = 0; i < std::lround(n[dimension]); ++i)
+            {
+              const auto         of_line = lines.numbers(0);
+              const unsigned int at      = dimension == 0 ? 4 : 7;
+              if (of_line.size() <= at)
+                lines.fail("an entity has a number, its box, and its physical groups");
+              if (dimension == 1 && of_line[at] > 0 && of_line.size() > at + 1)
+                physical_of[std::lround(of_line[0])] = std::abs(std::lround(of_line[at + 1]));
+            }
+      }
+
+      void
+      read_nodes_2()
+      {
+        const long n = std::lround(lines.numbers(1)[0]);
+        for (long i = 0; i < n; ++i)
+          {
+            const auto x = lines.numbers(4);
+            vertices.add(x[0], {x[1], x[2], x[3]});
+          }
+      }
+
+      void
+      read_nodes_4()
+      {
+        const auto n = lines.numbers(4);
+        for (long block = 0; block < std::lround(n[0]); ++block)
+          {
+            const auto          of_block = lines.numbers(4);
+            std::vector<double> tags;
+            for (long i = 0; i < std::lround(of_block[3]); ++i)
+              tags.push_back(lines.numbers(1)[0]);
+            for (const double tag : tags)
+              {
+                const auto x = lines.numbers(0);
+                if (x.size() < 3)
+                  lines.fail("a node has three coordinates");
+                vertices.add(tag, {x[0], x[1], x[2]});
+              }
+          }
+      }
+
+      void
+      add_element(const long type, const double *nodes, const std::size_t n_nodes, const long physical)
+      {
+        const auto at = [&](const unsigned int i) { return vertices.at(nodes[i]); };
+        if (type == 15)
+          return;
+        if (type == 2)
+          lines.fail("there is a triangle: shells have quadrilaterals (Recombine Surface, Mesh.RecombineAll = 1)");
+        if (type >= 4 && type <= 7)
+          lines.fail("there is a solid element: a shell is a surface");
+        if (type != 1 && type != 3)
+          lines.fail("there is an element of higher order (type " + std::to_string(type) +
+                     "): save the mesh with Mesh.ElementOrder = 1, and choose the <Degree> of the shell");
+        if (n_nodes < (type == 1 ? 2 : 4))
+          lines.fail("an element has too few nodes");
+        if (type == 3)
+          mesh.quadrilaterals.push_back({{at(0), at(1), at(2), at(3)}});
+        else if (physical > 0)
+          mesh.lines[names.count(physical) > 0 ? names.at(physical) : std::to_string(physical)].push_back(
+            {{at(0), at(1)}});
+      }
+
+      void
+      read_elements_2()
+      {
+        const long n = std::lround(lines.numbers(1)[0]);
+        for (long i = 0; i < n; ++i)
+          {
+            const auto e = lines.numbers(0);
+            if (e.size() < 3 || e.size() < 3 + static_cast<std::size_t>(std::max(0., e[2])))
+              lines.fail("an element is written <number type n-tags tags nodes>");
+            const auto first = 3 + static_cast<std::size_t>(e[2]);
+            add_element(std::lround(e[1]), e.data() + first, e.size() - first, e[2] > 0 ? std::lround(e[3]) : 0);
+          }
+      }
+
+      void
+      read_elements_4()
+      {
+        const auto n = lines.numbers(4);
+        for (long block = 0; block < std::lround(n[0]); ++block)
+          {
+            const auto of_block = lines.numbers(4);
+            const long physical = physical_of.count(std::lround(of_block[1])) > 0 && of_block[0] == 1 ?
+                                    physical_of.at(std::lround(of_block[1])) :
+                                    0;
+            for (long i = 0; i < std::lround(of_block[3]); ++i)
+              {
+                const auto e = lines.numbers(0);
+                if (e.empty())
+                  lines.fail("an element is missing");
+                add_element(std::lround(of_block[2]), e.data() + 1, e.size() - 1, physical);
+              }
+          }
+      }
+    };
+
+
+
+    std::string
+    upper(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::toupper(c); });
+      return text;
+    }
+
+    /** The value of "NSET = root" among the options of a keyword; "" if it is not there. */
+    std::string
+    option(const std::string &line, const std::string &name)
+    {
+      for (const auto &part : split_top_level(line, ','))
+        {
+          const auto equal = part.find('=');
+          if (equal != std::string::npos && upper(trim(part.substr(0, equal))) == name)
+            return trim(part.substr(equal + 1));
+        }
+      return "";
+    }
+
+    void
+    read_abaqus(ImportedMesh &mesh, Lines &lines)
+    {
+      Vertices    vertices(mesh, lines);
+      std::string line, keyword, set, type;
+      while (lines.next(line))
+        {
+          if (line.empty() || line.substr(0, 2) == "**")
+            continue;
+          if (line[0] == '*')
+            {
+              keyword = upper(trim(line.substr(0, line.find(','))));
+              set     = option(line, "NSET");
+              type    = upper(option(line, "TYPE"));
+              if (keyword == "*NSET" && upper(line).find("GENERATE") != std::string::npos)
+                keyword = "*NSET GENERATE";
+              continue;
+            }
+          if (keyword != "*NODE" && keyword != "*ELEMENT" && keyword.substr(0, 5) != "*NSET")
+            continue;
+          const auto numbers = lines.numbers_of(line, ',');
+          if (keyword == "*NODE")
+            {
+              if (numbers.size() < 4)
+                lines.fail("a node has a number and three coordinates");
+              vertices.add(numbers[0], {numbers[1], numbers[2], numbers[3]});
+            }
+          else if (keyword == "*ELEMENT")
+            {
+              if (numbers.size() == 4)
+                lines.fail("there is a triangle (" + type + "): shells have quadrilaterals");
+              if (numbers.size() != 5)
+                lines.fail("there is an element of " + std::to_string(numbers.size() - 1) + " nodes (" + type +
+                           "): shells have quadrilaterals of four");
+              mesh.quadrilaterals.push_back(
+                {{vertices.at(numbers[1]), vertices.at(numbers[2]), vertices.at(numbers[3]), vertices.at(numbers[4])}});
+            }
+          else if (keyword == "*NSET GENERATE")
+            {
+              if (numbers.size() < 2 || (numbers.size() > 2 && numbers[2] < 1))
+                lines.fail("a set is generated by its first number, its last one, and a step");
+              for (double i = numbers[0]; i <= numbers[1]; i += numbers.size() > 2 ? numbers[2] : 1)
+                mesh.sets[set].push_back(vertices.at(i));
+            }
+          else
+            for (const double i : numbers)
+              mesh.sets[set].push_back(vertices.at(i));
+        }
+    }
+  } // namespace
+
+
+
+  ImportedMesh
+  read_mesh_file(const std::string &file)
+  {
+    Lines             lines(file);
+    ImportedMesh      mesh;
+    const std::string ending = file.size() > 4 ? upper(file.substr(file.size() - 4)) : "";
+    if (ending == ".MSH")
+      GmshReader(mesh, lines).read();
+    else if (ending == ".INP")
+      read_abaqus(mesh, lines);
+    else
+      throw std::invalid_argument("the name of a mesh ends with .msh (Gmsh) or .inp (Abaqus), not as <" + file + ">");
+    if (mesh.quadrilaterals.empty())
+      throw std::invalid_argument(file + " has no quadrilaterals");
+    return mesh;
+  }
+} // namespace samara

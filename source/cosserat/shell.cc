@@ -1,0 +1,471 @@
+#include <samara/base/text.h>
+#include <samara/cosserat/imported_mesh.h>
+#include <samara/cosserat/shell.h>
+#include <samara/section/elasticity.h>
+#include <samara/section/layup.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  void
+  Shell::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Patches",
+            patch_entries,
+            "x, y, z of each patch of the reference surface as functions of u and v from 0 to 1: x, y, z; x, y, z; ... "
+            "[m].");
+    prm.add("Elements",
+            element_counts,
+            "Numbers of elements along u and v; one pair for all patches, or a pair for each: 4, 8; 2, 8.");
+    prm.add("Merge", merges, "Whether nodes of patches at one place are one node; false leaves a slit open.");
+    prm.add("Grid",
+            grid,
+            "Instead of patches: a function of deal.II's GridGenerator that makes a surface in space, hyper_sphere, "
+            "torus.");
+    prm.add("Grid arguments", grid_arguments, "Its arguments, separated by colons: 0, 0, 0 : 1; plain SI numbers.");
+    prm.add("Refinements", refinements, "How often each cell of the grid is cut into four.", Integer(0, 10));
+    prm.add_file(
+      "Mesh file",
+      mesh_file,
+      "Instead of patches: a mesh of Gmsh (.msh, text) or Abaqus (.inp) with quadrilaterals of four corners; in "
+      "metres; relative to the .prm file that says it.");
+    prm.add(
+      "Curved",
+      is_curved,
+      "Whether cells of a mesh file are curved between the normals at their corners, or as flat as they are given.");
+    prm.add("Degree",
+            degree,
+            "Polynomial degree p of an element, 1 to 6; 1 only on parallelograms. 3 or 4 for curved thin shells.",
+            Integer(1, 6));
+    prm.add("Crease angle",
+            crease,
+            "Cells whose normals differ by less at a node have one normal there, averaged; more is a corner [rad].",
+            Double(0, M_PI));
+    prm.add(
+      "Axis 1",
+      axis_1,
+      "Direction whose projection on the surface is axis 1; 0, 0, 0: x, or without a layup the next that is not nearly normal [1].");
+    prm.add(
+      "Layup",
+      layup_name,
+      "Name of the layup; the normal points from its first ply to its last, angles turn from axis 1 to axis 2. Or "
+      "an isotropic material by the next four entries.");
+    prm.add("E", E, "Young's modulus [Pa].", Double(0));
+    prm.add("Poisson ratio", nu, "Poisson's ratio [1].", Double(-1, 0.5));
+    prm.add("Density", density, "Density [kg/m^3].", Double(0));
+    prm.add("Thickness", thickness_entry, "Thickness [m].", Double(0));
+    prm.add("Offset", offset, "Of the middle of the thickness from the reference surface, along the normal [m].");
+    prm.add("Damping",
+            relaxation_time,
+            "Stiffness-proportional damping: viscous stress is this time times the rate of elastic stress [s].",
+            Double(0));
+    prm.add("Frames",
+            frame_entries,
+            "Points others can attach to, where the mesh has a node: name at u v (on the first patch), name at x y z "
+            "(inertial coordinates, plain numbers in metres), ...");
+    prm.add(
+      "Rigid edges",
+      rigid_edges,
+      "Edges that are kept as stiff as a rigid body, each with a name for a frame at its centre with inertial axes, "
+      "to which others can attach: root at edge u0, ...");
+    prm.add("Rigid", rigid, "Whether the shell is a rigid body with its mass; it then adds a single node.");
+    initial_velocity.add_parameters(prm, "first node of the mesh");
+  }
+
+
+
+  void
+  Shell::initialize(Model &model_)
+  {
+    model             = &model_;
+    const auto before = model->complaints.count();
+    make_laminate();
+    if (!make_mesh() || laminate == nullptr || model->complaints.count() != before)
+      return;
+    make_rule();
+    materials.push_back({stiffness(), relaxation_time * stiffness()});
+    make_nodes_and_elements();
+    if (model->complaints.count() != before)
+      return;
+    name_points();
+    make_rigid_edges();
+    if (!rigid)
+      return;
+    make_rigid();
+    for (const auto &frame : node_frames)
+      model->weld(node_frames[0], frame);
+  }
+
+
+
+  void
+  Shell::make_laminate()
+  {
+    if (parameters.is_set("Layup"))
+      {
+        for (const std::string entry : {"E", "Poisson ratio", "Density", "Thickness"})
+          if (parameters.is_set(entry))
+            model->complaints.add(parameters.where(entry),
+                                  "shell <" + name + "> has a <Layup>, which says what <" + entry + "> is");
+        try
+          {
+            laminate = std::make_unique<Laminate>(model->find<Layup>(layup_name, "layup").laminae());
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            model->complaints.add(parameters.where("Layup"), problem.what());
+          }
+        return;
+      }
+    for (const auto &[entry, value] : {std::pair("E", E), std::pair("Thickness", thickness_entry)})
+      if (value <= 0)
+        model->complaints.add(parameters.where(entry),
+                              "shell <" + name + "> needs a <Layup>, or <" + entry + "> above zero");
+    if (nu <= -1 || nu >= 0.5)
+      model->complaints.add(parameters.where("Poisson ratio"),
+                            "Poisson's ratio of shell <" + name + "> must be above -1 and below 0.5");
+    else if (E > 0 && thickness_entry > 0)
+      laminate = std::make_unique<Laminate>(
+        std::vector<Lamina>{{elasticity::isotropic_stiffness(E, nu), 0., thickness_entry, density}});
+  }
+
+
+
+  bool
+  Shell::make_mesh()
+  {
+    const bool        has_patches = !patch_entries.empty();
+    const std::string given       = has_patches ? "Patches" : !grid.empty() ? "Grid" : "Mesh file";
+    if (has_patches + !grid.empty() + !mesh_file.empty() != 1)
+      {
+        model->complaints.add(parameters.where(given),
+                              "shell <" + name + "> needs either <Patches>, or a <Grid>, or a <Mesh file>");
+        return false;
+      }
+    if (has_patches && element_counts.size() != 1 && element_counts.size() != patch_entries.size())
+      {
+        model->complaints.add(parameters.where("Elements"),
+                              "give one pair of numbers of elements, or one for each of the " +
+                                std::to_string(patch_entries.size()) + " patches");
+        return false;
+      }
+    table = std::make_shared<ElementTable<2>>(degree);
+    mesh  = std::make_unique<ShellMesh>(*table);
+    try
+      {
+        for (unsigned int i = 0; i < patch_entries.size(); ++i)
+          mesh->add_patch({patch_entries[i], element_counts[element_counts.size() == 1 ? 0 : i]});
+        if (!grid.empty())
+          mesh->add_grid(grid, grid_arguments, refinements);
+        if (!mesh_file.empty())
+          mesh->add_cells(read_mesh_file(mesh_file), is_curved, crease);
+        if (has_patches && merges)
+          mesh->merge();
+        mesh->finish(merges && has_patches);
+        return true;
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where(given), "shell <" + name + ">: " + problem.what());
+        return false;
+      }
+  }
+
+
+
+  void
+  Shell::make_rule()
+  {
+    const dealii::FE_Q<2>   fe(degree);
+    const dealii::QGauss<2> gauss(degree + 1);
+    auto                    made = std::make_shared<SurfaceRule>();
+    const unsigned int      n_q = gauss.size(), n_nodes = table->n_nodes;
+    made->N.resize(n_q, n_nodes);
+    made->dN_1.resize(n_q, n_nodes);
+    made->dN_2.resize(n_q, n_nodes);
+    made->weights = Eigen::Map<const Eigen::VectorXd>(gauss.get_weights().data(), n_q);
+    for (unsigned int g = 0; g < n_q; ++g)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          made->N(g, a)    = fe.shape_value(a, gauss.point(g));
+          made->dN_1(g, a) = fe.shape_grad(a, gauss.point(g))[0];
+          made->dN_2(g, a) = fe.shape_grad(a, gauss.point(g))[1];
+        }
+    rule = made;
+    // as many points of integration as nodes: what is known at the points is interpolated to the nodes
+    to_nodes = made->N.inverse();
+  }
+
+
+
+  Shell::MatrixN
+  Shell::stiffness() const
+  {
+    // columns of Γ_αi and K_αi
+    const auto gamma = [](const int alpha, const int i) { return 6 * (alpha - 1) + i - 1; };
+    const auto K     = [](const int alpha, const int i) { return 6 * (alpha - 1) + 3 + i - 1; };
+
+    Eigen::Matrix<double, 8, n> plate = Eigen::Matrix<double, 8, n>::Zero();
+    plate(0, gamma(1, 1))             = 1;
+    plate(1, gamma(1, 2)) = plate(1, gamma(2, 1)) = 1;
+    plate(2, gamma(2, 2))                         = 1;
+    plate(3, K(1, 2))                             = 1;
+    plate(4, K(2, 2))                             = 1;
+    plate(4, K(1, 1))                             = -1;
+    plate(5, K(2, 1))                             = -1;
+    plate(6, gamma(1, 3))                         = 1;
+    plate(7, gamma(2, 3))                         = 1;
+    // strains of the middle from those of the reference surface
+    plate.topRows<3>() += offset * plate.middleRows<3>(3);
+
+    Eigen::Matrix<double, 8, 8> C = Eigen::Matrix<double, 8, 8>::Zero();
+    C.topLeftCorner<6, 6>()       = laminate->ABD;
+    C.bottomRightCorner<2, 2>()   = laminate->shear;
+    MatrixN      result           = plate.transpose() * C * plate;
+    const double drilling         = 0.1 * laminate->ABD(1, 1);
+    const double of_curvature     = drilling * laminate->thickness * laminate->thickness / 12;
+    VectorN      skew_membrane = VectorN::Zero(), twist = VectorN::Zero();
+    skew_membrane(gamma(1, 2)) = 1;
+    skew_membrane(gamma(2, 1)) = -1;
+    twist(K(1, 1)) = twist(K(2, 2)) = 1;
+    result += drilling * skew_membrane * skew_membrane.transpose() + of_curvature * twist * twist.transpose();
+    result(K(1, 3), K(1, 3)) += of_curvature;
+    result(K(2, 3), K(2, 3)) += of_curvature;
+    return result;
+  }
+
+
+
+  Matrix6
+  Shell::inertia() const
+  {
+    const Laminate &l      = *laminate;
+    const double    moment = l.mass_moment + offset * l.mass,
+                 rotary    = l.rotary_inertia + 2 * offset * l.mass_moment + offset * offset * l.mass;
+    const Matrix3 c        = skew(Vector3(0, 0, moment));
+    Matrix6       M;
+    // about the normal as well: rotations about it have no other inertia
+    M << l.mass * Matrix3::Identity(), -c, c, rotary * Matrix3::Identity();
+    return M;
+  }
+
+
+
+  std::vector<std::vector<Vector3>>
+  Shell::normals() const
+  {
+    struct At
+    {
+      unsigned int cell, a;
+      Vector3      area;
+    };
+    std::vector<std::vector<At>> at_node(mesh->nodes.size());
+    for (unsigned int i = 0; i < mesh->cells.size(); ++i)
+      for (unsigned int a = 0; a < table->n_nodes; ++a)
+        {
+          const auto g = mesh->tangents(mesh->cells[i], a);
+          at_node[mesh->cells[i].nodes[a]].push_back({i, a, cross(g[0], g[1])});
+        }
+    std::vector<std::vector<Vector3>> result(mesh->cells.size(), std::vector<Vector3>(table->n_nodes));
+    for (const auto &cells : at_node)
+      {
+        // groups of cells that are near each other, directly or through others between them
+        std::vector<int> group(cells.size(), -1);
+        for (unsigned int seed = 0; seed < cells.size(); ++seed)
+          {
+            if (group[seed] >= 0)
+              continue;
+            std::vector<unsigned int> members(1, seed);
+            group[seed] = seed;
+            for (unsigned int k = 0; k < members.size(); ++k)
+              for (unsigned int j = 0; j < cells.size(); ++j)
+                if (const Vector3 &n = cells[members[k]].area, &m = cells[j].area;
+                    group[j] < 0 && std::atan2(cross(n, m).norm(), n.dot(m)) <= crease)
+                  {
+                    group[j] = seed;
+                    members.push_back(j);
+                  }
+            Vector3 sum = Vector3::Zero();
+            for (const auto j : members)
+              sum += cells[j].area.normalized();
+            for (const auto j : members)
+              result[cells[j].cell][cells[j].a] = sum.normalized();
+          }
+      }
+    return result;
+  }
+
+
+
+  std::vector<Matrix3>
+  Shell::triads(const unsigned int cell, const std::vector<Vector3> &normals) const
+  {
+    const auto in_plane = [](const Vector3 &e, const Vector3 &n) { return Vector3(e - n * n.dot(e)); };
+    const auto shortest = [&](const Vector3 &e) {
+      double length = 1;
+      for (const auto &n : normals)
+        length = std::min(length, in_plane(e, n).norm());
+      return length;
+    };
+    Vector3 e = axis_1.isZero(0.) ? Vector3(Vector3::UnitX()) : Vector3(axis_1.normalized());
+    if (axis_1.isZero(0.) && layup_name.empty()) // of an isotropic shell any axis will do
+      for (const auto &other : {Vector3(Vector3::UnitY()), Vector3(Vector3::UnitZ())})
+        if (shortest(e) < 0.5 && shortest(other) > shortest(e))
+          e = other;
+    if (shortest(e) < 0.05)
+      throw std::invalid_argument("<Axis 1> is normal to the surface in " + mesh->name_of(cell));
+    std::vector<Matrix3> result;
+    for (const auto &n : normals)
+      {
+        Matrix3 D;
+        D.col(0) = in_plane(e, n).normalized();
+        D.col(1) = cross(n, D.col(0));
+        D.col(2) = n;
+        result.push_back(D);
+      }
+    return result;
+  }
+
+
+
+  void
+  Shell::make_nodes_and_elements()
+  {
+    const auto    all_normals = normals();
+    const Matrix6 M           = inertia();
+    node_frames.resize(mesh->nodes.size());
+    node_axes.resize(mesh->nodes.size());
+    std::vector<bool> is_made(mesh->nodes.size(), false);
+    try
+      {
+        for (unsigned int i = 0; i < mesh->cells.size(); ++i)
+          {
+            const auto        &nodes = mesh->cells[i].nodes;
+            const auto         axes  = triads(i, all_normals[i]);
+            std::vector<Frame> frames;
+            for (unsigned int a = 0; a < table->n_nodes; ++a)
+              {
+                if (!is_made[nodes[a]])
+                  {
+                    node_frames[nodes[a]] = model->add_node(name, mesh->nodes[nodes[a]], axes[a]);
+                    node_axes[nodes[a]]   = axes[a];
+                    is_made[nodes[a]]     = true;
+                  }
+                // the node's axes are those of the first cell; those of others are turned against them
+                Frame         frame = node_frames[nodes[a]];
+                const Matrix3 Q     = model->triad(frame).transpose() * axes[a];
+                if ((Q - Matrix3::Identity()).norm() > 1e-13)
+                  frame = frame.then(Vector3::Zero(), Q);
+                frames.push_back(frame);
+                const auto g = mesh->tangents(mesh->cells[i], a);
+                model->add_inertia(frame, table->node_weights(a) * cross(g[0], g[1]).norm() * M);
+              }
+            add_element(*model, frames, std::vector<unsigned int>(table->n_points, 0));
+          }
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Axis 1"), "shell <" + name + ">: " + problem.what());
+      }
+  }
+
+
+
+  void
+  Shell::name_points()
+  {
+    for (const auto &text : frame_entries)
+      {
+        std::string point, place;
+        try
+          {
+            if (!split_at(text, point, place) || point.empty())
+              throw std::invalid_argument("a frame is written <name at u v> or <name at x y z>, not <" + text + ">");
+            if (!named.insert({point, point_of(node_at(place))}).second)
+              throw std::invalid_argument("shell <" + name + "> has a point <" + point + "> already");
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            model->complaints.add(parameters.where("Frames"), problem.what());
+          }
+      }
+  }
+
+
+
+  void
+  Shell::make_rigid_edges()
+  {
+    for (const auto &text : rigid_edges)
+      {
+        std::string point, place;
+        try
+          {
+            if (!split_at(text, point, place) || point.empty())
+              throw std::invalid_argument("a rigid edge is written <name at edge u0>, not <" + text + ">");
+            const auto spans  = edge(place);
+            double     length = 0;
+            Vector3    centre = Vector3::Zero();
+            for (const auto &[cell, nodes] : mesh->walk(place))
+              {
+                const auto shares = mesh->lengths_of(nodes);
+                for (unsigned int a = 0; a < nodes.size(); ++a)
+                  {
+                    length += shares[a];
+                    centre += shares[a] * mesh->nodes[nodes[a]];
+                  }
+              }
+            centre /= length;
+            for (const auto &span : spans)
+              for (const auto &frame : span.frames)
+                model->weld(spans[0].frames[0], frame);
+            const Frame centred = model->frame_at(spans[0].frames[0], centre, Matrix3::Identity());
+            if (!named.insert({point, {centred, centre, Matrix3::Identity(), -1}}).second)
+              throw std::invalid_argument("shell <" + name + "> has a point <" + point + "> already");
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            model->complaints.add(parameters.where("Rigid edges"), problem.what());
+          }
+      }
+  }
+
+
+
+  void
+  Shell::connect(Layout &layout)
+  {
+    Cosserat<2>::connect(layout);
+    for (auto &frame : node_frames)
+      frame = layout.model.resolved(frame);
+    for (auto &point : named)
+      point.second.frame = layout.model.resolved(point.second.frame);
+    if (!node_frames.empty())
+      initial_velocity.check(node_frames, *this, model->complaints);
+  }
+
+
+
+  std::vector<unsigned int>
+  Shell::rigid_nodes() const
+  {
+    std::vector<unsigned int> nodes;
+    for (const auto &frame : node_frames)
+      nodes.push_back(frame.node);
+    return nodes;
+  }
+
+
+
+  void
+  Shell::add_initial_velocities(State &state) const
+  {
+    initial_velocity.assign(node_frames, *this, state);
+  }
+} // namespace samara

@@ -1,0 +1,213 @@
+// Cells of imported meshes: straight ones, or curved between the normals at their corners.
+
+#include <samara/cosserat/imported_mesh.h>
+#include <samara/cosserat/shell_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    double
+    angle_between(const Vector3 &a, const Vector3 &b)
+    {
+      return std::atan2(cross(a, b).norm(), a.dot(b));
+    }
+
+    /**
+     * Normals of straight cells at their corners, averaged over those that differ by less than the crease angle, on the
+     * side of the cell's own.
+     */
+    std::vector<std::array<Vector3, 4>>
+    corner_normals(const ImportedMesh &mesh, const double crease)
+    {
+      const auto own = [&](const unsigned int cell, const unsigned int i) {
+        const auto    &q = mesh.quadrilaterals[cell];
+        const Vector3 &x = mesh.vertices[q[i]];
+        return Vector3(cross(mesh.vertices[q[(i + 1) % 4]] - x, mesh.vertices[q[(i + 3) % 4]] - x).normalized());
+      };
+      std::vector<std::vector<std::array<unsigned int, 2>>> at_vertex(mesh.vertices.size());
+      for (unsigned int cell = 0; cell < mesh.quadrilaterals.size(); ++cell)
+        for (unsigned int i = 0; i < 4; ++i)
+          at_vertex[mesh.quadrilaterals[cell][i]].push_back({{cell, i}});
+      std::vector<std::array<Vector3, 4>> result(mesh.quadrilaterals.size());
+      for (const auto &corners : at_vertex)
+        for (const auto &[cell, i] : corners)
+          {
+            const Vector3 n   = own(cell, i);
+            Vector3       sum = Vector3::Zero();
+            for (const auto &[other, j] : corners)
+              {
+                Vector3 m = own(other, j);
+                if (m.dot(n) < 0) // cells of a file may be on either side
+                  m = -m;
+                if (angle_between(n, m) <= crease)
+                  sum += m;
+              }
+            result[cell][i] = sum.normalized();
+          }
+      return result;
+    }
+
+
+
+    /** A side with what is known of the surface at its ends. */
+    struct SideCurve
+    {
+      Vector3              x[2];
+      std::vector<Vector3> normals[2]; ///< of the cells there, those that differ
+
+      void
+      add_normal(const unsigned int end, const Vector3 &n)
+      {
+        for (const auto &other : normals[end])
+          if (std::min(angle_between(n, other), angle_between(-n, other)) < 1e-6)
+            return;
+        normals[end].push_back(n);
+      }
+
+      /** Direction of the curve at an end: in the tangent plane there, or along the line where two of them meet. */
+      Vector3
+      direction(const unsigned int end) const
+      {
+        const Vector3 chord = (x[1] - x[0]).normalized();
+        const auto   &n     = normals[end];
+        Vector3       t     = chord;
+        if (n.size() == 1)
+          t = chord - n[0] * n[0].dot(chord);
+        else if (n.size() == 2)
+          {
+            t = cross(n[0], n[1]);
+            if (t.dot(chord) < 0)
+              t = -t;
+          }
+        // more meet at a corner of corners; what leaves the chord far is no smooth curve
+        return t.norm() > 0 && angle_between(t, chord) < 0.8 ? Vector3(t.normalized()) : chord;
+      }
+
+      /** At s from 0 to 1: a cubic with the length of an arc of a circle for slope, of fourth order on circles. */
+      Vector3
+      at(const double s) const
+      {
+        const Vector3 t[2] = {direction(0), direction(1)};
+        const double  half = 0.5 * angle_between(t[0], t[1]), chord = (x[1] - x[0]).norm();
+        const double  length = half > 1e-9 ? chord * half / std::sin(half) : chord;
+        return (1 + 2 * s) * (1 - s) * (1 - s) * x[0] + s * s * (3 - 2 * s) * x[1] +
+               length * (s * (1 - s) * (1 - s) * t[0] - s * s * (1 - s) * t[1]);
+      }
+    };
+  } // namespace
+
+
+
+  void
+  ShellMesh::add_cells(const ImportedMesh &mesh, const bool curved, const double crease)
+  {
+    using Ends         = std::pair<unsigned int, unsigned int>;
+    const auto ends_of = [](const unsigned int a, const unsigned int b) {
+      return Ends(std::min(a, b), std::max(a, b));
+    };
+    std::map<Ends, SideCurve>         curves;
+    std::map<Ends, std::vector<Side>> sides;
+    const auto                        normals = corner_normals(mesh, crease);
+    // corners of a cell in the order of its sides: along the second coordinate at 0 and 1, then along the first
+    constexpr unsigned int ends[4][2] = {{0, 3}, {1, 2}, {0, 1}, {3, 2}};
+    for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
+      for (unsigned int side = 0; side < 4; ++side)
+        {
+          const auto  &q = mesh.quadrilaterals[c];
+          unsigned int i = ends[side][0], j = ends[side][1];
+          if (q[i] == q[j])
+            throw std::invalid_argument("a cell has a corner twice: it is a triangle");
+          const Ends key = ends_of(q[i], q[j]);
+          if (q[i] != key.first)
+            std::swap(i, j);
+          auto &curve = curves[key];
+          curve.x[0]  = mesh.vertices[key.first];
+          curve.x[1]  = mesh.vertices[key.second];
+          curve.add_normal(0, normals[c][i]);
+          curve.add_normal(1, normals[c][j]);
+          sides[key].push_back({static_cast<unsigned int>(cells.size()) + c, side});
+        }
+
+    std::map<unsigned int, unsigned int>                 of_vertex;
+    std::map<Ends, std::map<unsigned int, unsigned int>> of_side; // by the number along it, from the smaller end
+    const auto                                           add = [&](const Vector3 &x) {
+      nodes.push_back(x);
+      return static_cast<unsigned int>(nodes.size() - 1);
+    };
+    const auto at_side = [&](const Ends &key, const double s) {
+      const SideCurve &curve = curves.at(key);
+      return curved ? curve.at(s) : Vector3((1 - s) * curve.x[0] + s * curve.x[1]);
+    };
+    for (const auto &q : mesh.quadrilaterals)
+      {
+        const auto along = [&](const unsigned int side, const double s) {
+          const unsigned int i = q[ends[side][0]], j = q[ends[side][1]];
+          return at_side(ends_of(i, j), i < j ? s : 1 - s);
+        };
+        cells.emplace_back();
+        cells.back().patch = n_patches;
+        for (const auto &at : table.nodes)
+          {
+            const double u = at[0], v = at[1];
+            const bool   on_u = u < 1e-12 || u > 1 - 1e-12, on_v = v < 1e-12 || v > 1 - 1e-12;
+            // of the four sides (Coons)
+            const Vector3 x = (1 - u) * along(0, v) + u * along(1, v) + (1 - v) * along(2, u) + v * along(3, u) -
+                              (1 - u) * (1 - v) * mesh.vertices[q[0]] - u * (1 - v) * mesh.vertices[q[1]] -
+                              u * v * mesh.vertices[q[2]] - (1 - u) * v * mesh.vertices[q[3]];
+            unsigned int node;
+            if (on_u && on_v)
+              {
+                const unsigned int vertex = q[u < 0.5 ? (v < 0.5 ? 0 : 3) : (v < 0.5 ? 1 : 2)];
+                const auto         found  = of_vertex.find(vertex);
+                node                      = found != of_vertex.end() ? found->second : add(mesh.vertices[vertex]);
+                of_vertex[vertex]         = node;
+              }
+            else if (on_u || on_v)
+              {
+                const unsigned int side = on_u ? (u < 0.5 ? 0 : 1) : (v < 0.5 ? 2 : 3);
+                const unsigned int i = q[ends[side][0]], j = q[ends[side][1]];
+                const double       s      = on_u ? v : u;
+                const unsigned int number = std::lround(1e6 * (i < j ? s : 1 - s)); // Gauss–Lobatto nodes are symmetric
+                auto              &others = of_side[ends_of(i, j)];
+                const auto         found  = others.find(number);
+                node                      = found != others.end() ? found->second : add(x);
+                others[number]            = node;
+              }
+            else
+              node = add(x);
+            cells.back().nodes.push_back(node);
+          }
+      }
+    name_edges(mesh, sides);
+    ++n_patches;
+  }
+
+
+
+  void
+  ShellMesh::name_edges(const ImportedMesh                                                       &mesh,
+                        const std::map<std::pair<unsigned int, unsigned int>, std::vector<Side>> &sides)
+  {
+    for (const auto &[name, lines] : mesh.lines)
+      for (const auto &line : lines)
+        {
+          const auto found = sides.find(std::minmax(line[0], line[1]));
+          if (found == sides.end())
+            throw std::invalid_argument("a line of <" + name + "> is no side of a quadrilateral");
+          edges["edge " + name].push_back(found->second.front());
+        }
+    for (const auto &[name, vertices] : mesh.sets)
+      {
+        const std::set<unsigned int> in_set(vertices.begin(), vertices.end());
+        for (const auto &[key, of_cells] : sides)
+          if (of_cells.size() == 1 && in_set.count(key.first) > 0 && in_set.count(key.second) > 0)
+            edges["edge " + name].push_back(of_cells.front());
+      }
+  }
+} // namespace samara

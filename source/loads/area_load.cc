@@ -1,0 +1,61 @@
+#include <samara/loads/surface_loads.h>
+
+namespace samara
+{
+  const SurfaceBody &
+  surface_body(const Model &model, const std::string &name)
+  {
+    const auto *const found = dynamic_cast<const SurfaceBody *>(&model.find<Body>(name, "body"));
+    if (found == nullptr)
+      throw std::invalid_argument("body <" + name + "> has no surface on which a load could act");
+    return *found;
+  }
+
+
+
+  void
+  AreaLoad::add_parameters(Parameters &prm)
+  {
+    prm.add("Body", body, "Shell on which it acts.");
+    prm.add("Force", force, "Components per area, expressions of time t and signals [Pa].");
+    prm.add("Moment", moment, "Components per area, expressions of time t and signals [N/m].");
+    add_axes_parameter(prm);
+  }
+
+
+
+  void
+  AreaLoad::initialize(Model &model)
+  {
+    if (!parameters.require("Body", model.complaints))
+      return;
+    try
+      {
+        for (const auto &cell : surface_body(model, body).surface())
+          {
+            const SurfaceRule   &rule = *cell.rule;
+            const unsigned int   n    = cell.frames.size();
+            std::vector<Vector3> x;
+            for (const auto &frame : cell.frames)
+              x.push_back(model.position(frame));
+            Eigen::VectorXd weights  = Eigen::VectorXd::Zero(n);
+            Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n, n);
+            for (unsigned int g = 0; g < rule.weights.size(); ++g)
+              {
+                const double area = rule.weights(g) * cell.area_vector(g, x).norm();
+                weights += area * rule.N.row(g).transpose();
+                products += area * rule.N.row(g).transpose() * rule.N.row(g);
+              }
+            if (is_follower())
+              spans.push_back({cell.frames, products});
+            else
+              for (unsigned int a = 0; a < n; ++a)
+                points.push_back({cell.frames[a], weights(a)});
+          }
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where("Body"), problem.what());
+      }
+  }
+} // namespace samara

@@ -1,0 +1,144 @@
+#include <samara/loads/surface_loads.h>
+
+namespace samara
+{
+  void
+  Pressure::add_parameters(Parameters &prm)
+  {
+    prm.add("Body", body, "Shell on which it acts.");
+    prm.add("Pressure",
+            pressure,
+            "Force per deformed area along the normal, axis 3 of the shell; a function of time t [Pa].");
+  }
+
+
+
+  void
+  Pressure::initialize(Model &model)
+  {
+    if (!parameters.require("Body", model.complaints))
+      return;
+    try
+      {
+        for (const auto &cell : surface_body(model, body).surface())
+          cells.push_back({cell, {}});
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where("Body"), problem.what());
+      }
+  }
+
+
+
+  void
+  Pressure::connect(Layout &layout)
+  {
+    for (auto &cell : cells)
+      {
+        for (auto &frame : cell.surface.frames)
+          frame = layout.model.resolved(frame);
+        layout.couple(cell.block, cell.surface.frames);
+      }
+    if (!cells.empty())
+      layout.add(*this, *this);
+  }
+
+
+
+  template <typename Number>
+  void
+  Pressure::residual_at(const Point<Number> &point, Number *r) const
+  {
+    static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
+    static thread_local std::vector<Vec3<Number>>                x;
+    const double                                                 p = point.factor * pressure(point.time);
+    if (p == 0)
+      return;
+    for (const auto &cell : cells)
+      {
+        const auto        &frames = cell.surface.frames;
+        const SurfaceRule &rule   = *cell.surface.rule;
+        x.clear();
+        for (const auto &frame : frames)
+          x.push_back(frame.position(point.q));
+        local.setZero(6 * frames.size());
+        for (unsigned int g = 0; g < rule.weights.size(); ++g)
+          {
+            const Vec3<Number> f = rule.weights(g) * p * cell.surface.area_vector(g, x);
+            for (unsigned int a = 0; a < frames.size(); ++a)
+              local.template segment<3>(6 * a) -= rule.N(g, a) * f;
+          }
+        for (unsigned int a = 0; a < frames.size(); ++a)
+          local.template segment<3>(6 * a) =
+            (frames[a].triad(point.q).transpose() * local.template segment<3>(6 * a)).eval();
+        cell.block.add(local, r);
+      }
+  }
+
+
+
+  void
+  Pressure::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    const double p = point.factor * pressure(point.time);
+    if (p == 0)
+      return;
+    Eigen::MatrixXd      local;
+    std::vector<Vector3> x;
+    std::vector<Matrix3> D;
+    for (const auto &cell : cells)
+      {
+        const auto        &frames = cell.surface.frames;
+        const SurfaceRule &rule   = *cell.surface.rule;
+        const unsigned int n      = frames.size();
+        x.clear();
+        D.clear();
+        for (const auto &frame : frames)
+          {
+            x.push_back(frame.position(point.q));
+            D.push_back(frame.triad(point.q));
+          }
+        local.setZero(6 * n, 6 * n);
+        std::vector<Vector3> force(n, Vector3::Zero());
+        for (unsigned int g = 0; g < rule.weights.size(); ++g)
+          {
+            Vector3 x_1 = Vector3::Zero(), x_2 = Vector3::Zero();
+            for (unsigned int a = 0; a < n; ++a)
+              {
+                x_1 += rule.dN_1(g, a) * x[a];
+                x_2 += rule.dN_2(g, a) * x[a];
+              }
+            // δ(x,₁ × x,₂) = Σ_b (N_b,₂ x,₁~ − N_b,₁ x,₂~) D_b u_b
+            const double  w   = rule.weights(g) * p;
+            const Matrix3 s_1 = skew(x_1), s_2 = skew(x_2);
+            for (unsigned int a = 0; a < n; ++a)
+              force[a] += w * rule.N(g, a) * cross(x_1, x_2);
+            for (unsigned int b = 0; b < n; ++b)
+              {
+                const Matrix3 change = (rule.dN_2(g, b) * s_1 - rule.dN_1(g, b) * s_2) * D[b];
+                for (unsigned int a = 0; a < n; ++a)
+                  local.block<3, 3>(6 * a, 6 * b) -= w * rule.N(g, a) * change;
+              }
+          }
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            local.middleRows<3>(6 * a) = (D[a].transpose() * local.middleRows<3>(6 * a)).eval();
+            local.block<3, 3>(6 * a, 6 * a + 3) -= skew((D[a].transpose() * force[a]).eval());
+          }
+        cell.block.add(local, K);
+      }
+  }
+
+
+
+  double
+  Pressure::next_corner(const double from, const double to) const
+  {
+    return pressure.next_corner(from, to);
+  }
+
+
+
+  template class Evaluated<Pressure, Force>;
+} // namespace samara

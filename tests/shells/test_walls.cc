@@ -1,0 +1,102 @@
+// Walls that share nodes at corners, and large deflections: a closed box, a roof that snaps through.
+
+#include "../reference.h"
+#include <gtest/gtest.h>
+
+#include "models.h"
+
+using namespace samara;
+
+namespace
+{
+  constexpr double length = 10, width = 1, height = 0.5;
+  constexpr double small = 1e-3; ///< of a unit load: at that the twist has 1e-4 more of second order
+
+  /** Four walls between the mid-lines' corners, closed about x; elements along, on webs and flanges. */
+  ShellModel
+  box(const unsigned int degree, const unsigned int along, const unsigned int web)
+  {
+    const double       corners[4][2] = {{-width / 2, -height / 2},
+                                        {width / 2, -height / 2},
+                                        {width / 2, height / 2},
+                                        {-width / 2, height / 2}};
+    ShellModel         model;
+    std::ostringstream patches, elements;
+    for (unsigned int i = 0; i < 4; ++i)
+      {
+        const auto &a = corners[i], &b = corners[(i + 1) % 4];
+        patches << (i > 0 ? "; " : "") << length << "*u, " << a[0] << " + v*(" << b[0] - a[0] << "), " << a[1]
+                << " + v*(" << b[1] - a[1] << ")";
+        elements << (i > 0 ? "; " : "") << along << ", " << (i % 2 == 1 ? web : 2 * web);
+      }
+    model.patches   = patches.str();
+    model.elements  = elements.str();
+    model.degree    = degree;
+    model.E         = 1e7;
+    model.thickness = 0.02;
+    model.joints    = support("root", "s.edge u0, s.patch 2 edge u0, s.patch 3 edge u0, s.patch 4 edge u0", "all");
+    return model;
+  }
+
+  /** A line load along the tip of wall @p i. */
+  std::string
+  at_tip(const unsigned int i, const Vector3 &force)
+  {
+    std::ostringstream out;
+    out << " subsection wall " << i << "\n  set Type = line load\n  set Body = s\n  set Edge = "
+        << (i > 0 ? "patch " + std::to_string(i + 1) + " " : "") << "edge u1\n  set Force = " << small * force(0)
+        << ", " << small * force(1) << ", " << small * force(2) << "\n end\n";
+    return out.str();
+  }
+} // namespace
+
+
+
+TEST(ShellWalls, ClosedBoxTwistsAndBendsAsItsSection)
+{
+  const auto   row   = reference_rows("shells/thin_box_shell.csv").at(0);
+  ShellModel   model = box(2, 16, 1);
+  const double q     = 1 / (2 * width * height); // shear flow of a unit torque
+  ShellModel   bent  = model;
+  model.loads        = at_tip(0, {0, q, 0}) + at_tip(1, {0, 0, q}) + at_tip(2, {0, -q, 0}) + at_tip(3, {0, 0, -q});
+  Scene twisted(model.text());
+  twisted.equilibrium();
+  const double G = 1e7 / 2.6, degrees = M_PI / 180;
+  EXPECT_NEAR((twisted.value("s.at 7.5 0.5 0.25.rotation x") - twisted.value("s.at 5 0.5 0.25.rotation x")) * degrees /
+                2.5 * G / small,
+              std::stod(row.at("G_times_twist_rate")),
+              1e-3);
+
+  bent.loads = at_tip(1, {0, 0, 1 / (2 * height)}) + at_tip(3, {0, 0, 1 / (2 * height)});
+  Scene scene(bent.text());
+  scene.equilibrium();
+  // the mean over all nodes of the tip: with two elements of degree 2 on flanges, one on webs
+  double       sum = 0;
+  unsigned int n   = 0;
+  for (unsigned int i = 0; i < 8; ++i)
+    for (const double side : {-0.25, 0.25})
+      if (i < 5)
+        {
+          sum +=
+            scene.value("s.at 10 " + std::to_string(-0.5 + 0.25 * i) + " " + std::to_string(side) + ".displacement z");
+          ++n;
+        }
+  for (const std::string y : {"-0.5", "0.5"})
+    {
+      sum += scene.value("s.at 10 " + y + " 0.displacement z");
+      ++n;
+    }
+  EXPECT_NEAR(sum / n / small, std::stod(row.at("tip_deflection")), 1e-7);
+}
+
+
+
+TEST(ShellWalls, HingedRoofSnapsThrough)
+{
+  Scene scene("prm/benchmarks/shells/hinged_roof.prm");
+  scene.equilibrium();
+  const auto &points = scene.analysis<StaticAnalysis>().singular_points;
+  ASSERT_GE(points.size(), 2u);
+  EXPECT_NEAR(points.front().state.factor, 0.7412, 5e-4);
+  EXPECT_NEAR(points.back().state.factor, 0.1681, 5e-4);
+}
