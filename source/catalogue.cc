@@ -15,8 +15,8 @@
 #include <samara/joints/rolling.h>
 #include <samara/joints/support.h>
 #include <samara/loads/loads.h>
-#include <samara/section/layup.h>
 #include <samara/loads/surface_loads.h>
+#include <samara/section/layup.h>
 #include <samara/states/first_order.h>
 
 namespace samara
