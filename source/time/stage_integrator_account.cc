@@ -33,6 +33,7 @@ namespace samara
       result.viscous_loss += h * tableau.b(k) * system.viscous_power(stages[k].strain_rates.data());
 
     account_for_stops(state, h, result);
+    account_for_springs(h, result);
 
     // constraints do the work −λ·(ġ − ∂g/∂t); for those that do not depend on time it vanishes over the step
     for (unsigned int k = 0; k < s && system.layout.n_multipliers > 0; ++k)

@@ -66,6 +66,9 @@ namespace samara
     /** For a law without signals. */
     const FunctionOfTime &of_time() const;
 
+    /** For a law of one signal. @throws std::invalid_argument if it depends on time or on another signal, too */
+    ScalarFunction of_signal() const;
+
     /** Its value where the variables are time and then the signals. */
     double
     value(const double *variables) const
@@ -116,10 +119,10 @@ namespace samara
     const std::string &text() const;
 
   private:
-    FunctionOfTime           time_function;
-    Formula                  formula;
-    std::string              source;
-    std::vector<std::string> paths;
+    FunctionOfTime              time_function;
+    Formula                     formula;
+    std::string                 source, with_words; ///< what users see; the same with words of signals
+    std::vector<std::string>    paths;
     std::vector<ScalarFunction> switches_of_time; ///< parts of the formula
   };
 
