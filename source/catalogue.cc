@@ -9,6 +9,7 @@
 #include <samara/joints/other_joints.h>
 #include <samara/joints/rolling.h>
 #include <samara/loads/loads.h>
+#include <samara/states/controller.h>
 #include <samara/states/first_order.h>
 
 namespace samara
@@ -50,6 +51,10 @@ namespace samara
 
     Registry<Item> states;
     states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
+    states.add<PidController>("PID", "a controller by error, integral and rate, between limits");
+    states.add<TransferFunction>("transfer function", "output by input, a quotient of polynomials of s");
+    states.add<StateSpace>("state space", "outputs by inputs, with matrices A, B, C, D");
+    states.add<Delay>("delay", "what the input was some time ago, by a Pade approximant");
 
     groups = {{"Sections", "section", sections},
               {"States", "state", states, "first order"},

@@ -183,10 +183,19 @@ namespace samara
       for (const auto &object : section->sections)
         {
           const std::string fault = quantities.fault_of_state(object.name);
-          if (fault.empty())
-            quantities.signals.add_state(object.name, object.value("Unit"));
-          else
-            complaints.add(object.where, "state <" + object.name + ">: " + fault);
+          if (!fault.empty())
+            {
+              complaints.add(object.where, "state <" + object.name + ">: " + fault);
+              continue;
+            }
+          // several outputs have numbers; what goes in is looked up by a name that is no word
+          const std::string unit      = object.value("Unit");
+          const auto        n_outputs = split_top_level(object.value("C"), ';').size();
+          for (std::size_t i = 1; i <= n_outputs && n_outputs > 1; ++i)
+            quantities.signals.add_state(object.name + "_" + std::to_string(i), unit);
+          if (n_outputs <= 1)
+            quantities.signals.add_state(object.name, unit);
+          quantities.signals.add_state(object.name + " input", object.value("Signal unit"));
         }
     root.parse(outline, quantities, complaints);
     says_redundant = !redundant.empty();
@@ -255,8 +264,8 @@ namespace samara
     // in the order of the catalogue, so that what is referred to comes before what refers to it
     for (unsigned int i = 0; i < model.items.size(); ++i)
       {
-        Item         &item         = *model.items[i];
-        const auto    before       = model.complaints.count();
+        Item      &item   = *model.items[i];
+        const auto before = model.complaints.count();
         if (item.is_faulty)
           check_references(*outlines[i], model);
         else

@@ -104,15 +104,34 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** "pilot_2" into "pilot" and "2": an output of several. False if it has no number. */
+    bool
+    split_number(const std::string &path, std::string &name, std::string &number)
+    {
+      const auto bar = path.rfind('_');
+      if (bar == std::string::npos || bar + 1 == path.size() ||
+          path.find_first_not_of("0123456789", bar + 1) != std::string::npos)
+        return false;
+      name   = path.substr(0, bar);
+      number = path.substr(bar + 1);
+      return true;
+    }
+  } // namespace
+
+
+
   std::shared_ptr<Signal>
   Model::signal(const std::string &path)
   {
     for (unsigned int i = 0; i < states.size(); ++i)
       if (states[i].name == path)
         return state_signal(i);
-    const auto        dot  = path.find('.');
-    const std::string name = trim(path.substr(0, dot)),
-                      rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const auto  dot  = path.find('.');
+    std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    if (dot == std::string::npos && named(name).empty())
+      split_number(path, name, rest);
     for (auto *const item : named(name))
       {
         if (item->is_faulty)
@@ -257,9 +276,10 @@ namespace samara
   Probe
   Model::probe(const std::string &path) const
   {
-    const auto        dot  = path.find('.');
-    const std::string name = trim(path.substr(0, dot)),
-                      rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const auto  dot  = path.find('.');
+    std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    if (dot == std::string::npos && named(name).empty())
+      split_number(path, name, rest);
     // a section and a body may have the same name; the section has nothing to tell
     std::vector<std::string> known;
     for (const auto *const c : named(name))
