@@ -17,6 +17,7 @@
 #include <samara/loads/loads.h>
 #include <samara/loads/surface_loads.h>
 #include <samara/section/layup.h>
+#include <samara/states/controller.h>
 #include <samara/states/first_order.h>
 
 namespace samara
@@ -71,6 +72,10 @@ namespace samara
 
     Registry<Item> states;
     states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
+    states.add<PidController>("PID", "a controller by error, integral and rate, between limits");
+    states.add<TransferFunction>("transfer function", "output by input, a quotient of polynomials of s");
+    states.add<StateSpace>("state space", "outputs by inputs, with matrices A, B, C, D");
+    states.add<Delay>("delay", "what the input was some time ago, by a Pade approximant");
 
     Registry<Item> airfoils;
     airfoils.add<AnalyticAirfoil>("analytic", "coefficients in closed form");

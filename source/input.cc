@@ -260,9 +260,9 @@ namespace samara
     // in the order of the catalogue, so that what is referred to comes before what refers to it
     for (unsigned int i = 0; i < model.items.size(); ++i)
       {
-        Item         &item         = *model.items[i];
-        const auto    before       = model.complaints.count();
-        model.scope                = scope_of(item.name);
+        Item      &item   = *model.items[i];
+        const auto before = model.complaints.count();
+        model.scope       = scope_of(item.name);
         if (item.is_faulty)
           check_references(*outlines[i], model);
         else

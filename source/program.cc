@@ -202,6 +202,8 @@ namespace samara
     const auto counts = check_model(system);
     if (!counts.contradictions.empty())
       throw InputError(with_place({counts.complaint()}, input.where("Title")));
+    if (const std::string of_laws = counts.complaint_about_laws(system); !of_laws.empty())
+      throw InputError(with_place({of_laws}, input.where("Title")));
     const std::string near = nearly_redundant_text(system, counts.redundant_multipliers);
     if (!near.empty())
       log.warning("", near);

@@ -1,4 +1,5 @@
 #include <samara/base/text.h>
+#include <samara/base/text_file.h>
 #include <samara/study_quantity.h>
 
 #include <algorithm>
@@ -11,23 +12,6 @@ namespace samara
   namespace
   {
     constexpr unsigned int points_of_interpolation = 6;
-
-    std::vector<std::string>
-    csv_fields(const std::string &line)
-    {
-      std::vector<std::string> fields(1);
-      bool                     quoted = false;
-      for (const char c : line)
-        if (c == '"')
-          quoted = !quoted;
-        else if (c == ',' && !quoted)
-          fields.emplace_back();
-        else if (c != '\r')
-          fields.back() += c;
-      return fields;
-    }
-
-
 
     /** "tip.displacement y [m]" -> "tip.displacement y" */
     std::string

@@ -241,6 +241,27 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** What laws may name of an object of the subsection States, with units. */
+    std::vector<std::pair<std::string, std::string>>
+    signals_of_state(const Outline &state)
+    {
+      std::vector<std::pair<std::string, std::string>> signals;
+      // several outputs have numbers; what goes in is looked up by a name that is no word
+      const std::string unit      = state.value("Unit");
+      const auto        n_outputs = split_top_level(state.value("C"), ';').size();
+      for (std::size_t i = 1; i <= n_outputs && n_outputs > 1; ++i)
+        signals.emplace_back(state.name + "_" + std::to_string(i), unit);
+      if (n_outputs <= 1)
+        signals.emplace_back(state.name, unit);
+      signals.emplace_back(state.name + " input", state.value("Signal unit"));
+      return signals;
+    }
+  } // namespace
+
+
+
   void
   Subsystems::add_signals(Complaints &complaints)
   {
@@ -262,7 +283,8 @@ namespace samara
           const bool        is_in_subsystem = state.name.find(subsystem_separator) != std::string::npos;
           const std::string fault           = is_in_subsystem ? "" : scope.quantities.fault_of_state(state.name);
           if (fault.empty())
-            names.add_state(scope.prefix + state.name, state.value("Unit"));
+            for (const auto &[name, unit] : signals_of_state(state))
+              names.add_state(scope.prefix + name, unit);
           else
             complaints.add(state.where, "state <" + scope.prefix + state.name + ">: " + fault);
         });
@@ -279,7 +301,8 @@ namespace samara
             [&](const std::string &name) { scope.quantities.signals.add_short_object(name, s->prefix + name); },
             [&](const Outline &state) {
               if (s->quantities.fault_of_state(state.name).empty())
-                scope.quantities.signals.add_short_state(state.name, s->prefix + state.name);
+                for (const auto &[name, unit] : signals_of_state(state))
+                  scope.quantities.signals.add_short_state(name, s->prefix + name);
             });
       }
   }

@@ -1,5 +1,7 @@
+#include <samara/analysis/integrating_states.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
+#include <samara/base/text.h>
 #include <samara/solvers/anderson.h>
 #include <samara/solvers/equilibrate.h>
 #include <samara/solvers/steady_motion.h>
@@ -464,10 +466,15 @@ namespace samara
     else if (result.failure == Failure::not_finite)
       text += "  Look at the functions of time, the tables and the values at: " + place;
     else if (result.failure == Failure::singular)
-      text +=
-        "  No stiffness is found for: " + place +
-        ".\n  Something can move freely there: clamp it, hold its joint by a spring or a prescribed motion, or remove "
-        "a constraint that is there twice.";
+      {
+        text +=
+          "  No stiffness is found for: " + place +
+          ".\n  Something can move freely there: clamp it, hold its joint by a spring or a prescribed motion, or remove "
+          "a constraint that is there twice.";
+        if (const auto states = integrating_states(context.system, context.state); !states.empty())
+          text += "\n  No rate depends on these states of first order: " + join(states, ", ") +
+                  ". Integrals have a value at rest only if forces depend on them.";
+      }
     else
       text +=
         "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place +

@@ -1,5 +1,6 @@
 #include <samara/base/errors.h>
 #include <samara/base/evaluation.h>
+#include <samara/base/look_up.h>
 #include <samara/base/text.h>
 
 #include <muParser.h>
@@ -32,6 +33,33 @@ namespace samara
 
 
 
+  namespace
+  {
+    // factors of no meaning, so that nothing cancels
+    double
+    sum_of_choice(const double *const arguments, const int n)
+    {
+      double sum = 0, factor = 1;
+      for (int i = 0; i < n; ++i, factor += 0.4142135624)
+        sum += factor * arguments[i];
+      return sum;
+    }
+
+    double
+    sum_of_two(const double x, const double width)
+    {
+      return x + 0.4142135624 * width;
+    }
+
+    double
+    sum_of_three(const double x, const double lower, const double upper)
+    {
+      return x + 0.4142135624 * lower + 0.3660254038 * upper;
+    }
+  } // namespace
+
+
+
   Evaluation::Evaluation(const std::string                      &text,
                          const std::map<std::string, Meaning>   &words,
                          const std::map<std::string, Dimension> &variables)
@@ -39,6 +67,7 @@ namespace samara
     , tokens(tokens_of(text))
     , parser(std::make_unique<mu::Parser>())
   {
+    replace_tables(0, tokens.size());
     collect_words(words, variables);
     prepare_parser();
   }
@@ -50,10 +79,57 @@ namespace samara
 
 
   void
+  Evaluation::replace_tables(const std::size_t begin, const std::size_t end)
+  {
+    for (std::size_t i = begin; i < end; ++i)
+      if (tokens[i].kind != Token::function || tokens[i].text != table_function)
+        measured.push_back(tokens[i]);
+      else
+        {
+          // unit * (2.7 + sin(x / unit of x) + sin(y / unit of y)): never zero, no power of anything
+          const TableCall call   = table_call(tokens, i);
+          const auto      units  = LookUp::of_file(call.file, call.arguments.size(), call.is_cubic)->dimensions();
+          const auto      symbol = [&](const char *const text) { measured.push_back({Token::symbol, text}); };
+          symbol("(");
+          measured.push_back(word_of_table(units.back()));
+          symbol("*");
+          symbol("(");
+          measured.push_back({Token::number, "2.7"});
+          for (std::size_t k = 0; k < call.arguments.size(); ++k)
+            {
+              symbol("+");
+              measured.push_back({Token::function, "sin"});
+              symbol("(");
+              symbol("(");
+              replace_tables(call.arguments[k].first, call.arguments[k].second);
+              symbol(")");
+              symbol("/");
+              measured.push_back(word_of_table(units[k]));
+              symbol(")");
+            }
+          symbol(")");
+          symbol(")");
+          i = call.end - 1;
+        }
+  }
+
+
+
+  Token
+  Evaluation::word_of_table(const Dimension &unit)
+  {
+    const std::string name = "_table_" + std::to_string(units_of_tables.size());
+    units_of_tables[name]  = {{{{1, unit}, {1, unit}}}};
+    return {Token::word, name};
+  }
+
+
+
+  void
   Evaluation::collect_words(const std::map<std::string, Meaning>   &words,
                             const std::map<std::string, Dimension> &variables)
   {
-    for (const auto &token : tokens)
+    for (const auto &token : measured)
       {
         const bool is_known =
           std::any_of(used.begin(), used.end(), [&](const Used &u) { return u.name == token.text; });
@@ -61,7 +137,9 @@ namespace samara
           continue;
 
         const auto word = words.find(token.text);
-        if (const auto variable = variables.find(token.text); variable != variables.end())
+        if (const auto unit = units_of_tables.find(token.text); unit != units_of_tables.end())
+          used.push_back({token.text, unit->second, false, {}});
+        else if (const auto variable = variables.find(token.text); variable != variables.end())
           used.push_back({token.text, Meaning(), true, variable->second});
         else if (word != words.end() && word->second.is_faulty)
           throw FollowUp();
@@ -90,13 +168,18 @@ namespace samara
     parser->DefineFun("floor", static_cast<double (*)(double)>(std::floor));
     parser->DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
 
+    parser->DefineFun("saturate", sum_of_three);
+    parser->DefineFun("deadband", sum_of_two);
+    for (const auto *const name : {"min", "max"})
+      parser->DefineFun(name, sum_of_choice);
+
     // Names of our own, because some units are called like functions of muParser, and % like nothing it knows.
     const auto alias = [](const std::size_t i) { return "word_" + std::to_string(i); };
     for (std::size_t i = 0; i < used.size(); ++i)
       parser->DefineVar(alias(i), &used[i].seen);
 
     std::string expression;
-    for (const auto &token : tokens)
+    for (const auto &token : measured)
       {
         const auto u = std::find_if(used.begin(), used.end(), [&](const Used &u) { return u.name == token.text; });
         expression += token.kind == Token::word ? alias(u - used.begin()) : token.text;
@@ -200,6 +283,17 @@ namespace samara
 
 
   bool
+  Evaluation::has_stand_ins() const
+  {
+    return std::any_of(tokens.begin(), tokens.end(), [](const Token &token) {
+      return token.kind == Token::function && (token.text == "min" || token.text == "max" || token.text == "saturate" ||
+                                               token.text == "deadband" || token.text == table_function);
+    });
+  }
+
+
+
+  bool
   Evaluation::uses(const std::string &word) const
   {
     return std::any_of(used.begin(), used.end(), [&](const Used &u) { return !u.is_variable && u.name == word; });
@@ -214,7 +308,7 @@ namespace samara
     for (const auto &token : tokens)
       {
         const auto u = std::find_if(used.begin(), used.end(), [&](const Used &u) { return u.name == token.text; });
-        if (token.kind != Token::word || u->is_variable)
+        if (token.kind != Token::word || u == used.end() || u->is_variable) // "cubic" is no word that is used
           result += token.text;
         else
           {

@@ -131,6 +131,8 @@ namespace samara
     void
     function_call(const std::string &name)
     {
+      if (name == table_function)
+        return look_up();
       const auto &all = jet_functions();
       const auto  f   = std::find_if(all.begin(), all.end(), [&](const auto &g) { return g.name == name; });
       expect("(");
@@ -144,7 +146,33 @@ namespace samara
       expect(")");
       if (n < f->min_arguments || n > f->max_arguments)
         fail("<" + name + "> does not take " + std::to_string(n) + (n == 1 ? " argument" : " arguments"));
+      const auto is_number = [&](const unsigned int i) {
+        return program.size() >= n_settled + n && program[program.size() - i].kind == Instruction::number;
+      };
+      if (name == "saturate" && is_number(1) && is_number(2) && program.end()[-2].value > program.end()[-1].value)
+        fail("the lower limit of <saturate> is above the upper one");
+      if (name == "deadband" && is_number(1) && program.back().value < 0)
+        fail("the width of <deadband> is negative");
       append(f->apply, f->piece, n);
+    }
+
+    /** Its name has been read. */
+    void
+    look_up()
+    {
+      const TableCall call = table_call(tokens, position - 1);
+      for (const auto &[begin, end] : call.arguments)
+        {
+          position = begin;
+          choice();
+          if (position != end)
+            fail("cannot go on at <" + tokens[position].text + ">");
+        }
+      position = call.end;
+      Instruction instruction{Instruction::look_up};
+      instruction.n_arguments = call.arguments.size();
+      instruction.table       = LookUp::of_file(call.file, instruction.n_arguments, call.is_cubic);
+      append(instruction);
     }
 
     const JetOperation *
@@ -208,19 +236,26 @@ namespace samara
      * exist, out of the derivatives of the whole. A number at the end of a branch is no constant.
      */
     void
-    append(const JetOperation::Function apply, const JetOperation::Piece piece, const unsigned int n_arguments)
+    append(const Instruction &instruction)
     {
-      depth -= n_arguments - 1;
+      const unsigned int n = instruction.n_arguments;
+      depth -= n - 1;
       const auto is_number = [](const Instruction &i) { return i.kind == Instruction::number; };
-      const auto first     = program.end() - n_arguments;
-      if (program.size() < n_settled + n_arguments || !std::all_of(first, program.end(), is_number))
-        return program.push_back({Instruction::operation, 0, apply, piece, n_arguments});
+      const auto first     = program.end() - n;
+      if (program.size() < n_settled + n || !std::all_of(first, program.end(), is_number))
+        return program.push_back(instruction);
 
       std::vector<Jet> arguments;
       for (auto i = first; i != program.end(); ++i)
         arguments.push_back({i->value, 0, 0});
       program.erase(first, program.end());
-      program.push_back({Instruction::number, apply(arguments.data(), n_arguments).value});
+      program.push_back({Instruction::number, instruction.result(arguments.data()).value});
+    }
+
+    void
+    append(const JetOperation::Function apply, const JetOperation::Piece piece, const unsigned int n_arguments)
+    {
+      append({Instruction::operation, 0, apply, piece, n_arguments});
     }
 
     void
@@ -241,10 +276,10 @@ namespace samara
     const std::string              text;
     const std::vector<std::string> variables;
     const std::vector<Token>       tokens;
-    std::size_t              position = 0;
-    unsigned int             depth    = 0;
-    std::vector<Instruction> program;
-    std::size_t              n_settled = 0; ///< instructions up to the end of the last ?:, not to be looked into
+    std::size_t                    position = 0;
+    unsigned int                   depth    = 0;
+    std::vector<Instruction>       program;
+    std::size_t                    n_settled = 0; ///< instructions up to the end of the last ?:, not to be looked into
   };
 
 
@@ -279,9 +314,10 @@ namespace samara
             *top++ = {variables[instruction->index], instruction->index == i ? 1. : 0., 0};
             break;
           case Instruction::operation:
+          case Instruction::look_up:
             top -= instruction->n_arguments;
             visit(*instruction, top);
-            *top = instruction->apply(top, instruction->n_arguments);
+            *top = instruction->result(top);
             ++top;
             break;
           case Instruction::skip:
@@ -315,13 +351,23 @@ namespace samara
 
 
 
+  bool
+  Formula::uses(const unsigned int i) const
+  {
+    return std::any_of(program.begin(), program.end(), [&](const Instruction &instruction) {
+      return instruction.kind == Instruction::variable && instruction.index == i;
+    });
+  }
+
+
+
   void
   Formula::pieces(const double *const variables, std::vector<double> &result) const
   {
     result.clear();
     run(variables, 0, [&](const Instruction &instruction, const Jet *const arguments) {
-      if (instruction.piece != nullptr)
-        result.push_back(instruction.piece(arguments, instruction.n_arguments));
+      if (instruction.has_pieces())
+        result.push_back(instruction.piece_at(arguments));
     });
   }
 

@@ -89,12 +89,14 @@ namespace samara
     result_by_pieces(const std::string &name, const std::vector<Lines> &arguments)
     {
       Lines result = arguments[0];
-      if (name == "min" || name == "max")
+      if (name == "saturate" || name == "min" || name == "max")
         for (std::size_t i = 1; i < arguments.size(); ++i)
           result = either(result, arguments[i]);
       else if (name == "abs")
         for (const auto &line : arguments[0])
           result.push_back(scaled(line, -1));
+      else if (name == "deadband")
+        result = either({Line()}, either(smooth_result("+", arguments), smooth_result("-", arguments)));
       else
         result = {{-1, 0, 1, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}}; // sign() and comparisons
       return result;
@@ -106,7 +108,7 @@ namespace samara
   void
   Formula::find_switches()
   {
-    has_pieces   = std::any_of(program.begin(), program.end(), [](const Instruction &i) { return i.piece != nullptr; });
+    has_pieces   = std::any_of(program.begin(), program.end(), [](const Instruction &i) { return i.has_pieces(); });
     places_known = has_pieces;
     if (!has_pieces)
       return;
@@ -157,7 +159,14 @@ namespace samara
             const std::vector<Lines> arguments(stack.end() - instruction.n_arguments, stack.end());
             const std::string        name = name_of(instruction);
             stack.resize(stack.size() - instruction.n_arguments);
-            if (name == "negative")
+            if (instruction.table)
+              {
+                for (unsigned int j = 0; j < arguments.size(); ++j)
+                  for (const double corner : instruction.table->corners(j))
+                    add_places(arguments[j], {{corner, 0, std::abs(corner), 0}});
+                stack.push_back({});
+              }
+            else if (name == "negative")
               stack.push_back(smooth_result("*", {arguments[0], {{-1, 0, 1, 0}}}));
             else if (instruction.piece == nullptr)
               stack.push_back(smooth_result(name, arguments));
@@ -165,6 +174,12 @@ namespace samara
               {
                 if (name == "abs" || name == "sign")
                   add_places(arguments[0], {Line()});
+                else if (name == "saturate" || name == "deadband")
+                  {
+                    add_places(arguments[0], arguments[1]);
+                    add_places(arguments[0],
+                               name == "saturate" ? arguments[2] : smooth_result("*", {arguments[1], {{-1, 0, 1, 0}}}));
+                  }
                 else if (is_comparison(name) || name == "min" || name == "max")
                   {
                     for (std::size_t j = 1; j < arguments.size(); ++j)
@@ -229,7 +244,7 @@ namespace samara
             part.has_others = part.has_others || stack.back().has_others;
             stack.resize(stack.size() - instruction.n_arguments);
             stack.push_back(part);
-            if (instruction.piece != nullptr && !part.has_others)
+            if (instruction.has_pieces() && !part.has_others)
               {
                 Formula formula;
                 formula.program.assign(program.begin() + part.begin, program.begin() + i + 1);

@@ -154,6 +154,35 @@ namespace samara
               [](Arguments a, N n) -> double { return foremost<Before>(a, n); }};
     }
 
+    /** x between lo and hi; hi where lo is above it. */
+    Jet
+    saturated(const Arguments a, N)
+    {
+      return a[0].value > a[2].value || a[1].value > a[2].value ? a[2] : a[0].value < a[1].value ? a[1] : a[0];
+    }
+
+    double
+    side_of_limits(const Arguments a, N)
+    {
+      return 3 * sign(a[0].value - a[1].value) + sign(a[0].value - a[2].value);
+    }
+
+    /** 0 for |x| up to the width, beyond as if x began there. */
+    Jet
+    beyond_deadband(const Arguments a, N)
+    {
+      const double side = sign(a[0].value);
+      if (!(side * a[0].value > a[1].value))
+        return {std::isnan(a[0].value + a[1].value) ? a[0].value + a[1].value : 0., 0, 0};
+      return add(a[0], {-side * a[1].value, -side * a[1].first, -side * a[1].second});
+    }
+
+    double
+    side_of_deadband(const Arguments a, N)
+    {
+      return sign(a[0].value - a[1].value) + 3 * sign(a[0].value + a[1].value);
+    }
+
     std::vector<JetOperation>
     trigonometric_functions()
     {
@@ -249,6 +278,8 @@ namespace samara
               step_function<round_half_up>("rint"),
               step_function<std::floor>("floor"),
               step_function<std::ceil>("ceil"),
+              {"saturate", 3, 3, saturated, 0, side_of_limits},
+              {"deadband", 2, 2, beyond_deadband, 0, side_of_deadband},
               selection<std::less<>>("min"),
               selection<std::greater<>>("max")};
     }

@@ -99,6 +99,16 @@ namespace samara
 
 
 
+  ScalarFunction
+  Law::of_signal() const
+  {
+    if (paths.size() != 1 || formula.uses(0))
+      throw std::invalid_argument("<" + text() + "> must depend on one motion, and on nothing else.");
+    return ScalarFunction(words, word(0));
+  }
+
+
+
   double
   Law::next_corner(const double from, const double to) const
   {
@@ -293,8 +303,13 @@ namespace samara
         while (stop < text.size() && (is_word_character(text[stop]) || text[stop] == ' '))
           ++stop;
         const std::string given = trim(text.substr(quantity, stop - quantity));
-        throw std::invalid_argument("<" + text + ">: <" + given + "> of <" + object +
-                                    "> cannot stand in an expression" + did_you_mean(given, known_quantities()));
+        const std::string which = "<" + text + ">: <" + given + "> of <" + object + "> cannot stand in an expression";
+        if (given.find("acceleration") != std::string::npos)
+          throw std::invalid_argument(
+            which + ": forces that depend on accelerations change what accelerations there are. Take a sensor with a "
+                    "lag: a state <follower> of the velocity v, Rate = (v - follower)/T, and (v - follower)/T for the "
+                    "acceleration.");
+        throw std::invalid_argument(which + did_you_mean(given, known_quantities()));
       }
     return {begin,
             end_of_longest,
@@ -308,8 +323,12 @@ namespace samara
   SignalNames::find(const std::string &text) const
   {
     std::vector<Found> result;
+    bool               is_quoted = false; // the name of a file
     for (std::size_t i = 0; i < text.size(); ++i)
       {
+        is_quoted = is_quoted != (text[i] == '"');
+        if (is_quoted)
+          continue;
         const bool begins_word = is_word_character(text[i]) && std::isdigit(static_cast<unsigned char>(text[i])) == 0 &&
                                  (i == 0 || (!is_word_character(text[i - 1]) && text[i - 1] != '.'));
         if (!begins_word)

@@ -289,7 +289,10 @@ namespace samara
     entry.where = given.where;
     try
       {
-        entry.value = entry.read(given.value, quantities, entry);
+        // what is printed holds wherever it is read
+        const bool is_number = !entry.declaration->unit.empty();
+        entry.value =
+          entry.read(is_number ? with_tables_beside(given.value, given.where) : given.value, quantities, entry);
       }
     catch (const FollowUp &)
       {

@@ -101,13 +101,21 @@ namespace samara
       return 0;
     }
 
+    /** Of an expression without variables. */
+    double
+    value_of(const Evaluation &evaluation, const unsigned int reading)
+    {
+      return evaluation.has_stand_ins() ? Formula(evaluation.si_text(reading), "t")(0).value :
+                                          evaluation.measure(reading).value;
+    }
+
     double
     checked_value(const std::string &text, const Evaluation &evaluation, const std::string &unit)
     {
       for (const unsigned int reading : {0, 1})
-        if (!std::isfinite(evaluation.measure(reading).value))
+        if (!std::isfinite(value_of(evaluation, reading)))
           throw std::invalid_argument("<" + text + "> is not a finite number.");
-      return evaluation.measure(fitting_reading(text, evaluation, unit)).value;
+      return value_of(evaluation, fitting_reading(text, evaluation, unit));
     }
   } // namespace
 
@@ -142,11 +150,13 @@ namespace samara
         if (const auto fault = fault_of_name(name); !fault.empty())
           throw std::invalid_argument(fault);
 
-        const Evaluation evaluation(text, reader.words);
+        const Evaluation evaluation(with_tables_beside(text, where), reader.words);
         checked_value(text, evaluation, "");
 
         // What contradicts itself in one reading is meant in the other one.
         std::array<Evaluation::Measure, 2> m{{evaluation.measure(0), evaluation.measure(1)}};
+        for (const unsigned int i : {0, 1})
+          m[i].value = value_of(evaluation, i);
         for (const unsigned int i : {0, 1})
           if (!m[i].is_consistent)
             m[i] = m[1 - i];
@@ -194,6 +204,8 @@ namespace samara
         name.find_first_not_of(letters + "0123456789") != std::string::npos)
       return "a name consists of letters, digits and _, and does not begin with a digit.";
 
+    if (name == "cubic" || name == "linear")
+      return "tables are <" + name + ">; choose another.";
     const auto functions = function_names();
     if (std::find(functions.begin(), functions.end(), name) != functions.end())
       return "there is a function of that name; choose another.";
@@ -433,6 +445,18 @@ namespace samara
   {
     double plain = 0;
     return !text_to_number(trim(text), plain) && Evaluation(text, words).has_units();
+  }
+
+
+
+  Quantity
+  Quantities::unit(const std::string &text)
+  {
+    const Evaluation evaluation(text, known_to_all());
+    const auto       measure = evaluation.measure(0);
+    if (!measure.is_consistent || !(measure.value > 0) || !std::isfinite(measure.value))
+      throw std::invalid_argument("<" + text + "> is not a unit.");
+    return {measure.value, measure.dimension};
   }
 
 

@@ -28,12 +28,14 @@ namespace samara
     std::vector<std::string> pieces;
     if (trim(text).empty())
       return pieces;
-    int         depth = 0;
+    int         depth     = 0;
+    bool        is_quoted = false;
     std::string piece;
     for (const char c : text)
       {
-        depth += (c == '(') - (c == ')');
-        if (c == separator && depth == 0)
+        is_quoted = is_quoted != (c == '"');
+        depth += is_quoted ? 0 : (c == '(') - (c == ')');
+        if (c == separator && depth == 0 && !is_quoted)
           {
             pieces.push_back(trim(piece));
             piece.clear();

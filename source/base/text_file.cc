@@ -72,13 +72,29 @@ namespace samara
         (zero < 2 && text.size() > 3 && text.find('\0', zero + 2) == zero + 2))
       throw std::invalid_argument(name + ":1: this file is written in UTF-16; save it as UTF-8.");
     if (zero != std::string::npos)
-      throw std::invalid_argument(name + ":" +
-                                  std::to_string(1 + std::count(text.begin(), text.begin() + zero, '\n')) +
+      throw std::invalid_argument(name + ":" + std::to_string(1 + std::count(text.begin(), text.begin() + zero, '\n')) +
                                   ": there is a zero byte; this is no text file.");
     if (starts("\xef\xbb\xbf"))
       text.erase(0, 3);
     if (text.find('\n') == std::string::npos)
       std::replace(text.begin(), text.end(), '\r', '\n');
     return text;
+  }
+
+
+
+  std::vector<std::string>
+  csv_fields(const std::string &line)
+  {
+    std::vector<std::string> fields(1);
+    bool                     quoted = false;
+    for (const char c : line)
+      if (c == '"')
+        quoted = !quoted;
+      else if (c == ',' && !quoted)
+        fields.emplace_back();
+      else if (c != '\r')
+        fields.back() += c;
+    return fields;
   }
 } // namespace samara

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <stdexcept>
 
 namespace samara
@@ -91,6 +92,13 @@ namespace samara
         return {Token::word, text.substr(i, word_length(text, i))};
       if (c == '%')
         return {Token::word, "%"};
+      if (c == '"')
+        {
+          const auto end = text.find('"', i + 1);
+          if (end == std::string::npos)
+            throw std::invalid_argument("<" + text + ">: a <\"> is not closed.");
+          return {Token::string, text.substr(i, end + 1 - i)};
+        }
       if (const auto length = symbol_length(text, i))
         return {Token::symbol, text.substr(i, length)};
       throw std::invalid_argument("<" + text + ">: <" + character_at(text, i) + "> has no meaning here.");
@@ -111,7 +119,7 @@ namespace samara
     bool
     begins_operand(const Token &token)
     {
-      return token.kind != Token::symbol || is_symbol(token, "(");
+      return (token.kind != Token::symbol && token.kind != Token::string) || is_symbol(token, "(");
     }
 
     std::vector<Token>
@@ -172,6 +180,10 @@ namespace samara
 
 
 
+  const std::string table_function = "table";
+
+
+
   std::vector<Token>
   tokens_of(const std::string &text)
   {
@@ -179,6 +191,10 @@ namespace samara
     if (tokens.empty())
       throw std::invalid_argument("a value is missing.");
     mark_functions(text, tokens);
+    for (std::size_t i = 0; i < tokens.size(); ++i)
+      if (tokens[i].kind == Token::string && (i < 2 || tokens[i - 2].kind != Token::function ||
+                                              tokens[i - 2].text != table_function || !is_symbol(tokens[i - 1], "(")))
+        throw std::invalid_argument("<" + text + ">: the name of a file stands in <table(\"file.csv\", x)> only.");
     check_parentheses(text, tokens);
 
     std::vector<Token> complete;
@@ -197,12 +213,86 @@ namespace samara
 
 
 
+  TableCall
+  table_call(const std::vector<Token> &tokens, const std::size_t at)
+  {
+    const auto fail = [](const std::string &why) { throw std::invalid_argument("<table>: " + why); };
+    TableCall  call;
+    if (at + 2 >= tokens.size() || tokens[at + 2].kind != Token::string)
+      fail("the name of a file is wanted first, <table(\"file.csv\", x)>.");
+    const std::string &quoted = tokens[at + 2].text;
+    call.file                 = quoted.substr(1, quoted.size() - 2);
+
+    // parentheses are known to be closed
+    std::size_t  i = at + 3, begin = i + 1;
+    unsigned int depth = 1;
+    if (!is_symbol(tokens[i], ","))
+      fail("a <,> is wanted behind the name of the file.");
+    for (++i; depth > 0; ++i)
+      {
+        depth += is_symbol(tokens[i], "(") - is_symbol(tokens[i], ")");
+        if (depth > (is_symbol(tokens[i], ",") ? 1 : 0))
+          continue;
+        call.arguments.emplace_back(begin, i);
+        begin = i + 1;
+      }
+    call.end = i;
+
+    const auto &last = call.arguments.back();
+    if (last.second == last.first + 1 && tokens[last.first].kind == Token::word &&
+        (tokens[last.first].text == "cubic" || tokens[last.first].text == "linear"))
+      {
+        call.is_cubic = tokens[last.first].text == "cubic";
+        call.arguments.pop_back();
+      }
+    if (call.arguments.empty() || call.arguments.size() > 2)
+      fail("one or two arguments are wanted behind the name of the file, not " + std::to_string(call.arguments.size()) +
+           ".");
+    if (call.is_cubic && call.arguments.size() == 2)
+      fail("<cubic> is of one argument; of two it is linear in each.");
+    return call;
+  }
+
+
+
+  std::string
+  with_tables_beside(const std::string &text, const std::string &where)
+  {
+    std::string result;
+    std::size_t from = 0;
+    for (std::size_t open = 0; (open = text.find('"', from)) != std::string::npos;)
+      {
+        const std::size_t close = text.find('"', open + 1);
+        if (close == std::string::npos)
+          break;
+        const std::string before = trim(text.substr(0, open));
+        const bool        is_of_table =
+          before.size() > table_function.size() && before.back() == '(' &&
+          trim(before.substr(0, before.size() - 1)).rfind(table_function) + table_function.size() ==
+            trim(before.substr(0, before.size() - 1)).size();
+        std::string name = text.substr(open + 1, close - open - 1);
+        if (is_of_table && !trim(name).empty())
+          {
+            std::error_code ignored;
+            name                = file_beside(where.substr(0, where.rfind(':')), trim(name));
+            const auto absolute = std::filesystem::absolute(name, ignored);
+            name                = ignored ? name : absolute.string();
+          }
+        result += text.substr(from, open - from) + '"' + name + '"';
+        from = close + 1;
+      }
+    return result + text.substr(from);
+  }
+
+
+
   std::vector<std::string>
   function_names()
   {
     std::vector<std::string> names;
     for (const auto &function : jet_functions())
       names.push_back(function.name);
+    names.push_back(table_function);
     return names;
   }
 } // namespace samara

@@ -96,10 +96,47 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Whether @p text names what a model does. */
+    bool
+    names_signals(const std::string &text, const Quantities &quantities)
+    {
+      try
+        {
+          return !quantities.signals.find(text).empty();
+        }
+      catch (const std::invalid_argument &)
+        {
+          return false;
+        }
+    }
+
+    double
+    constant_number(const std::string &text, const std::string &unit, const Quantities &quantities)
+    {
+      try
+        {
+          return quantities.number(text, unit);
+        }
+      catch (const std::invalid_argument &)
+        {
+          if (names_signals(text, quantities))
+            throw std::invalid_argument(
+              "<" + text +
+              ">: this number must not change. What depends on the motion is a <Force> or <Moment>, in place of a damper, "
+              "say, or a <Spring force> or <Spring moment>, whose energy is kept.");
+          throw;
+        }
+    }
+  } // namespace
+
+
+
   double
   Value<double>::read(const std::string &text, const std::string &unit, const Quantities &quantities)
   {
-    const double     number = quantities.number(text, unit);
+    const double     number = constant_number(text, unit, quantities);
     constexpr double most   = 1e100; // its square and more must be numbers, too
     if (std::abs(number) > most || (number != 0 && std::abs(number) < 1 / most))
       throw std::invalid_argument("<" + text + "> is too " + (std::abs(number) > most ? "large" : "small") +

@@ -23,6 +23,10 @@ namespace samara
             rest,
             is_length() ? "Length without force; not given: that in the reference configuration [m]." :
                           what + " at which the spring is free of " + (turns ? "moment " : "force ") + unit + ".");
+    prm.add(turns ? "Spring moment" : "Spring force",
+            spring_law,
+            std::string("With which a nonlinear spring pulls back: an expression of this motion alone, whose energy ") +
+              "steps in time keep exactly " + (turns ? "[N*m]." : "[N]."));
     prm.add("Damper", damper, "Viscous damping " + damping + ".", Double(0));
     prm.add("Lower stop", lower_stop, what + " below which" + none);
     prm.add("Upper stop", upper_stop, what + " above which" + none);
@@ -73,7 +77,8 @@ namespace samara
   bool
   FreeMotion::is_used() const
   {
-    return spring != 0 || damper != 0 || !force.is_zero() || is_prescribed || has_lower_stop || has_upper_stop;
+    return spring != 0 || damper != 0 || !spring_law.is_zero() || !force.is_zero() || is_prescribed || has_lower_stop ||
+           has_upper_stop;
   }
 
 
@@ -366,6 +371,8 @@ namespace samara
     };
     for (auto &motion : free)
       {
+        if (!motion.spring_law.is_zero())
+          find_nonlinear_spring(model, motion);
         motion.response = find(motion, motion.is_angle() ? "Moment" : "Force", motion.force);
         motion.drive    = find(motion, "Prescribed", motion.prescribed);
         if (motion.drive && !motion.drive->is_of_states())
@@ -373,6 +380,28 @@ namespace samara
             parameters.subsection(motion.name).where("Prescribed"),
             "what is prescribed may depend on time and on states of first order only; let a state follow the "
             "motion, or a force");
+      }
+  }
+
+
+
+  void
+  Joint::find_nonlinear_spring(Model &model, FreeMotion &motion)
+  {
+    const std::string own = name + "." + motion.name;
+    try
+      {
+        if (motion.spring_law.signals() != std::vector<std::string>{own})
+          throw std::invalid_argument("it must be an expression of <" + own +
+                                      "> and of nothing else; other forces are a <" +
+                                      (motion.is_angle() ? "Moment" : "Force") + ">.");
+        motion.nonlinear_spring = std::make_unique<SpringLaw>(motion.spring_law.of_signal(), motion.reference);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        const std::string entry = motion.is_angle() ? "Spring moment" : "Spring force";
+        model.complaints.add(parameters.subsection(motion.name).where(entry),
+                             "<" + entry + "> of joint <" + name + ">: " + problem.what());
       }
   }
 
@@ -390,6 +419,12 @@ namespace samara
           const unsigned int i = *use_coordinate(model, wanted);
           return is_rate ? rate_signal(i) : coordinate_signal(i, motion.reference);
         }
+    if (path == "force")
+      return tension();
+    for (const bool is_moment : {false, true})
+      for (unsigned int i = 0; i < 3; ++i)
+        if (path == (is_moment ? "moment " : "force ") + std::to_string(i + 1))
+          return reaction(is_moment, i);
     return nullptr;
   }
 

@@ -300,9 +300,104 @@ namespace samara
 
 
 
+  /** The forces of nonlinear springs. In time steps Layout::nonlinear_springs add to them what keeps their energy. */
+  class Joint::NonlinearSprings : public Evaluated<Joint::NonlinearSprings, Force>
+  {
+  public:
+    explicit NonlinearSprings(const Joint &joint)
+      : used(joint.used)
+      , block(joint.block)
+    {}
+
+    template <typename Number>
+    void
+    residual_at(const Point<Number> &point, Number *r) const
+    {
+      for (unsigned int i = 0; i < used.size(); ++i)
+        if (const SpringLaw *const law = used[i]->nonlinear_spring.get())
+          {
+            const Number d  = stretch(*used[i], point);
+            const double at = std::real(d);
+            r[block.row(12 + i)] += law->force(at);
+            if constexpr (!std::is_same<Number, double>::value) // along imaginary steps, see Response
+              r[block.row(12 + i)] += law->stiffness(at) * (d - at);
+          }
+    }
+
+    void
+    tangent(const Point<double> &point, SparseMatrix &K) const override
+    {
+      for (unsigned int i = 0; i < used.size(); ++i)
+        if (const SpringLaw *const law = used[i]->nonlinear_spring.get())
+          block.add_entry(12 + i, 12 + i, law->stiffness(stretch(*used[i], point)), K);
+    }
+
+    bool
+    has_potential() const override
+    {
+      return true;
+    }
+
+    double
+    potential_energy(const Point<double> &point) const override
+    {
+      double sum = 0;
+      for (const auto *m : used)
+        if (m->nonlinear_spring)
+          sum += m->nonlinear_spring->energy(stretch(*m, point));
+      return sum;
+    }
+
+    void
+    pieces(const Point<double> &point, std::vector<double> &result) const override
+    {
+      std::vector<double> own;
+      for (const auto *m : used)
+        if (m->nonlinear_spring)
+          {
+            const double variables[] = {point.time, stretch(*m, point)};
+            m->spring_law.pieces(variables, own);
+            result.insert(result.end(), own.begin(), own.end());
+          }
+    }
+
+  private:
+    const std::vector<FreeMotion *> &used;
+    const Block                     &block;
+
+    template <typename Number>
+    static Number
+    stretch(const FreeMotion &m, const Point<Number> &point)
+    {
+      return point.coordinates[m.coordinate] + m.reference;
+    }
+  };
+
+
+
+  void
+  Joint::add_nonlinear_springs(Layout &layout)
+  {
+    bool are_any = false;
+    for (const auto *m : used)
+      if (m->nonlinear_spring)
+        {
+          are_any = true;
+          layout.nonlinear_springs.push_back(
+            {static_cast<unsigned int>(m->coordinate), m->reference, m->nonlinear_spring.get()});
+        }
+    if (!are_any)
+      return;
+    nonlinear_springs = std::make_unique<NonlinearSprings>(*this);
+    layout.add(*this, *nonlinear_springs);
+  }
+
+
+
   void
   Joint::add_springs(Layout &layout)
   {
+    add_nonlinear_springs(layout);
     if (auto given = std::make_unique<Springs>(*this); given->are_any())
       {
         layout.add(*this, *given);

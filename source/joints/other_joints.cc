@@ -87,10 +87,27 @@ namespace samara
   std::optional<Probe>
   Rigid::probe(const std::string &path) const
   {
+    check_reaction(path);
+    return Joint::probe(path);
+  }
+
+
+
+  std::shared_ptr<Signal>
+  Rigid::signal(Model &model, const std::string &path)
+  {
+    check_reaction(path);
+    return Joint::signal(model, path);
+  }
+
+
+
+  void
+  Rigid::check_reaction(const std::string &path) const
+  {
     if (!reaction_wanted && (path.substr(0, 6) == "force " || path.substr(0, 7) == "moment "))
       throw std::invalid_argument("joint <" + name + "> has made one body of two, and knows no <" + path +
                                   ">; set Reaction = true there");
-    return Joint::probe(path);
   }
 
 

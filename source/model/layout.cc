@@ -22,6 +22,9 @@ namespace samara
           joints.push_back(c.get());
       }
     model.complaints.throw_if_any();
+    for (const auto &action : actions)
+      action();
+    actions.clear();
 
     for (const auto &c : couplings)
       number_rows(c);
@@ -112,6 +115,14 @@ namespace samara
     for ([[maybe_unused]] const auto i : states)
       AssertIndexRange(i, n_states);
     couplings.push_back({&block, frames, coordinates, states, multipliers});
+  }
+
+
+
+  void
+  Layout::when_numbered(const std::function<void()> &action)
+  {
+    actions.push_back(action);
   }
 
 

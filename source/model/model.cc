@@ -104,15 +104,36 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** "pilot_2" into "pilot" and "2": an output of several. False if it has no number. */
+    bool
+    split_number(const std::string &path, std::string &name, std::string &number)
+    {
+      const auto bar = path.rfind('_');
+      if (bar == std::string::npos || bar + 1 == path.size() ||
+          path.find_first_not_of("0123456789", bar + 1) != std::string::npos)
+        return false;
+      name   = path.substr(0, bar);
+      number = path.substr(bar + 1);
+      return true;
+    }
+  } // namespace
+
+
+
   std::shared_ptr<Signal>
   Model::signal(const std::string &path)
   {
     for (unsigned int i = 0; i < states.size(); ++i)
       if (states[i].name == path)
         return state_signal(i);
-    const auto        dot  = path.find('.');
-    const std::string name = trim(path.substr(0, dot)),
-                      rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const auto  dot  = path.find('.');
+    std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const auto all = full_names(name);
+    if (dot == std::string::npos &&
+        std::all_of(all.begin(), all.end(), [&](const auto &full_name) { return named(full_name).empty(); }))
+      split_number(path, name, rest);
     for (const auto &full_name : full_names(name))
       for (auto *const item : named(full_name))
         {
@@ -277,9 +298,10 @@ namespace samara
   Probe
   Model::probe(const std::string &path) const
   {
-    const auto        dot  = path.find('.');
-    const std::string name = trim(path.substr(0, dot)),
-                      rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const auto  dot  = path.find('.');
+    std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    if (dot == std::string::npos && named(name).empty())
+      split_number(path, name, rest);
     // a section and a body may have the same name; the section has nothing to tell
     std::vector<std::string> known;
     for (const auto *const c : named(name)) // paths of probes are full: they head the columns of results

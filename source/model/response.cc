@@ -15,22 +15,39 @@ namespace samara
 
 
 
+  Response::Response(const SignalPointer &signal)
+    : law(Law::word(0), {"signal"})
+    , signals{signal}
+  {}
+
+
+
   void
   Response::connect(Layout &layout, const Rows &rows)
+  {
+    // signals may be multipliers of items that come later
+    layout.when_numbered([this, &layout, rows]() { couple(layout, rows); });
+  }
+
+
+
+  void
+  Response::couple(Layout &layout, const Rows &rows)
   {
     // first all frames, then all coordinates, states, multipliers: those of the rows before those of the signals
     std::vector<Frame>        frames      = rows.frames;
     std::vector<unsigned int> coordinates = rows.coordinates, states = rows.states, multipliers = rows.multipliers;
     for (const auto &signal : signals)
       {
-        for (auto &frame : signal->frames)
-          {
-            frame = layout.model.resolved(frame);
-            frames.push_back({frame.node}); // signals know their arms
-          }
+        signal->resolve(layout.model);
+        for (const auto &frame : signal->frames)
+          frames.push_back({frame.node}); // signals know their arms
         coordinates.insert(coordinates.end(), signal->coordinates.begin(), signal->coordinates.end());
         states.insert(states.end(), signal->states.begin(), signal->states.end());
         multipliers.insert(multipliers.end(), signal->multipliers.begin(), signal->multipliers.end());
+        layout.multipliers_in_laws.insert(layout.multipliers_in_laws.end(),
+                                          signal->multipliers.begin(),
+                                          signal->multipliers.end());
       }
     layout.couple(block, frames, coordinates, multipliers, states);
 
@@ -124,9 +141,22 @@ namespace samara
 
 
 
+  double
+  Response::next_corner(const double from, const double to) const
+  {
+    double first = law.next_corner(from, to);
+    for (const auto &signal : signals)
+      first = std::min(first, signal->next_corner(from, to));
+    return first;
+  }
+
+
+
   void
   Response::pieces(const Point<double> &point, std::vector<double> &result) const
   {
+    for (const auto &signal : signals)
+      signal->pieces(point, result);
     if (!law.has_pieces())
       return;
     std::vector<double> own;

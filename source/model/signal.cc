@@ -1,9 +1,19 @@
+#include <samara/model/model.h>
 #include <samara/model/signal.h>
 
 #include <string>
 
 namespace samara
 {
+  void
+  Signal::resolve(const Model &model)
+  {
+    for (auto &frame : frames)
+      frame = model.resolved(frame);
+  }
+
+
+
   namespace
   {
     /** Writes value() for both number types from the template value_at() that @p Derived has. */

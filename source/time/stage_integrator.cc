@@ -110,6 +110,7 @@ namespace samara
       first_strain = energy.strain;
     moved_energy = std::max({moved_energy, energy.kinetic, std::abs(energy.strain - first_strain)});
     start_stops(state);
+    start_springs(state);
     predict(state, h);
     bool converged = false;
     if (is_step(factored_step, h))

@@ -35,6 +35,7 @@ namespace samara
       result.viscous_loss += h * tableau.b(k) * system.viscous_power(stages[k].strain_rates.data());
 
     account_for_stops(state, h, result);
+    account_for_springs(h, result);
     result.unresolved_state = unresolved_state(state, h);
 
     // constraints do the work −λ·(ġ − ∂g/∂t); for those that do not depend on time it vanishes over the step

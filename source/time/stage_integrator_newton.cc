@@ -365,6 +365,7 @@ namespace samara
       }
     exact->assemble(points, h, is_active);
     add_slopes_of_stops();
+    add_slopes_of_springs(h);
     exact->solve(d_exact);
     ++n_factorizations;
     for (unsigned int k = 0; k < tableau.s; ++k)

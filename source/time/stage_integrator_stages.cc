@@ -374,6 +374,7 @@ namespace samara
           }
       }
     evaluate_stops(h);
+    evaluate_springs(h);
     evaluate_constraints(state, h);
   }
 } // namespace samara

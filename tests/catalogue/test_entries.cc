@@ -46,6 +46,10 @@ TEST_F(Catalogued, AllKinds)
                                    "rectangle",
                                    "tube",
                                    "first order",
+                                   "PID",
+                                   "transfer function",
+                                   "state space",
+                                   "delay",
                                    "analytic",
                                    "C81",
                                    "AeroDyn",
@@ -323,6 +327,63 @@ TEST_F(Catalogued, States)
         model,
         "States/it",
         {{"Rate", "3*sin(t) - it"}, {"Initial", "0.7"}, {"Unit", "m"}, {"Scale", "1e6"}});
+}
+
+
+
+TEST_F(Catalogued, Controllers)
+{
+  const auto model = [](const std::string &entries) {
+    return "set Analyses = dynamic\n" +
+           on_a_slide("subsection it\n" + entries + " end\n", "set Spring = 30\n set Force = -2*it") +
+           "subsection Dynamic\n set End time = 0.5\n set Step = 0.05\n set Newton tolerance = 1e-4\nend\n"
+           "subsection Output\n set Probes = it, slide.displacement\nend\n";
+  };
+  // in two iterations they are there, whatever counts for convergence
+  const std::map<std::string, std::string> linear = {{"Scale", "states that are linear converge at once"}};
+  const std::string                        signal = " set Signal = slide.displacement + slide.displacement^3\n",
+                    limit                         = "States/it/Upper limit = 0";
+  check("PID",
+        model(" set Type = PID\n" + signal +
+              " set Proportional gain = 3\n set Integral gain = 4\n set Derivative gain = 1\n set Filter time = 0.1\n"),
+        "States/it",
+        {{"Signal", "0.5*slide.displacement"},
+         {"Signal unit", "m", {}, false, {"States/it/Proportional gain = 4/(1 m)"}},
+         {"Target", "0.2"},
+         {"Signal rate", "slide.displacement rate"},
+         {"Unit", "N"},
+         {"Proportional gain", "4"},
+         {"Integral gain", "5"},
+         {"Derivative gain", "2"},
+         {"Filter time", "0.2"},
+         {"Lower limit", "0.01"},
+         {"Upper limit", "-0.01"},
+         {"Tracking time", "0.3", {limit}},
+         {"Initial", "0.5"}},
+        linear);
+  const std::string input = " set Input = slide.displacement + slide.displacement^3\n";
+  check("transfer function",
+        model(" set Type = transfer function\n set Numerator = 2, 3\n set Denominator = 1, 4\n" + input),
+        "States/it",
+        {{"Input", "sin(t)"}, {"Numerator", "3"}, {"Denominator", "1, 2, 5"}, {"Unit", "m"}},
+        linear);
+  check("state space",
+        model(" set Type = state space\n set A = -1, 2; -3, -0.5\n set B = 1; 2\n set C = 1, 1\n"
+              " set Inputs = slide.displacement + slide.displacement^3\n"),
+        "States/it",
+        {{"Inputs", "sin(t)"},
+         {"A", "-1, 2; -3, -1"},
+         {"B", "1; 3"},
+         {"C", "1, 2"},
+         {"D", "0.5"},
+         {"Unit", "m"},
+         {"Initial", "0.1, 0"}},
+        linear);
+  check("delay",
+        model(" set Type = delay\n set Time = 0.2\n" + input),
+        "States/it",
+        {{"Input", "sin(t)"}, {"Time", "0.1"}, {"Order", "2"}, {"Unit", "m"}, {"Initial", "0.1"}},
+        linear);
 }
 
 

@@ -4,26 +4,15 @@
 #include <samara/time/rivals.h>
 #include <samara/time/stage_integrator.h>
 
-#include "../scene.h"
-#include "../time/systems.h"
 #include <gtest/gtest.h>
 
 #include "scenes.h"
+#include "started.h"
 
 using namespace samara;
 
 namespace
 {
-  State
-  started(const System &system)
-  {
-    State state = system.reference();
-    system.add_initial_velocities(state);
-    Projection(system).velocities(state);
-    state.held = false;
-    return state;
-  }
-
   /** Places, projected velocities and states after @p T. */
   struct End
   {
@@ -223,7 +212,7 @@ TEST(FirstOrderStates, ReactionsOfWhatTheyDrive)
     const Scene scene(on_a_slide("subsection v\n set Rate = -100*z\n set Initial = 10\n end\n"
                                  " subsection z\n set Rate = v\n end\n",
                                  std::string("set Prescribed = ") + (by_state ? "1 m*z" : "sin(10*t)")));
-    Record record = run(scene.system, started(scene.system), Tableau(3, 1.), 0.01, 100);
+    Record      record = run(scene.system, started(scene.system), Tableau(3, 1.), 0.01, 100);
     Projection(scene.system).report(record.state);
     EXPECT_NEAR(record.state.accelerations[6 + 2], -100 * std::sin(10.), 1e-3);
     if (by_state)

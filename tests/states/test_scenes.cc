@@ -111,6 +111,35 @@ TEST(LawScenes, LagDamper)
 
 
 
+// A governor that sees the rotor and drives the turbine: against two inertias with the shafts as a spring between them.
+TEST(LawScenes, GovernorOfTheTailRotor)
+{
+  Scene scene("prm/rotorcraft/tail_rotor_governor.prm");
+  scene.equilibrium();
+  EXPECT_NEAR(scene.value("engine"), 200., 1e-5); // what statics leave unbalanced
+  const double shaft = 6 + 1.2 * std::sqrt(2.), own = 0.5 * 0.002 * shaft, J1 = 0.50005 + own,
+               J2 = (3 + 4 * (2.45 * 0.992 / 3 + 0.6)) / 4 + own, k = 1 / (shaft / 22.1e3 + 4e-5),
+               c = 40 * std::pow(k / 1e5, 2), B = 10, K = 60, T = 0.1;
+  const auto defect = [&](const std::complex<double> &s) {
+    const std::complex<double> kk = k + c * s;
+    return ((J1 * s * s + kk) * (J2 * s * s + B * s + kk) - kk * kk) * (1. + T * s) / s + kk * K;
+  };
+  for (std::complex<double> s : {std::complex<double>(-7, 15), std::complex<double>(-0.2, 78)})
+    {
+      for (unsigned int i = 0; i < 30; ++i) // Newton's method, by differences
+        {
+          const double h = 1e-5;
+          s -= defect(s) * h / (defect(s + h) - defect(s));
+        }
+      double nearest = 1e300;
+      for (const auto &mode : scene.modes())
+        nearest = std::min(nearest, std::abs(mode.lambda - s));
+      EXPECT_LT(nearest, 4e-3 * std::abs(s)) << s;
+    }
+}
+
+
+
 // Where a controller slides along its switch, time does not go on: the run says so.
 TEST(LawScenes, SlidingIsRefused)
 {

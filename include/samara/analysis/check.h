@@ -34,6 +34,9 @@ namespace samara
     /** Add "not unique" to the units of probes whose values are a matter of convention: least norm. Whether there are
      * any. */
     bool mark(std::vector<Probe> &probes) const;
+
+    /** A complaint about laws that depend on forces of constraints that are not unique; empty if there are none. */
+    std::string complaint_about_laws(const System &system) const;
   };
 
   ModelCheck check_model(const System &system);

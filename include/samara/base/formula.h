@@ -1,7 +1,7 @@
 #ifndef samara_base_formula_h
 #define samara_base_formula_h
 
-#include <samara/base/jet.h>
+#include <samara/base/look_up.h>
 
 #include <string>
 #include <vector>
@@ -13,7 +13,8 @@ namespace samara
    *
    * muParser, which reads all other numbers (see Quantities), evaluates but cannot differentiate; differences would
    * make noise of the accelerations of a prescribed motion, and nonsense of them at a switch such as "t < 1 ? 0 : t -
-   * 1". The language is that of muParser: + - * / ^, comparisons, && ||, ?:, and functions.
+   * 1". The language is that of muParser: + - * / ^, comparisons, && ||, ?:, and functions; and saturate(x, lo, hi),
+   * deadband(x, width), and table("file.csv", x), see LookUp.
    *
    * The program is a list of instructions for a stack, with jumps around the branch of ?: that is not taken. Evaluation
    * allocates nothing and may be done by several threads at once.
@@ -42,6 +43,9 @@ namespace samara
 
     /** Whether no variable occurs. */
     bool is_constant() const;
+
+    /** Whether the variable occurs. */
+    bool uses(unsigned int i) const;
 
     /** Whether there is anything that switches, as a comparison does. */
     bool
@@ -78,6 +82,7 @@ namespace samara
         number,
         variable,
         operation,
+        look_up,
         skip,
         skip_if_zero
       };
@@ -88,6 +93,25 @@ namespace samara
       unsigned int           n_arguments = 0;
       unsigned int           n_skipped   = 0;
       unsigned int           index       = 0; ///< of the variable
+
+      std::shared_ptr<const LookUp> table = nullptr;
+
+      /** Of an operation or a table. */
+      Jet
+      result(const Jet *arguments) const
+      {
+        return table ? (*table)(arguments) : apply(arguments, n_arguments);
+      }
+      bool
+      has_pieces() const
+      {
+        return piece != nullptr || table;
+      }
+      double
+      piece_at(const Jet *arguments) const
+      {
+        return table ? table->piece(arguments) : piece(arguments, n_arguments);
+      }
     };
 
     class Compiler;

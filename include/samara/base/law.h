@@ -69,6 +69,9 @@ namespace samara
     /** For a law without signals. */
     const FunctionOfTime &of_time() const;
 
+    /** For a law of one signal. @throws std::invalid_argument if it depends on time or on another signal, too */
+    ScalarFunction of_signal() const;
+
     /** Its value where the variables are time and then the signals. */
     double
     value(const double *variables) const
@@ -122,10 +125,10 @@ namespace samara
     const std::string &text() const;
 
   private:
-    FunctionOfTime           time_function;
-    Formula                  formula;
-    std::string              words, source; ///< the text with words for the signals, and with their paths
-    std::vector<std::string> paths;
+    FunctionOfTime              time_function;
+    Formula                     formula;
+    std::string                 words, source; ///< the text with words for the signals, and with their paths
+    std::vector<std::string>    paths;
     std::vector<ScalarFunction> switches_of_time; ///< parts of the formula
   };
 

@@ -77,6 +77,9 @@ namespace samara
     /** Whether @p text contains the name of a unit. */
     bool names_a_unit(const std::string &text) const;
 
+    /** A product of units, "kN*m". @throws std::invalid_argument if it is none */
+    static Quantity unit(const std::string &text);
+
     /** Whether @p text is a product of SI units, which a bare number can be in. For checks of declared units. */
     static bool is_si_unit(const std::string &text);
 

@@ -2,6 +2,7 @@
 #define samara_base_text_file_h
 
 #include <string>
+#include <vector>
 
 namespace samara
 {
@@ -11,6 +12,9 @@ namespace samara
    * @throws std::invalid_argument naming the file and what is wrong with it
    */
   std::string text_of_file(const std::string &name);
+
+  /** The fields of a line of a CSV file; what is in quotes may have commas. */
+  std::vector<std::string> csv_fields(const std::string &line);
 } // namespace samara
 
 #endif

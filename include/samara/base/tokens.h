@@ -2,6 +2,7 @@
 #define samara_base_tokens_h
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace samara
@@ -14,6 +15,7 @@ namespace samara
       number,
       word,     ///< a unit, constant or variable; "%" is one, too
       function, ///< a word before parentheses
+      string,   ///< the name of a file, with its quotes
       symbol    ///< operators, parentheses, commas
     };
 
@@ -27,6 +29,24 @@ namespace samara
    * Two numbers in a row are refused, for "1 000" was not meant to be zero. Throws std::invalid_argument.
    */
   std::vector<Token> tokens_of(const std::string &text);
+
+  /** The function that looks up in files. */
+  extern const std::string table_function;
+
+  /** table("file.csv", x, cubic) */
+  struct TableCall
+  {
+    std::string                                      file;      ///< without quotes, with the column
+    std::vector<std::pair<std::size_t, std::size_t>> arguments; ///< first token, and one behind the last
+    bool                                             is_cubic = false;
+    std::size_t                                      end      = 0; ///< one behind the closing parenthesis
+  };
+
+  /** The call whose name is the token @p at. Throws std::invalid_argument. */
+  TableCall table_call(const std::vector<Token> &tokens, std::size_t at);
+
+  /** @p text with the names of files in tables as they are seen from @p where, "file:line" or "--set": absolute. */
+  std::string with_tables_beside(const std::string &text, const std::string &where);
 
   /** The names of all functions that may be used. */
   std::vector<std::string> function_names();

@@ -31,11 +31,13 @@ namespace samara
     double         spring = 0, rest = 0, damper = 0;
     double         lower_stop = 0, upper_stop = 0, stop_stiffness = 0, stop_damping = 0;
     bool           has_lower_stop = false, has_upper_stop = false;
-    Law            force, prescribed;
+    Law            force, prescribed, spring_law;
     bool           is_prescribed = false;
 
     /** Of the force and of what is prescribed, where they depend on the model's state. */
     std::unique_ptr<Response> response, drive;
+
+    std::unique_ptr<SpringLaw> nonlinear_spring;
 
     /** What is prescribed there, and its rate. */
     template <typename Number>
@@ -177,9 +179,9 @@ namespace samara
    *     screw             d − p θ = 0
    *     no slip           0; b·y = 0 is a constraint on velocities alone, its tangent row is b
    *
-   * Three terms: these constraints; the forces along the motions in use; springs, dampers and stops, with the strains
-   * d − rest of the motions in use, then d − stop of their stops, 0 while the stop is not touched. In time steps of the
-   * integrator family Layout::stops stand for them.
+   * Four terms: these constraints; the forces along the motions in use; those of nonlinear springs, which have a
+   * potential; springs, dampers and stops, with the strains d − rest of the motions in use, then d − stop of their
+   * stops, 0 while the stop is not touched. In time steps of the integrator family Layout::stops stand for them.
    */
   class Joint : public Item, public RelativeMotions
   {
@@ -193,7 +195,7 @@ namespace samara
     std::optional<unsigned int> use_coordinate(Model &model, const std::string &motion) override;
     std::vector<std::string>    rotation_names() const override;
 
-    /** The free motions by name, and their rates: "rotation", "rotation rate". */
+    /** The free motions by name, and their rates: "rotation", "rotation rate"; forces and moments as of probes. */
     std::shared_ptr<Signal> signal(Model &model, const std::string &path) override;
 
     /** Those of all free motions. */
@@ -283,9 +285,11 @@ namespace samara
     class Constraints;
     class Springs;
     class Actuators;
+    class NonlinearSprings;
+    class Reaction;
     std::unique_ptr<Constraint>  constraints;
     std::unique_ptr<Deformation> springs;
-    std::unique_ptr<Force>       actuators;
+    std::unique_ptr<Force>       actuators, nonlinear_springs;
 
     Block                     block; ///< local unknowns: 12 twists of the nodes, used coordinates, multipliers
     unsigned int              first_row      = 0;     ///< of the multipliers in the residual
@@ -297,12 +301,19 @@ namespace samara
     /** What acts along (force) or about (moment) joint axis @p axis; nothing if nothing does. */
     std::function<double(const State &)> action(bool is_moment, unsigned int axis) const;
 
+    /** The same as a signal. Made before multipliers have numbers. */
+    std::shared_ptr<Signal> reaction(bool is_moment, unsigned int axis);
+    /** The tension between two points, of a spring or a rod. */
+    std::shared_ptr<Signal> tension();
+
+    void find_nonlinear_spring(Model &model, FreeMotion &motion);
     void complain(Model &model, const std::string &entry, const std::string &text) const;
 
     void number_rows(Layout &layout);
     void add_stops(Layout &layout);
     void add_constraints(Layout &layout);
     void add_springs(Layout &layout);
+    void add_nonlinear_springs(Layout &layout);
 
     double angle_or_gap(const FreeMotion &motion, const State &state) const;
   };

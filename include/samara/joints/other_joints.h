@@ -36,10 +36,14 @@ namespace samara
     void connect(Layout &layout) override;
     void draw(const State &, Drawing &) const override;
 
-    std::optional<Probe> probe(const std::string &path) const override;
+    std::optional<Probe>    probe(const std::string &path) const override;
+    std::shared_ptr<Signal> signal(Model &model, const std::string &path) override;
 
   private:
     bool reaction_wanted = false;
+
+    /** Throws std::invalid_argument if a force or moment is asked for that is not there. */
+    void check_reaction(const std::string &path) const;
   };
 
 

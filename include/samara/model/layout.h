@@ -1,6 +1,7 @@
 #ifndef samara_model_layout_h
 #define samara_model_layout_h
 
+#include <samara/base/spring_law.h>
 #include <samara/model/model.h>
 #include <samara/model/terms.h>
 
@@ -76,9 +77,15 @@ namespace samara
                 const std::vector<unsigned int> &coordinates = {},
                 const std::vector<unsigned int> &multipliers = {},
                 const std::vector<unsigned int> &states      = {});
+
+    /** Do something, such as couple(), when all multipliers have numbers. */
+    void when_numbered(const std::function<void()> &action);
     /** @} */
 
     std::vector<std::string> multiplier_names;
+
+    /** Multipliers that laws depend on: forces and moments of joints. */
+    std::vector<unsigned int> multipliers_in_laws;
 
     /**
      * A constraint that is not quadratic: its force gets a correction along the rate of a coordinate, so that it does
@@ -105,6 +112,15 @@ namespace samara
       std::string  name;               ///< for messages: "joint hinge, upper stop of the rotation"
     };
     std::vector<Stop> stops;
+
+    /** A nonlinear spring of a joint coordinate, whose energy steps keep exactly. Its force is among the forces. */
+    struct NonlinearSpring
+    {
+      unsigned int     coordinate;
+      double           offset; ///< what the law depends on is the coordinate and this
+      const SpringLaw *law;
+    };
+    std::vector<NonlinearSpring> nonlinear_springs;
 
     /**
      * Multipliers of constraints on velocities alone, b(q) y = 0 (rolling): only constraint_rates() says what they are.
@@ -136,7 +152,8 @@ namespace samara
       std::vector<Frame>        frames;
       std::vector<unsigned int> coordinates, states, multipliers;
     };
-    std::vector<Coupling> couplings;
+    std::vector<Coupling>              couplings;
+    std::vector<std::function<void()>> actions; ///< for when all multipliers have numbers
 
     void number_rows(const Coupling &coupling) const;
     void make_pattern();

@@ -23,6 +23,9 @@ namespace samara
     /** Find the signals. @throws std::invalid_argument saying what is known, FollowUp */
     Response(const Law &law, Model &model);
 
+    /** The response of a signal itself. */
+    explicit Response(const SignalPointer &signal);
+
     /** The unknowns in whose rows @p c stands: twists of frames in their own axes, coordinates, states, multipliers. */
     struct Rows
     {
@@ -33,7 +36,7 @@ namespace samara
     /** Whether it depends on nothing but time and states of first order. */
     bool is_of_states() const;
 
-    /** To be called in Item::connect(); the frames of @p rows are resolved. */
+    /** To be called in Item::connect(); the frames of @p rows are resolved. It stays where it is from then on. */
     void connect(Layout &layout, const Rows &rows);
 
     template <typename Number>
@@ -41,6 +44,9 @@ namespace samara
 
     /** ∂ℓ/∂t + ∂ℓ/∂z ż, of a law of time and states. */
     double rate(const Point<double> &point) const;
+
+    /** Where the law or a signal has a corner in time, see Law::next_corner(). */
+    double next_corner(double from, double to) const;
 
     /** See Term::pieces(). */
     void pieces(const Point<double> &point, std::vector<double> &result) const;
@@ -57,6 +63,8 @@ namespace samara
 
     std::vector<unsigned int>              row_places;    ///< in the block, of each coefficient
     std::vector<std::vector<unsigned int>> signal_places; ///< of the unknowns of each signal
+
+    void couple(Layout &layout, const Rows &rows);
 
     /** Time and the signals' values, until the next call on this thread. */
     const double *variables(const Point<double> &point) const;

@@ -5,6 +5,7 @@
 #include <samara/model/state.h>
 
 #include <complex>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,21 @@ namespace samara
 
     virtual double               value(const Point<double> &) const               = 0;
     virtual std::complex<double> value(const Point<std::complex<double>> &) const = 0;
+
+    /** Frames are found by bodies; this makes them those of the layout. To be called once, when it is made. */
+    virtual void resolve(const Model &model);
+
+    /** See Term::pieces(). */
+    virtual void
+    pieces(const Point<double> &, std::vector<double> & /*pieces*/) const
+    {}
+
+    /** See Term::next_corner(). */
+    virtual double
+    next_corner(double /*from*/, double /*to*/) const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
 
     /** Its rate, of a signal that depends on states alone: from their rates. */
     virtual double

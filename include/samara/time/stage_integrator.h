@@ -254,6 +254,14 @@ namespace samara
     void          account_for_stops(const State &state, double h, StepResult &result);
     /** @} */
 
+    /** @name Nonlinear springs: stretches at the start, and what keeps their energy (stage_springs.cc) @{ */
+    std::vector<double> stretches;
+    void                start_springs(const State &state);
+    void                evaluate_springs(double h);
+    void                account_for_springs(double h, StepResult &result) const;
+    void                add_slopes_of_springs(double h);
+    /** @} */
+
     void   solve_exactly_for_increments(double h);
     double solve_exactly(double h);
     void   make_exact();

@@ -1,0 +1,146 @@
+#include <samara/base/spring_law.h>
+#include <samara/base/tokens.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+namespace samara
+{
+  namespace
+  {
+    constexpr unsigned int n_points     = 8;
+    constexpr unsigned int most_halving = 50; ///< towards a jump of the curvature, say, of which nobody tells
+
+    const dealii::QGauss<1> &
+    rule()
+    {
+      static const dealii::QGauss<1> gauss(n_points);
+      return gauss;
+    }
+
+    /** ∫ f from a to b, by Gauss' rule. */
+    template <typename F>
+    double
+    by_rule(const F &f, const double a, const double b)
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < n_points; ++i)
+        sum += rule().weight(i) * f(a + rule().point(i)(0) * (b - a));
+      return sum * (b - a);
+    }
+
+    /** Halved until that, and halving once more, changes no more than @p round_off. */
+    template <typename F>
+    double
+    by_halves(const F           &f,
+              const double       a,
+              const double       b,
+              const double       whole,
+              const double       round_off,
+              const unsigned int depth)
+    {
+      const double middle = 0.5 * (a + b), left = by_rule(f, a, middle), right = by_rule(f, middle, b);
+      if (depth == 0)
+        return left + right;
+      if (!(std::abs(left + right - whole) > round_off))
+        {
+          // once may be chance: a jump of the curvature can lie where the rule and its halves err by the same
+          const double p = 0.5 * (a + middle), q = 0.5 * (middle + b),
+                       quarters = by_rule(f, a, p) + by_rule(f, p, middle) + by_rule(f, middle, q) + by_rule(f, q, b);
+          if (!(std::abs(quarters - left - right) > round_off))
+            return quarters;
+        }
+      return by_halves(f, a, middle, left, round_off, depth - 1) + by_halves(f, middle, b, right, round_off, depth - 1);
+    }
+    /**
+     * The same with linear tables in place of cubic ones: it has a corner at each of their rows, where the curvature of
+     * the cubic jumps, which no rule between its points sees.
+     */
+    const ScalarFunction &
+    with_linear_tables(const ScalarFunction &function)
+    {
+      static std::mutex                            mutex;
+      static std::map<std::string, ScalarFunction> all;
+      const std::lock_guard<std::mutex>            guard(mutex);
+      const std::string                           &text = function.text();
+      if (const auto known = all.find(text); known != all.end())
+        return known->second;
+      std::string result, variable = "d";
+      for (const Token &token : tokens_of(text))
+        {
+          result += token.kind == Token::word && token.text == "cubic" ? "linear" : token.text;
+          if (token.kind == Token::word && token.text != "cubic" && token.text != "linear")
+            variable = token.text;
+        }
+      return all.emplace(text, ScalarFunction(result, variable)).first->second;
+    }
+  } // namespace
+
+
+
+  SpringLaw::SpringLaw(const ScalarFunction &force, const double origin)
+    : function(force)
+    , origin(origin)
+  {}
+
+
+
+  std::vector<double>
+  SpringLaw::corners(const double from, const double to) const
+  {
+    std::vector<double>    places;
+    const double           begin = std::min(from, to), end = std::max(from, to);
+    const ScalarFunction  &pieces = with_linear_tables(function);
+    constexpr unsigned int most   = 10'000; // of a formula that switches without end
+    for (double at = begin; places.size() < most;)
+      {
+        at = pieces.next_corner(at, end);
+        if (!(at < end))
+          break;
+        places.push_back(at);
+      }
+    if (to < from)
+      std::reverse(places.begin(), places.end());
+    return places;
+  }
+
+
+
+  SpringLaw::Mean
+  SpringLaw::mean(const double from, const double to) const
+  {
+    const double way = to - from;
+    if (way == 0)
+      return {force(from), 0.5 * stiffness(from)};
+    // ∫ F(from + x way) dx and ∫ x F'(from + x way) dx, x from 0 to 1
+    std::vector<double> ends = corners(from, to);
+    for (double &end : ends)
+      end = (end - from) / way;
+    ends.push_back(1);
+    const auto   force_at = [&](const double x) { return force(from + x * way); };
+    const auto   slope_at = [&](const double x) { return x * stiffness(from + x * way); };
+    const auto   size_at  = [&](const double x) { return std::abs(force_at(x)); };
+    Mean         result{0, 0};
+    double       begin     = 0;
+    const double round_off = 2e-15 * by_rule(size_at, 0, 1);
+    for (const double end : ends)
+      {
+        result.force += by_halves(force_at, begin, end, by_rule(force_at, begin, end), round_off, most_halving);
+        result.slope += by_rule(slope_at, begin, end); // for matrices only
+        begin = end;
+      }
+    return result;
+  }
+
+
+
+  double
+  SpringLaw::energy(const double d) const
+  {
+    return d == origin ? 0. : (d - origin) * mean(origin, d).force;
+  }
+} // namespace samara
