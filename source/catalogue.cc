@@ -7,6 +7,7 @@
 #include <samara/catalogue.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
 #include <samara/joints/distributing.h>
 #include <samara/joints/flexible_joint.h>
@@ -17,6 +18,7 @@
 #include <samara/loads/loads.h>
 #include <samara/loads/surface_loads.h>
 #include <samara/section/layup.h>
+#include <samara/section_report.h>
 #include <samara/states/controller.h>
 #include <samara/states/first_order.h>
 
@@ -36,8 +38,12 @@ namespace samara
     sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
     sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
     sections.add<TableSection>("table", "properties that vary along the beam");
-    sections.add<RectangularSection>("rectangle", "solid rectangle of isotropic material");
-    sections.add<TubularSection>("tube", "circular tube or rod of isotropic material");
+    sections.add<RectangularSection>("rectangle", "solid rectangle, or strip of plies");
+    sections.add<TubularSection>("tube", "circular tube or rod");
+    sections.add<EllipticSection>("ellipse", "solid ellipse");
+    sections.add<BoxSection>("box", "hollow rectangle with a layup on each wall");
+    sections.add<ISection>("I", "two flanges and a web between them");
+    sections.add<ChannelSection>("C", "channel: two flanges and a web on their left");
 
     Registry<Item> bodies;
     bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
@@ -106,5 +112,6 @@ namespace samara
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
     analyses.add<DynamicAnalysis>("dynamic", "motion in time");
+    analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");
   }
 } // namespace samara

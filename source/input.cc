@@ -28,7 +28,7 @@ namespace samara
   Input::add_parameters(Parameters &prm)
   {
     prm.add("Title", title, "One line that says what the model is.");
-    prm.add("Analyses", analysis_names, "What to do, in this order; each starts from the state before: static, modal.");
+    prm.add("Analyses", analysis_names, "What to do, in this order; each starts from the state before: static, modal, dynamic, section.");
     prm.add("Rotor speeds",
             rotor_speeds,
             "Speeds of the first steady rotation for which all analyses are done; others in proportion [rad/s].");
@@ -209,7 +209,7 @@ namespace samara
     if (!complaints.empty())
       find_more_mistakes(complaints);
     subsystems.without_twins(complaints).throw_if_any();
-    if (model.nodes.size() == 1)
+    if (model.nodes.size() == 1 && !has_sections_alone())
       throw InputError((outline.section("Bodies") != nullptr ? outline.section("Bodies")->where : outline.where) +
                        ": the model has no body; add one to subsection <Bodies>.");
   }

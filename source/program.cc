@@ -10,6 +10,7 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
+#include <samara/section_report.h>
 #include <samara/study.h>
 
 #include <algorithm>
@@ -145,6 +146,28 @@ namespace samara
 
 
 
+    /** A model without bodies: nothing moves, and there is nothing to assemble. */
+    void
+    run_sections(const Options &options, const Input &input, Log &log)
+    {
+      input.make_probes();
+      if (options.check)
+        return log.line(
+          options.model + ": no mistakes found\n  sections          " +
+          std::to_string(std::count_if(input.model.items.begin(), input.model.items.end(), [](const auto &item) {
+            return dynamic_cast<const Section *>(item.get()) != nullptr;
+          })));
+      const std::string folder = folder_of_results(options);
+      prepare_folder(folder);
+      std::ofstream used = open_file(folder + "/used.prm");
+      input.print(used);
+      flush(used, folder + "/used.prm");
+      dynamic_cast<const SectionReport &>(*input.analyses.at(0)).report(input.model, folder, input.pictures, log);
+      log.line("results are in " + folder);
+    }
+
+
+
     /** Whether a beam may have a mesh that is to be found; then the model is read once more for each attempt. */
     bool
     has_automatic_meshes(const Outline &outline, const std::vector<std::string> &overrides)
@@ -194,7 +217,9 @@ namespace samara
     const bool is_automatic = !options.check && has_automatic_meshes(file.outline, options.overrides);
     const auto overrides =
       is_automatic ? find_meshes(Catalogue(), options.model, options.overrides, log) : options.overrides;
-    Input      input(Catalogue(), std::move(file), overrides);
+    Input input(Catalogue(), std::move(file), overrides);
+    if (input.has_sections_alone())
+      return run_sections(options, input, log);
     const auto owner  = input.assemble();
     System    &system = *owner;
     check_size(input, system);

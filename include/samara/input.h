@@ -52,6 +52,13 @@ namespace samara
       return std::find(analysis_names.begin(), analysis_names.end(), kind) != analysis_names.end();
     }
 
+    /** Whether there are no bodies, and sections are to be reported. */
+    bool
+    has_sections_alone() const
+    {
+      return model.nodes.size() == 1 && analysis_names == std::vector<std::string>{"section"};
+    }
+
     /** The system; if it cannot be made, wrong probes are complained about, too. @throws InputError */
     std::unique_ptr<System> assemble();
 

@@ -97,8 +97,17 @@ namespace samara
     if (!find_curve() || section == nullptr || model->complaints.count() != before)
       return;
     make_cells();
-    if (model->complaints.count() == before)
-      make_nodes_and_elements();
+    if (model->complaints.count() != before)
+      return;
+    try
+      {
+        make_nodes_and_elements();
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Section"),
+                              "section <" + section_name + "> in beam <" + name + ">: " + problem.what());
+      }
   }
 
 
@@ -277,11 +286,33 @@ namespace samara
 
 
 
+  Vector3
+  Beam::initial_curvature(const Cell &cell, const double s) const
+  {
+    // from the triads a little before and behind, both inside of the element
+    const double h = 1e-4 * (cell.end - cell.start), middle = 0.5 * (cell.start + cell.end),
+                 at     = std::clamp(s, cell.start + h, cell.end - h);
+    const Matrix3 turn = triad_at(at - h, middle).transpose() * triad_at(at + h, middle);
+    const Vector3 axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+    return axis / (4 * h); // the sine of so small an angle is the angle to 1e-8
+  }
+
+
+
+  SectionValues
+  Beam::section_at(const Cell &cell, const double s) const
+  {
+    return section->at(s / curve->length(),
+                       section->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero()));
+  }
+
+
+
   std::vector<Matrix6>
   Beam::stiffnesses_of(const Cell &cell) const
   {
     const auto stiffness = [&](const double xi) {
-      return section->at((cell.start + xi * (cell.end - cell.start)) / curve->length()).stiffness;
+      return section_at(cell, cell.start + xi * (cell.end - cell.start)).stiffness;
     };
     const auto           breaks = kinks_inside(cell);
     std::vector<Matrix6> result;
@@ -307,7 +338,7 @@ namespace samara
   Beam::inertias_of(const Cell &cell) const
   {
     const auto inertia = [&](const double xi) {
-      return section->at((cell.start + xi * (cell.end - cell.start)) / curve->length()).inertia;
+      return section_at(cell, cell.start + xi * (cell.end - cell.start)).inertia;
     };
     const auto           breaks = kinks_inside(cell);
     std::vector<Matrix6> result;
@@ -342,14 +373,18 @@ namespace samara
   std::vector<unsigned int>
   Beam::materials_of_cell(const Cell &cell)
   {
+    const bool                varies = !section->kinks().empty() || section->depends_on_curvature();
     std::vector<unsigned int> indices(table->n_points, 0);
-    if (!materials.empty() && section->kinks().empty())
+    if (!materials.empty() && !varies)
       return indices;
-    for (unsigned int g = 0; g < table->n_points; ++g)
-      indices[g] = materials.size() + (section->kinks().empty() ? 0 : g);
     const auto stiffnesses = stiffnesses_of(cell);
-    for (unsigned int g = 0; g < (section->kinks().empty() ? 1 : table->n_points); ++g)
-      materials.push_back(material_of(stiffnesses[g]));
+    for (unsigned int g = 0; g < (varies ? table->n_points : 1); ++g)
+      {
+        if (materials.empty() || stiffnesses[g] != last_stiffness)
+          materials.push_back(material_of(stiffnesses[g]));
+        last_stiffness = stiffnesses[g];
+        indices[g]     = materials.size() - 1;
+      }
     return indices;
   }
 
@@ -464,7 +499,7 @@ namespace samara
       {
         const ElementTable<1> &t = *elements[i].table;
         const double           h = cells[i].end - cells[i].start;
-        const Matrix6          C = section->at(0.5 * (cells[i].start + cells[i].end) / curve->length()).stiffness;
+        const Matrix6          C = section_at(cells[i], 0.5 * (cells[i].start + cells[i].end)).stiffness;
         Eigen::MatrixXd        a = Eigen::MatrixXd::Zero(6, t.n_points);
         for (unsigned int k = 0; k < t.n_points; ++k)
           {

@@ -1,8 +1,10 @@
 // What is known along a beam: probes and drawing.
 
 #include <samara/base/text.h>
+#include <samara/cosserat/analysed_section.h>
 #include <samara/cosserat/beam.h>
 #include <samara/model/frame_probe.h>
+#include <samara/section/recovery.h>
 
 #include <deal.II/fe/fe_q.h>
 
@@ -11,6 +13,16 @@
 
 namespace samara
 {
+  namespace
+  {
+    /** Of the points of a section the largest moduli, in the axes of the material. */
+    const std::vector<std::string>
+      stress_names = {"stress 11", "stress 22", "stress 33", "stress 23", "stress 13", "stress 12", "von Mises stress"},
+      index_names  = {"max stress index", "Tsai-Wu index", "Hashin index", "von Mises index"};
+  } // namespace
+
+
+
   Beam::Local
   Beam::local(const State &state, const double s, const bool with_strains) const
   {
@@ -86,6 +98,9 @@ namespace samara
                          return (k < 2 ? l.stress : l.strain)(3 * (k % 2) + i);
                        }};
 
+    if (auto of_stresses = stress_probe(path, quantity, abscissa))
+      return of_stresses;
+
     return frame_probe(quantity, [=](const State &state) -> FrameMotion {
       const Local l = local(state, abscissa, false);
       return {l.sample.x,
@@ -101,6 +116,67 @@ namespace samara
 
 
 
+  std::pair<const AnalysedSection *, Vector3>
+  Beam::analysed_at(const double s) const
+  {
+    const double                 L     = curve->length();
+    const AnalysedSection *const there = section->nearest(s / L);
+    if (there == nullptr)
+      throw std::invalid_argument("section <" + section_name + "> of beam <" + name +
+                                  "> has no stresses: it is not given by its shape and material");
+    if (rigid)
+      throw std::invalid_argument("beam <" + name + "> is rigid: nothing is known of its stresses");
+    const auto  is_here = [&](const Cell &cell) { return s <= cell.end + 1e-9 * L; };
+    const Cell &cell    = *std::find_if(cells.begin(), cells.end() - 1, is_here);
+    return {there, there->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero())};
+  }
+
+
+
+  std::optional<Probe>
+  Beam::stress_probe(const std::string &path, const std::string &quantity, const double s) const
+  {
+    using Extremes = SectionStresses::Extremes;
+    std::function<double(const Extremes &)> value;
+    const auto                              stress = std::find(stress_names.begin(), stress_names.end(), quantity);
+    const auto                              index  = std::find(index_names.begin(), index_names.end(), quantity);
+    if (stress != stress_names.end())
+      value = [i = stress - stress_names.begin()](const Extremes &e) {
+        return i < 6 ? e.stress(i) : e.von_mises_stress;
+      };
+    else if (index != index_names.end())
+      value = [i = index - index_names.begin()](const Extremes &e) {
+        const FailureIndices &f = e.indices;
+        return std::array<double, 4>{{f.max_stress, f.tsai_wu, f.hashin, f.von_mises}}[i];
+      };
+    else
+      return {};
+    const auto [there, curvature] = analysed_at(s);
+    const auto analysis           = there->analyse(curvature);
+    const auto stresses =
+      std::make_shared<SectionStresses>(analysis->section, analysis->mesh, analysis->shape.materials);
+    if (value(stresses->extremes(Vector6::Zero())) < 0)
+      throw std::invalid_argument("<" + path + "> needs more strengths of a material of section <" + there->name + ">");
+    return Probe{path, stress != stress_names.end() ? "Pa" : "1", [=](const State &state) {
+                   return value(stresses->extremes(local(state, s).stress));
+                 }};
+  }
+
+
+
+  Beam::Station
+  Beam::station(const State &state, const std::string &point) const
+  {
+    const auto s = abscissa_of(point);
+    if (!s)
+      throw std::invalid_argument("beam <" + name + "> has no point <" + point + ">" + did_you_mean(point, points()));
+    const auto [there, curvature] = analysed_at(*s);
+    const Local here              = local(state, *s);
+    return {there, curvature, here.stress, here.sample.x, here.sample.D};
+  }
+
+
+
   std::vector<std::string>
   Beam::probe_names() const
   {
@@ -108,6 +184,11 @@ namespace samara
     for (const std::string q : {"force", "moment", "strain", "curvature"})
       for (const char i : {'1', '2', '3'})
         quantities.push_back(q + " " + i);
+    if (section != nullptr && !rigid && section->nearest(0) != nullptr)
+      {
+        quantities.insert(quantities.end(), stress_names.begin(), stress_names.end());
+        quantities.insert(quantities.end(), index_names.begin(), index_names.end());
+      }
     std::vector<std::string> names;
     for (const auto &point : points())
       for (const auto &q : quantities)
@@ -129,7 +210,7 @@ namespace samara
           const double s = cell.start + (cell.end - cell.start) * k / (2 * cell.degree);
           known.push_back(local(state, s));
           axis.push_back(known.back().sample);
-          outlines.push_back(section->at(s / curve->length()).outline);
+          outlines.push_back(section->outline(s / curve->length()));
         }
     drawing.begin_object(name);
     const unsigned int first = drawing.tube(axis, outlines).first_sample;

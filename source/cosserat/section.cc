@@ -20,14 +20,24 @@ namespace samara
 
 
 
+  std::vector<Eigen::Vector2d>
+  interpolate(const std::vector<Eigen::Vector2d> &a, const std::vector<Eigen::Vector2d> &b, const double w)
+  {
+    std::vector<Eigen::Vector2d> result = a;
+    if (a.size() == b.size())
+      for (unsigned int i = 0; i < a.size(); ++i)
+        result[i] = (1 - w) * a[i] + w * b[i];
+    return result;
+  }
+
+
+
   SectionValues
   interpolate(const SectionValues &a, const SectionValues &b, const double w)
   {
-    SectionValues v{(1 - w) * a.stiffness + w * b.stiffness, (1 - w) * a.inertia + w * b.inertia, a.outline};
-    if (a.outline.size() == b.outline.size())
-      for (unsigned int i = 0; i < v.outline.size(); ++i)
-        v.outline[i] = (1 - w) * a.outline[i] + w * b.outline[i];
-    return v;
+    return {(1 - w) * a.stiffness + w * b.stiffness,
+            (1 - w) * a.inertia + w * b.inertia,
+            interpolate(a.outline, b.outline, w)};
   }
 
 
@@ -45,7 +55,7 @@ namespace samara
   {
     for (const double x : {0., 1.})
       {
-        const SectionValues v = at(x);
+        const SectionValues v = at(x, Vector3::Zero());
         if (Eigen::SelfAdjointEigenSolver<Matrix6>(v.stiffness).eigenvalues()(0) <= 0.)
           model.complaints.add(parameters.where(),
                                "the stiffness of section <" + name +
@@ -123,7 +133,7 @@ namespace samara
 
 
   SectionValues
-  EngineeringSection::at(const double) const
+  EngineeringSection::at(const double, const Vector3 &) const
   {
     return constants.values();
   }
@@ -172,7 +182,7 @@ namespace samara
 
 
   SectionValues
-  MatrixSection::at(const double) const
+  MatrixSection::at(const double, const Vector3 &) const
   {
     return values;
   }
@@ -228,7 +238,11 @@ namespace samara
           throw std::invalid_argument("a station is written <section at x> with x from 0 (start) to 1 (end), not <" +
                                       station + ">");
         abscissae.push_back(x);
-        values.push_back(model.find<Section>(section, "section").at(0));
+        const auto &found = model.find<Section>(section, "section");
+        values.push_back([&found](const Vector3 &curvature) { return found.at(0, curvature); });
+        outlines.push_back(found.outline(0));
+        sections.push_back(&found);
+        uses_curvature = uses_curvature || found.depends_on_curvature();
       }
   }
 
@@ -271,7 +285,8 @@ namespace samara
             else
               throw std::invalid_argument("there is no column <" + columns[i] + "> in a table of section properties");
           }
-        values.push_back(c.values());
+        values.push_back([v = c.values()](const Vector3 &) { return v; });
+        outlines.push_back(c.values().outline);
       }
     if (abscissae.size() != values.size())
       throw std::invalid_argument("the table has no column <x>");
@@ -279,15 +294,50 @@ namespace samara
 
 
 
-  SectionValues
-  TableSection::at(const double x) const
+  std::pair<unsigned int, double>
+  TableSection::interval(const double x) const
   {
     unsigned int i = 0;
     while (i + 2 < abscissae.size() && abscissae[i + 1] <= x)
       ++i;
     const double length = abscissae[i + 1] - abscissae[i];
     const double w      = length > 0 ? (x - abscissae[i]) / length : 1.;
-    return interpolate(values[i], values[i + 1], std::min(1., std::max(0., w)));
+    return {i, std::min(1., std::max(0., w))};
+  }
+
+
+
+  SectionValues
+  TableSection::at(const double x, const Vector3 &curvature) const
+  {
+    const auto [i, w] = interval(x);
+    return interpolate(values[i](curvature), values[i + 1](curvature), w);
+  }
+
+
+
+  std::vector<Eigen::Vector2d>
+  TableSection::outline(const double x) const
+  {
+    const auto [i, w] = interval(x);
+    return interpolate(outlines[i], outlines[i + 1], w);
+  }
+
+
+
+  const AnalysedSection *
+  TableSection::nearest(const double x) const
+  {
+    const auto [i, w] = interval(x);
+    return sections.empty() ? nullptr : sections[w < 0.5 ? i : i + 1]->nearest(0);
+  }
+
+
+
+  bool
+  TableSection::depends_on_curvature() const
+  {
+    return uses_curvature;
   }
 
 
@@ -296,95 +346,5 @@ namespace samara
   TableSection::kinks() const
   {
     return abscissae;
-  }
-
-
-
-  void
-  RectangularSection::add_parameters(Parameters &prm)
-  {
-    using dealii::Patterns::Double;
-    prm.add("E", E, "Young's modulus [Pa].", Double(0));
-    prm.add("Poisson ratio", nu, "Poisson's ratio [1].", Double(-1, 0.5));
-    prm.add("Density", density, "Density [kg/m^3].", Double(0));
-    prm.add("Width 2", width_2, "Side along axis 2 [m].", Double(0));
-    prm.add("Width 3", width_3, "Side along axis 3 [m].", Double(0));
-    prm.add("Shear factor", shear_factor, "Shear stiffness is this times G times the area [1].", Double(0, 1));
-  }
-
-
-
-  SectionValues
-  RectangularSection::at(const double) const
-  {
-    const double G = E / (2 * (1 + nu)), A = width_2 * width_3;
-    const double long_side = std::max(width_2, width_3), short_side = std::min(width_2, width_3);
-    // Saint-Venant's series for the torsion constant: the sum of tanh(k x)/k^5 over odd k, as that of 1/k^5, known, less a
-    // part that converges exponentially
-    double series = 31. / 32. * 1.0369277551433699;
-    for (unsigned int k = 1; k < 40 && short_side > 0; k += 2)
-      series -= (1 - std::tanh(k * M_PI * long_side / (2 * short_side))) / std::pow(k, 5);
-    const double ratio = long_side > 0 ? short_side / long_side : 0;
-    const double J     = long_side * std::pow(short_side, 3) * (1. / 3. - 64. / std::pow(M_PI, 5) * ratio * series);
-
-    EngineeringConstants c;
-    c.EA  = E * A;
-    c.GA2 = c.GA3 = shear_factor * G * A;
-    c.GJ          = G * J;
-    c.EI2         = E * width_2 * std::pow(width_3, 3) / 12;
-    c.EI3         = E * width_3 * std::pow(width_2, 3) / 12;
-    c.mass        = density * A;
-    c.I2          = density * width_2 * std::pow(width_3, 3) / 12;
-    c.I3          = density * width_3 * std::pow(width_2, 3) / 12;
-    SectionValues v = c.values();
-    v.outline       = rectangle_outline(width_2, width_3);
-    return v;
-  }
-
-
-
-  void
-  TubularSection::add_parameters(Parameters &prm)
-  {
-    using dealii::Patterns::Double;
-    prm.add("E", E, "Young's modulus [Pa].", Double(0));
-    prm.add("Poisson ratio", nu, "Poisson's ratio [1].", Double(-1, 0.5));
-    prm.add("Density", density, "Density [kg/m^3].", Double(0));
-    prm.add("Outer radius", outer, "Outer radius [m].", Double(0));
-    prm.add("Inner radius", inner, "Inner radius, zero for a rod [m].", Double(0));
-    prm.add("Shear factor", shear_factor, "Shear stiffness is this times G times the area; 0: by Cowper [1].", Double(0, 1));
-  }
-
-
-
-  void
-  TubularSection::check(Model &model) const
-  {
-    if (inner >= outer)
-      model.complaints.add(parameters.where("Inner radius"), "the inner radius must be smaller than the outer one");
-    else
-      Section::check(model);
-  }
-
-
-
-  SectionValues
-  TubularSection::at(const double) const
-  {
-    const double G = E / (2 * (1 + nu)), A = M_PI * (outer * outer - inner * inner),
-                 I = M_PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4));
-    const double m = inner / outer, q = std::pow(1 + m * m, 2);
-    const double cowper = 6 * (1 + nu) * q / ((7 + 6 * nu) * q + (20 + 12 * nu) * m * m);
-
-    EngineeringConstants c;
-    c.EA  = E * A;
-    c.GA2 = c.GA3 = (shear_factor > 0 ? shear_factor : cowper) * G * A;
-    c.GJ          = 2 * G * I;
-    c.EI2 = c.EI3 = E * I;
-    c.mass        = density * A;
-    c.I2 = c.I3     = density * I;
-    SectionValues v = c.values();
-    v.outline       = ellipse_outline(outer, outer);
-    return v;
   }
 } // namespace samara

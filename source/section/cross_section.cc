@@ -99,6 +99,24 @@ namespace samara
           J(i, j) = values.jacobian(q)[i][j];
       return J;
     }
+
+
+
+    /** What is left of the warping when the rigid motion nearest to it, by least squares, is taken away. */
+    void
+    remove_rigid_motions(std::vector<CrossSection::StressPoint> &points)
+    {
+      Matrix6 sum = Matrix6::Zero(), of_warping = Matrix6::Zero();
+      for (const auto &point : points)
+        {
+          const auto Z = shift_to(point.place);
+          sum += point.weight * Z.transpose() * Z;
+          of_warping += point.weight * Z.transpose() * point.warping;
+        }
+      const Matrix6 motion = sum.ldlt().solve(of_warping);
+      for (auto &point : points)
+        point.warping -= shift_to(point.place) * motion;
+    }
   } // namespace
 
 
@@ -107,6 +125,7 @@ namespace samara
                              const std::vector<SectionMaterial> &materials,
                              const Vector3                      &curvature)
     : mesh(mesh)
+    , materials(materials)
     , k(curvature)
     , fe(dealii::FE_Q<2>(mesh.degree), 3)
     , dofs(mesh.triangulation)
@@ -115,17 +134,17 @@ namespace samara
     T.topLeftCorner<3, 3>() = T.bottomRightCorner<3, 3>() = skew(k);
     T.bottomLeftCorner<3, 3>()                            = skew(Vector3(1, 0, 0));
     dofs.distribute_dofs(fe);
-    assemble(materials);
+    assemble();
     find_pins();
     solve();
     find_compliance();
-    find_strains();
+    forget_integrals();
   }
 
 
 
   void
-  CrossSection::assemble(const std::vector<SectionMaterial> &materials)
+  CrossSection::assemble()
   {
     dealii::DynamicSparsityPattern dynamic(dofs.n_dofs());
     dealii::DoFTools::make_sparsity_pattern(dofs, dynamic);
@@ -156,22 +175,18 @@ namespace samara
         const SectionMaterial &material = materials.at(mesh.ply(index).material);
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
-            StressPoint point;
-            point.cell     = index;
-            point.place    = values.quadrature_point(q);
-            point.weight   = values.JxW(q);
-            point.axes     = mesh.material_axes(index, jacobian(values, q));
-            point.C        = elasticity::turned(material.stiffness, point.axes);
-            const double g = root_g(k, point.place), w = point.weight;
+            const dealii::Point<2> place = values.quadrature_point(q);
+            const Matrix6 Q = elasticity::turned(material.stiffness, mesh.material_axes(index, jacobian(values, q)));
+            const double  g = root_g(k, place), w = values.JxW(q);
             if (!(g > 0.01))
               throw std::invalid_argument("the curvature of the beam is too large for the depth of the section: its "
                                           "centre lies in the section or near it");
             at.fill(values, q, k, g);
-            const Eigen::Matrix<double, 3, 6> Z   = shift_to(point.place);
+            const Eigen::Matrix<double, 3, 6> Z   = shift_to(place);
             const Matrix6                     SZ  = S_times(Z);
-            const Matrix6                     QSZ = point.C * SZ;
-            QB.noalias()                          = point.C * at.B;
-            QSN.noalias()                         = point.C * at.SN;
+            const Matrix6                     QSZ = Q * SZ;
+            QB.noalias()                          = Q * at.B;
+            QSN.noalias()                         = Q * at.SN;
             E_cell.noalias() += w * g * at.B.transpose() * QB;
             C_cell.noalias() += w * at.B.transpose() * QSN;
             M_cell.noalias() += w / g * at.SN.transpose() * QSN;
@@ -180,7 +195,6 @@ namespace samara
             A += w / g * SZ.transpose() * QSZ;
             inertia += w * g * material.density * Z.transpose() * Z;
             area += w;
-            points.push_back(point);
           }
         cell->get_dof_indices(numbers);
         const auto add = [&](const Eigen::MatrixXd &from, dealii::SparseMatrix<double> &to) {
@@ -288,19 +302,39 @@ namespace samara
 
 
   void
-  CrossSection::find_strains()
+  CrossSection::forget_integrals()
   {
-    const dealii::QGauss<2>                      quadrature(mesh.degree + 1);
+    for (auto *const matrix : {&E, &C, &M})
+      matrix->clear();
+    pattern.reinit(0, 0, 0);
+    R.resize(0, 6);
+    L.resize(0, 6);
+  }
+
+
+
+  std::vector<CrossSection::StressPoint>
+  CrossSection::points() const
+  {
+    return points(dealii::QGauss<2>(mesh.degree + 1));
+  }
+
+
+
+  std::vector<CrossSection::StressPoint>
+  CrossSection::points(const dealii::Quadrature<2> &quadrature) const
+  {
     dealii::FEValues<2>                          values(mesh.mapping,
                                fe,
                                quadrature,
-                               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points);
+                               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
+                                 dealii::update_JxW_values | dealii::update_jacobians);
     const Columns                                XT = X * T;
     const unsigned int                           n  = fe.n_dofs_per_cell();
     Operators                                    at(n);
     Columns                                      X_cell(n, 6), XT_cell(n, 6);
     std::vector<dealii::types::global_dof_index> numbers(n);
-    auto                                         point = points.begin();
+    std::vector<StressPoint>                     result;
     for (const auto &cell : dofs.active_cell_iterators())
       {
         values.reinit(cell);
@@ -310,43 +344,27 @@ namespace samara
             X_cell.row(i)  = X.row(numbers[i]);
             XT_cell.row(i) = XT.row(numbers[i]);
           }
-        for (unsigned int q = 0; q < quadrature.size(); ++q, ++point)
+        const unsigned int index = cell->active_cell_index();
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
-            const double g = root_g(k, point->place);
+            StressPoint point;
+            point.cell     = index;
+            point.place    = values.quadrature_point(q);
+            point.weight   = values.JxW(q);
+            point.axes     = mesh.material_axes(index, jacobian(values, q));
+            point.C        = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
+            const double g = root_g(k, point.place);
             at.fill(values, q, k, g);
-            point->strain = S_times(shift_to(point->place)) * Y / g + at.B * X_cell - at.SN * XT_cell / g;
+            const auto Z = shift_to(point.place);
+            point.strain = S_times(Z) * Y / g + at.B * X_cell - at.SN * XT_cell / g;
+            point.warping.setZero();
+            for (unsigned int i = 0; i < n; ++i)
+              point.warping.row(fe.system_to_component_index(i).first) += values.shape_value(i, q) * X_cell.row(i);
+            result.push_back(point);
           }
       }
-  }
-
-
-
-  Eigen::Vector2d
-  CrossSection::shear_centre() const
-  {
-    const Matrix6 &F = compliance;
-    return {-F(3, 2) / F(3, 3), F(3, 1) / F(3, 3)};
-  }
-
-
-
-  Eigen::Vector2d
-  CrossSection::tension_centre() const
-  {
-    // a force at (y₂, y₃) has the moments M₂ = y₃ F, M₃ = −y₂ F; no bending: F₅₁ + F₅₅ y₃ − F₅₆ y₂ = 0, and for K₃
-    const Matrix6  &F = compliance;
-    Eigen::Matrix2d bending;
-    bending << -F(4, 5), F(4, 4), -F(5, 5), F(5, 4);
-    return bending.partialPivLu().solve(Eigen::Vector2d(-F(4, 0), -F(5, 0)));
-  }
-
-
-
-  Eigen::Vector2d
-  CrossSection::mass_centre() const
-  {
-    // [m I, −m c~; m c~, J] with c = (0, c₂, c₃)
-    return Eigen::Vector2d(-inertia(0, 5), inertia(0, 4)) / inertia(0, 0);
+    remove_rigid_motions(result);
+    return result;
   }
 
 

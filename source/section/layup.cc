@@ -70,9 +70,8 @@ namespace samara
   void
   Layup::initialize(Model &model)
   {
-    const bool is_short =
-      parameters.is_set("Material") || parameters.is_set("Angles") || parameters.is_set("Ply thickness");
-    std::string entry = is_short ? "Material" : "Plies";
+    const bool  is_short = !material.empty() || !angles.empty() || ply_thickness > 0;
+    std::string entry    = is_short ? "Material" : "Plies";
     try
       {
         if (is_short != lines.empty())

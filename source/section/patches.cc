@@ -28,34 +28,6 @@ namespace samara
 
 
 
-  SectionPatch
-  wall_patch(const std::function<Place(double)> &outer,
-             const std::function<Place(double)> &inner,
-             const unsigned int                  n,
-             const std::vector<double>          &thicknesses,
-             const std::vector<Ply>             &plies,
-             const unsigned int                  per_ply)
-  {
-    SectionPatch patch;
-    patch.place  = [=](const double u, const double v) { return Place(outer(u) + v * (inner(u) - outer(u))); };
-    patch.u      = equal_intervals(n);
-    double total = 0, sum = 0;
-    for (const double t : thicknesses)
-      total += t;
-    patch.v = {0.};
-    for (const double t : thicknesses)
-      {
-        for (unsigned int i = 1; i <= per_ply; ++i)
-          patch.v.push_back((sum + t * i / per_ply) / total);
-        sum += t;
-      }
-    patch.v.back() = 1;
-    patch.ply      = [=](unsigned int, const unsigned int j) { return plies[j / per_ply]; };
-    return patch;
-  }
-
-
-
   std::vector<SectionPatch>
   rectangle_patches(const double width_2, const double width_3, const unsigned int n_2, const unsigned int n_3)
   {
@@ -94,34 +66,4 @@ namespace samara
              one_material()}};
   }
 
-
-
-  std::vector<SectionPatch>
-  box_patches(const double                           width_2,
-              const double                           width_3,
-              const double                           thickness,
-              const std::array<std::vector<Ply>, 4> &plies,
-              const unsigned int                     n,
-              const unsigned int                     per_ply)
-  {
-    const double              sign_2[4] = {-1, 1, 1, -1}, sign_3[4] = {-1, -1, 1, 1};
-    std::vector<SectionPatch> patches;
-    for (unsigned int w = 0; w < 4; ++w)
-      {
-        const unsigned int next   = (w + 1) % 4;
-        const auto         corner = [&](const unsigned int c, const double depth) {
-          return Place(sign_2[c] * (width_2 / 2 - depth), sign_3[c] * (width_3 / 2 - depth));
-        };
-        const auto line = [](const Place &from, const Place &to) {
-          return [=](const double u) { return Place(from + u * (to - from)); };
-        };
-        patches.push_back(wall_patch(line(corner(w, 0), corner(next, 0)),
-                                     line(corner(w, thickness), corner(next, thickness)),
-                                     n,
-                                     std::vector<double>(plies[w].size(), thickness / plies[w].size()),
-                                     plies[w],
-                                     per_ply));
-      }
-    return patches;
-  }
 } // namespace samara

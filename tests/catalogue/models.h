@@ -170,6 +170,92 @@ end
                                " set Inertia = 2, 2, 2, 0.03, 0.01, 0.02\n";
   const std::string table    = "set Type = table\n set Stations = other at 0, other at 1\n";
 
+  /** A twisted cantilever with a section <it> of the given entries, one of materials <metal>, <ply> and <lattice>. */
+  inline std::string
+  analysed(const std::string &section)
+  {
+    return R"(
+set Analyses = static, section
+subsection Materials
+  subsection metal
+    set Type    = isotropic
+    set E       = 1e6
+    set Density = 1000
+  end
+  subsection ply
+    set Type    = orthotropic
+    set E1      = 2e6
+    set E2      = 1e6
+    set G12     = 3e5
+    set nu12    = 0.2
+    set Density = 1000
+  end
+  subsection lattice
+    set Type      = anisotropic
+    set Stiffness = 1e6, 2e6, 3e6, 4e5, 5e5, 6e5
+  end
+end
+subsection Layups
+  subsection skin
+    set Material      = ply
+    set Angles        = 0/30
+    set Ply thickness = 0.01
+  end
+  subsection thick
+    set Material      = ply
+    set Angles        = 20
+    set Ply thickness = 0.03
+  end
+end
+subsection Sections
+  subsection it
+)" + section +
+           R"(    set Degree   = 2
+    set Elements = 2
+  end
+  subsection other
+    set Type         = tube
+    set E            = 1e6
+    set Density      = 1000
+    set Outer radius = 0.05
+  end
+end
+subsection Bodies
+  subsection beam
+    set Type     = beam
+    set Points   = 0, 0, 0; 1, 0, 0
+    set Section  = it
+    set Twist    = 0.3*s
+    set Elements = 1
+    set Degree   = 2
+  end
+end
+subsection Joints
+  subsection clamp
+    set Type   = rigid
+    set Body A = ground
+    set Body B = beam.start
+  end
+end
+subsection Loads
+  subsection push
+    set Type   = point load
+    set At     = beam.end
+    set Force  = 0.01, 0.02, 0.03
+    set Moment = 0.003, 0.002, 0.001
+  end
+end
+subsection Output
+  set Probes = beam.end.position x, beam.end.position y, beam.end.rotation x
+end
+subsection Static
+end
+subsection Section
+  set Stresses at = beam.middle
+end
+)";
+  }
+
   /** Two bodies and a joint <it> between them, both in motion. */
   inline std::string
   joint(const std::string &kind, const std::string &entries, const std::string &probes)

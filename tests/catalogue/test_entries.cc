@@ -45,6 +45,10 @@ TEST_F(Catalogued, AllKinds)
                                    "table",
                                    "rectangle",
                                    "tube",
+                                   "ellipse",
+                                   "box",
+                                   "I",
+                                   "C",
                                    "first order",
                                    "PID",
                                    "transfer function",
@@ -87,6 +91,7 @@ TEST_F(Catalogued, AllKinds)
                                    "static",
                                    "modal",
                                    "dynamic",
+                                   "section",
                                    "subsystem",
                                    "study",
                                    "method"}));
@@ -181,6 +186,14 @@ TEST_F(Catalogued, Sections)
          {"Compliance", "1e-4, 2e-4, 3e-4, 0.1, 0.02, 0.03", {}, false, {"Sections/it/Stiffness = "}},
          {"Inertia", "2, 2, 2, 0.03, 0.01, 0.03"},
          radii});
+  const std::map<std::string, std::string> analysed = {{"Material", "analysed, see there"},
+                                                       {"Layup", "analysed, see there"},
+                                                       {"Degree", "analysed, see there"},
+                                                       {"Elements", "analysed, see there"},
+                                                       {"Elements per ply", "analysed, see there"},
+                                                       {"Position", "analysed, see there"},
+                                                       {"Rotation", "analysed, see there"},
+                                                       {"Initial curvature", "analysed, see there"}};
   check("rectangle",
         models::beam(models::rectangle),
         "Sections/it",
@@ -189,7 +202,8 @@ TEST_F(Catalogued, Sections)
          {"Density", "900"},
          {"Width 2", "0.06"},
          {"Width 3", "0.09"},
-         {"Shear factor", "0.5"}});
+         {"Shear factor", "0.5"}},
+        analysed);
   check("tube",
         models::beam(models::tube),
         "Sections/it",
@@ -198,7 +212,8 @@ TEST_F(Catalogued, Sections)
          {"Density", "900"},
          {"Outer radius", "0.06"},
          {"Inner radius", "0.04"},
-         {"Shear factor", "0.5"}});
+         {"Shear factor", "0.5"}},
+        analysed);
 
   const std::string folder = ScratchFolder().path; // that of the runs
   files["table.csv"]       = "x,EA,GA2,GA3,GJ,EI2,EI3,mass,I2,I3\n0,1e4,1e4,1e4,30,20,20,2,.01,.01\n"
@@ -208,6 +223,141 @@ TEST_F(Catalogued, Sections)
         "Sections/it",
         {{"Stations", "other at 0, thick at 1"},
          {"File", folder + "/table.csv", {}, false, {"Sections/it/Stations = "}}});
+}
+
+
+
+TEST_F(Catalogued, MaterialsAndLayups)
+{
+  const std::string rectangle = "    set Type = rectangle\n    set Width 2 = 0.1\n    set Width 3 = 0.05\n",
+                    metal     = models::analysed(rectangle + "    set Material = metal\n"),
+                    ply       = models::analysed(rectangle + "    set Material = ply\n"),
+                    lattice   = models::analysed(rectangle + "    set Material = lattice\n"),
+                    skin = models::analysed("    set Type = rectangle\n    set Width 2 = 0.1\n    set Layup = skin\n");
+  const Changes common   = {{"Density", "900"},
+                            {"Tensile strength", "1e3"},
+                            {"Compressive strength", "1e3"},
+                            {"Shear strength", "1e3"}};
+  check("isotropic",
+        metal,
+        "Materials/metal",
+        joined(common, {{{"E", "2e6"}, {"Poisson ratio", "0.2"}, {"Yield stress", "1e3"}}}));
+  check("orthotropic",
+        ply,
+        "Materials/ply",
+        joined(common,
+               {{{"E1", "3e6"},
+                 {"E2", "1.1e6"},
+                 {"E3", "1.1e6"},
+                 {"G12", "4e5"},
+                 {"G13", "4e5"},
+                 {"G23", "4e5"},
+                 {"nu12", "0.3"},
+                 {"nu13", "0.3"},
+                 {"nu23", "0.3"}}}));
+  check(
+    "anisotropic",
+    lattice,
+    "Materials/lattice",
+    joined(common,
+           {{{"Stiffness", "1e6, 2e6, 4e6, 4e5, 5e5, 7e5"},
+             {"Compliance", "1e-6, 1e-6, 1e-6, 2e-6, 2e-6, 2e-6", {}, false, {"Materials/lattice/Stiffness = "}}}}));
+  const std::vector<std::string> no_short = {
+    "Layups/skin/Material = ", "Layups/skin/Angles = ", "Layups/skin/Ply thickness = 0"};
+  check("layup",
+        skin,
+        "Layups/skin",
+        {{"Material", "metal"},
+         {"Angles", "0/40"},
+         {"Ply thickness", "0.02"},
+         {"Symmetric", "true"},
+         {"Plies", "ply, 0, 0.01; metal, 0, 0.02", {}, false, no_short}});
+}
+
+
+
+TEST_F(Catalogued, AnalysedSections)
+{
+  const Changes                            common      = {{"Degree", "3"},
+                                                          {"Elements", "8"},
+                                                          {"Elements per ply", "2"},
+                                                          {"Position", "0.01, 0.02"},
+                                                          {"Rotation", "0.3"},
+                                                          {"Initial curvature", "none"}};
+  const std::map<std::string, std::string> closed_form = {{"E", "closed form, see there"},
+                                                          {"Poisson ratio", "closed form, see there"},
+                                                          {"Density", "closed form, see there"},
+                                                          {"Shear factor", "closed form, see there"}};
+  const Change                             material    = {"Material", "ply"};
+  check("rectangle",
+        models::analysed(
+          "    set Type = rectangle\n    set Width 2 = 0.1\n    set Width 3 = 0.05\n    set Material = metal\n"),
+        "Sections/it",
+        joined(common, {{material, {"Width 2", "0.2"}, {"Width 3", "0.2"}, {"Layup", "skin", {}, true}}}),
+        closed_form);
+  check("tube",
+        models::analysed(
+          "    set Type = tube\n    set Outer radius = 0.1\n    set Inner radius = 0.05\n    set Material = metal\n"),
+        "Sections/it",
+        joined(common, {{material, {"Outer radius", "0.2"}, {"Inner radius", "0.02"}, {"Layup", "skin", {}, true}}}),
+        closed_form);
+  auto of_ellipse = common;
+  of_ellipse.erase(of_ellipse.begin() + 2);
+  check("ellipse",
+        models::analysed(
+          "    set Type = ellipse\n    set Radius 2 = 0.1\n    set Radius 3 = 0.05\n    set Material = metal\n"),
+        "Sections/it",
+        joined(of_ellipse, {{material, {"Radius 2", "0.2"}, {"Radius 3", "0.2"}}}),
+        {{"Elements per ply", "there are no plies"}});
+  check("box",
+        models::analysed("    set Type = box\n    set Width 2 = 0.2\n    set Width 3 = 0.15\n    set Thickness = 0.02\n"
+                         "    set Material = metal\n"),
+        "Sections/it",
+        joined(common,
+               {{material,
+                 {"Width 2", "0.3"},
+                 {"Width 3", "0.3"},
+                 {"Thickness", "0.03"},
+                 {"Layup", "skin"},
+                 {"Layup of bottom", "skin"},
+                 {"Layup of right", "skin"},
+                 {"Layup of top", "skin"},
+                 {"Layup of left", "skin"}}}));
+  check("I",
+        models::analysed(
+          "    set Type = I\n    set Height = 0.2\n    set Lower width = 0.1\n    set Lower thickness = 0.01\n"
+          "    set Web thickness = 0.01\n    set Material = metal\n"),
+        "Sections/it",
+        joined(common,
+               {{material,
+                 {"Height", "0.3"},
+                 {"Lower width", "0.2"},
+                 {"Upper width", "0.2"},
+                 {"Lower thickness", "0.02"},
+                 {"Upper thickness", "0.02"},
+                 {"Web thickness", "0.02"},
+                 {"Lower layup", "skin"},
+                 {"Upper layup", "skin"},
+                 {"Web layup", "skin"}}}));
+  check("C",
+        models::analysed(
+          "    set Type = C\n    set Height = 0.2\n    set Width = 0.1\n    set Flange thickness = 0.01\n"
+          "    set Web thickness = 0.01\n    set Material = metal\n"),
+        "Sections/it",
+        joined(common,
+               {{material,
+                 {"Height", "0.3"},
+                 {"Width", "0.2"},
+                 {"Flange thickness", "0.02"},
+                 {"Web thickness", "0.02"},
+                 {"Lower layup", "skin"},
+                 {"Upper layup", "skin"},
+                 {"Web layup", "skin"}}}));
+  check("section",
+        models::analysed(
+          "    set Type = ellipse\n    set Radius 2 = 0.1\n    set Radius 3 = 0.05\n    set Material = metal\n"),
+        "Section",
+        {{"Sections", "other"}, {"Stresses at", "beam at 0.3"}});
 }
 
 

@@ -155,7 +155,7 @@ TEST(Sections, StiffnessOfSimpleShapes)
   const auto stiffness = [](const std::string &entries) {
     Scene scene(model("subsection s\n set Density = 1\n set E = 260\n set Poisson ratio = 0.3\n " + entries + "\n end",
                       "Force = 1, 0, 0"));
-    return scene.system.model.find<Section>("s", "section").at(0).stiffness;
+    return scene.system.model.find<Section>("s", "section").at(0, Vector3::Zero()).stiffness;
   };
   const auto expect = [](const Matrix6 &C, const Vector6 &diagonal, const double tolerance) {
     EXPECT_LT((C - Matrix6(diagonal.asDiagonal())).norm(), tolerance * diagonal.norm());

@@ -71,6 +71,18 @@ namespace samara
 
     std::vector<MeshElement> mesh() const;
 
+    /** What stresses at a place follow from. */
+    struct Station
+    {
+      const AnalysedSection *section;   ///< there, or at the nearest station of a table
+      Vector3                curvature; ///< initial twist and curvature of the reference line [rad/m]
+      Vector6                forces;    ///< of the section, as probes tell them [N, N m]
+      Vector3                x;         ///< place of the reference line [m]
+      Matrix3                D;         ///< axes of the section
+    };
+    /** At a named point or "at 0.3". @throws std::invalid_argument if there is none, or no section that was analysed */
+    Station station(const State &state, const std::string &point) const;
+
     /**
      * The strains @p e of this beam at its integration points as coefficients of Legendre polynomials, k = 0 ... p − 1,
      * on each element: column k is √h Rᵀ a_k for e = Σ a_k L_k, L_k orthonormal on (0, 1), C = R Rᵀ the stiffness at
@@ -115,6 +127,7 @@ namespace samara
     std::vector<double>           node_abscissae;
     std::vector<double>           kinks; ///< arc lengths where section or twist have one; elements need not end there
     std::map<std::string, double> named; ///< arc length of named points
+    Matrix6                       last_stiffness = Matrix6::Zero(); ///< of the material that was made last
 
     std::string               make_curve(); ///< returns what is wrong with the entries
     bool                      find_curve();
@@ -125,6 +138,8 @@ namespace samara
     void                      make_nodes_and_elements();
     bool                      find_kinks();
     std::vector<double>       kinks_inside(const Cell &cell) const;
+    Vector3                   initial_curvature(const Cell &cell, double s) const;
+    SectionValues             section_at(const Cell &cell, double s) const;
     std::vector<Matrix6>      stiffnesses_of(const Cell &cell) const;
     std::vector<Matrix6>      inertias_of(const Cell &cell) const;
     Material                  material_of(const Matrix6 &stiffness) const;
@@ -136,6 +151,10 @@ namespace samara
      */
     std::optional<double> abscissa_of(const std::string &point) const;
     int                   node_at(double s) const;
+
+    /** The section at an arc length of which stresses can be found, and its curvature. @throws std::invalid_argument */
+    std::pair<const AnalysedSection *, Vector3> analysed_at(double s) const;
+    std::optional<Probe> stress_probe(const std::string &path, const std::string &quantity, double s) const;
 
     /** Everything known at an arc length: strains and section forces are polynomials through the Gauss points. */
     struct Local

@@ -27,7 +27,13 @@ namespace samara
   /** (1 − w) a + w b */
   SectionValues interpolate(const SectionValues &a, const SectionValues &b, double w);
 
+  /** The same of outlines with as many corners; @p a if there are not. */
+  std::vector<Eigen::Vector2d>
+  interpolate(const std::vector<Eigen::Vector2d> &a, const std::vector<Eigen::Vector2d> &b, double w);
 
+
+
+  class AnalysedSection;
 
   /** A named cross-section that beams refer to. It adds nothing to the system by itself. */
   class Section : public Item
@@ -35,8 +41,33 @@ namespace samara
   public:
     void initialize(Model &model) override;
 
-    /** Values at the relative abscissa @p x from 0 (start of the beam) to 1 (its end). */
-    virtual SectionValues at(double x) const = 0;
+    /**
+     * Values at the relative abscissa @p x from 0 (start of the beam) to 1 (its end). @p curvature is the initial twist and
+     * curvature (k₁ k₂ k₃) of the reference line there, in the axes of the section [rad/m].
+     * @throws std::invalid_argument if there is no such section with this curvature
+     */
+    virtual SectionValues at(double x, const Vector3 &curvature) const = 0;
+
+    /** Whether at() does. */
+    virtual bool
+    depends_on_curvature() const
+    {
+      return false;
+    }
+
+    /** Corners (y₂, y₃) of the outline that is drawn at @p x [m]. */
+    virtual std::vector<Eigen::Vector2d>
+    outline(const double x) const
+    {
+      return at(x, Vector3::Zero()).outline;
+    }
+
+    /** The section at @p x of which stresses can be found, or that of the nearest station; null if there is none. */
+    virtual const AnalysedSection *
+    nearest(double /*x*/) const
+    {
+      return nullptr;
+    }
 
     /** Relative abscissae at which the values have kinks, where elements should end. */
     virtual std::vector<double>
@@ -75,7 +106,7 @@ namespace samara
   {
   public:
     void          add_parameters(Parameters &prm) override;
-    SectionValues at(double x) const override;
+    SectionValues at(double x, const Vector3 &curvature) const override;
 
   private:
     EngineeringConstants constants;
@@ -89,7 +120,7 @@ namespace samara
   public:
     void          add_parameters(Parameters &prm) override;
     void          initialize(Model &model) override;
-    SectionValues at(double x) const override;
+    SectionValues at(double x, const Vector3 &curvature) const override;
 
   private:
     std::vector<double> stiffness, compliance, inertia, drawn_radii;
@@ -104,8 +135,11 @@ namespace samara
   public:
     void                add_parameters(Parameters &prm) override;
     void                initialize(Model &model) override;
-    SectionValues       at(double x) const override;
+    SectionValues       at(double x, const Vector3 &curvature) const override;
     std::vector<double> kinks() const override;
+    bool                depends_on_curvature() const override;
+    std::vector<Eigen::Vector2d> outline(double x) const override;
+    const AnalysedSection       *nearest(double x) const override;
 
     /** What was read from the file, if there is one. */
     const std::vector<std::string> &
@@ -118,39 +152,17 @@ namespace samara
     std::vector<std::string> stations, lines;
     std::string              file;
     std::vector<double>      abscissae;
-    std::vector<SectionValues> values;
+    bool                     uses_curvature = false;
+
+    std::vector<std::function<SectionValues(const Vector3 &curvature)>> values;
+    std::vector<std::vector<Eigen::Vector2d>>                           outlines;
+    std::vector<const Section *>                                        sections; ///< none of a file
+
+    /** The number of the station before @p x, and how far it lies on the way to the next, from 0 to 1. */
+    std::pair<unsigned int, double> interval(double x) const;
 
     void read_stations(Model &model);
     void read_file(Model &model);
-  };
-
-
-
-  /** A solid rectangle of isotropic material. Saint-Venant torsion constant, shear factor 5/6. */
-  class RectangularSection : public Section
-  {
-  public:
-    void          add_parameters(Parameters &prm) override;
-    SectionValues at(double x) const override;
-
-  private:
-    double E = 0, nu = 0.3, density = 0, width_2 = 0, width_3 = 0, shear_factor = 5. / 6.;
-  };
-
-
-
-  /** A circular tube (or rod) of isotropic material; shear factor of Cowper (1966). */
-  class TubularSection : public Section
-  {
-  public:
-    void          add_parameters(Parameters &prm) override;
-    SectionValues at(double x) const override;
-
-  protected:
-    void check(Model &model) const override;
-
-  private:
-    double E = 0, nu = 0.3, density = 0, outer = 0, inner = 0, shear_factor = 0;
   };
 } // namespace samara
 

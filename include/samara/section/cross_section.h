@@ -44,23 +44,25 @@ namespace samara
     /** Largest nodal force where the section is pinned, relative to the others: zero but for round-off. */
     double reaction = 0;
 
-    /** (x₂, x₃) where a transverse force does not twist the section. */
-    Eigen::Vector2d shear_centre() const;
-    /** (x₂, x₃) where an axial force does not bend the section. */
-    Eigen::Vector2d tension_centre() const;
-    Eigen::Vector2d mass_centre() const;
-
-    /** What is known at a point of integration; stresses follow from the section forces ϑ. */
+    /** What is known at a point of the section; stresses follow from the section forces ϑ. */
     struct StressPoint
     {
-      unsigned int     cell;
-      dealii::Point<2> place;  ///< [m]
-      double           weight; ///< area, √g not included [m²]
-      Matrix6          strain; ///< Voigt strains of unit section forces, in the axes of the section
-      Matrix6          C;      ///< Voigt stiffness there
-      Matrix3          axes;   ///< of the material, columns in the axes of the section
+      unsigned int                cell;
+      dealii::Point<2>            place;   ///< [m]
+      double                      weight;  ///< of the quadrature times area, √g not included [m²]
+      Eigen::Matrix<double, 3, 6> warping; ///< displacements of unit section forces, along the axes of the section
+      Matrix6                     strain;  ///< Voigt strains of unit section forces, in the axes of the section
+      Matrix6                     C;       ///< Voigt stiffness there
+      Matrix3                     axes;    ///< of the material, columns in the axes of the section
     };
-    std::vector<StressPoint> points;
+
+    /**
+     * The points of a quadrature on all cells, cell by cell. Warping is that without a mean displacement nor rotation.
+     */
+    std::vector<StressPoint> points(const dealii::Quadrature<2> &quadrature) const;
+
+    /** Those of integration. */
+    std::vector<StressPoint> points() const;
 
     /** Voigt stresses at a point in the axes of the section [Pa]. */
     static Vector6
@@ -80,10 +82,11 @@ namespace samara
   private:
     using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-    const SectionMesh    &mesh;
-    const Vector3         k;
-    dealii::FESystem<2>   fe;
-    dealii::DoFHandler<2> dofs;
+    const SectionMesh                 &mesh;
+    const std::vector<SectionMaterial> materials;
+    const Vector3                      k;
+    dealii::FESystem<2>                fe;
+    dealii::DoFHandler<2>              dofs;
 
     // the integrals, named as in the equations above
     dealii::SparsityPattern      pattern;
@@ -94,11 +97,11 @@ namespace samara
     Columns                      X;
     Matrix6                      Y;
 
-    void    assemble(const std::vector<SectionMaterial> &materials);
+    void    assemble();
     void    find_pins();
     void    solve();
     void    find_compliance();
-    void    find_strains();
+    void    forget_integrals();
     Columns times(const dealii::SparseMatrix<double> &matrix, const Columns &x, bool transposed = false) const;
   };
 } // namespace samara

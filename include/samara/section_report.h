@@ -1,0 +1,45 @@
+#ifndef samara_section_report_h
+#define samara_section_report_h
+
+#include <samara/analysis/analysis.h>
+#include <samara/cosserat/analysed_section.h>
+
+namespace samara
+{
+  /**
+   * The analysis `section`: what the sections of the model are, and the stresses in them at places of beams in the
+   * state reached. A model of sections alone needs no body.
+   *
+   * Writes sections.csv and .h5, a line each, section_<name>.txt with all matrices, and pictures: section_<name>.vtu
+   * with materials, fibres and warping, stresses_<beam>_<place>.vtu with stresses and failure indices, stresses.csv
+   * with the largest ones.
+   */
+  class SectionReport : public Analysis
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void run(Context &context) override;
+
+    /** Without stresses of beams. */
+    void report(const Model &model, const std::string &folder, bool pictures, Log &log) const;
+
+  private:
+    std::vector<std::string> names, places;
+
+    std::vector<const Section *> wanted(const Model &model) const;
+    void                         report_stresses(const Context &context) const;
+  };
+
+
+
+  /** @name Files for ParaView, in the axes 1, 2, 3 as x, y, z @{ */
+  /** The section with materials, fibres and the warping of unit section forces. */
+  std::string picture_of(const SectionAnalysis &analysis);
+
+  /** Stresses and failure indices, at the place @p x with section axes @p D. */
+  std::string
+  picture_of_stresses(const SectionAnalysis &analysis, const Vector6 &forces, const Vector3 &x, const Matrix3 &D);
+  /** @} */
+} // namespace samara
+
+#endif

@@ -1,0 +1,347 @@
+#include <samara/base/text.h>
+#include <samara/cosserat/beam.h>
+#include <samara/output/file.h>
+#include <samara/output/table.h>
+#include <samara/output/write_hdf5.h>
+#include <samara/section/recovery.h>
+#include <samara/section/section_constants.h>
+#include <samara/section_report.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace samara
+{
+  namespace
+  {
+    /** A section with one curvature, and what is known of it. */
+    struct Row
+    {
+      std::string              name;
+      Vector3                  curvature = Vector3::Zero();
+      SectionValues            values;
+      double                   area = std::nan(""), unknowns = std::nan(""), change = std::nan("");
+      std::vector<std::string> materials = {};
+    };
+
+    const std::vector<std::pair<std::string, std::string>> columns = {{"k1", "1/m"},
+                                                                      {"k2", "1/m"},
+                                                                      {"k3", "1/m"},
+                                                                      {"area", "m^2"},
+                                                                      {"EA", "N"},
+                                                                      {"GJ", "N m^2"},
+                                                                      {"larger EI", "N m^2"},
+                                                                      {"smaller EI", "N m^2"},
+                                                                      {"angle of larger EI", "deg"},
+                                                                      {"larger GA", "N"},
+                                                                      {"smaller GA", "N"},
+                                                                      {"angle of larger GA", "deg"},
+                                                                      {"tension centre 2", "m"},
+                                                                      {"tension centre 3", "m"},
+                                                                      {"shear centre 2", "m"},
+                                                                      {"shear centre 3", "m"},
+                                                                      {"mass", "kg/m"},
+                                                                      {"mass centre 2", "m"},
+                                                                      {"mass centre 3", "m"},
+                                                                      {"larger I", "kg m"},
+                                                                      {"smaller I", "kg m"},
+                                                                      {"angle of larger I", "deg"},
+                                                                      {"unknowns", ""},
+                                                                      {"change with one degree more", ""}};
+
+
+
+    std::vector<double>
+    numbers_of(const Row &row)
+    {
+      const SectionConstants c(row.values.stiffness.inverse(), row.values.inertia);
+      const double           degrees = 180 / M_PI;
+      return {row.curvature(0),
+              row.curvature(1),
+              row.curvature(2),
+              row.area,
+              c.EA,
+              c.GJ,
+              c.principal_bending.larger,
+              c.principal_bending.smaller,
+              c.principal_bending.angle * degrees,
+              c.principal_shear.larger,
+              c.principal_shear.smaller,
+              c.principal_shear.angle * degrees,
+              c.tension_centre(0),
+              c.tension_centre(1),
+              c.shear_centre(0),
+              c.shear_centre(1),
+              c.mass,
+              c.mass_centre(0),
+              c.mass_centre(1),
+              c.principal_moments.larger,
+              c.principal_moments.smaller,
+              c.principal_moments.angle * degrees,
+              row.unknowns,
+              row.change};
+    }
+
+
+
+    /** Largest difference of two stiffnesses relative to the diagonal. */
+    double
+    difference(const Matrix6 &a, const Matrix6 &b)
+    {
+      const Vector6 size = b.diagonal().cwiseSqrt();
+      return ((a - b).array() / (size * size.transpose()).array()).abs().maxCoeff();
+    }
+
+
+
+    Row
+    row_of(const std::string     &name,
+           const AnalysedSection &section,
+           const Vector3         &curvature,
+           const SectionAnalysis &own)
+    {
+      Row row{name, curvature, section.at(0, curvature)};
+      row.area     = own.section.area;
+      row.unknowns = own.section.n_unknowns();
+      row.change   = difference(section.analyse(curvature, 1)->section.stiffness, row.values.stiffness);
+      std::vector<double> areas(own.shape.materials.size(), 0.);
+      for (const auto &point : own.section.points())
+        areas[own.mesh.ply(point.cell).material] += point.weight;
+      for (unsigned int i = 0; i < areas.size(); ++i)
+        row.materials.push_back(own.shape.materials[i].name + ": " + number_to_text("%.6g", areas[i]) + " m^2");
+      return row;
+    }
+
+
+
+    void
+    write_matrix(std::ostream &out, const std::string &title, const Matrix6 &A)
+    {
+      out << '\n' << title << '\n' << std::scientific << std::setprecision(10);
+      for (int i = 0; i < 6; ++i)
+        {
+          for (int j = 0; j < 6; ++j)
+            out << std::setw(19) << A(i, j);
+          out << '\n';
+        }
+    }
+
+
+
+    std::string
+    text_of(const Row &row)
+    {
+      std::ostringstream out;
+      out << "Section " << row.name << ", initial twist and curvature " << row.curvature.transpose() << " 1/m\n\n";
+      const auto numbers = numbers_of(row);
+      for (unsigned int i = 3; i < columns.size(); ++i)
+        if (numbers[i] == numbers[i])
+          out << "  " << std::left << std::setw(30)
+              << columns[i].first + (columns[i].second.empty() ? "" : " [" + columns[i].second + "]") << std::right
+              << number_to_field(numbers[i], 10) << '\n';
+      for (const auto &line : row.materials)
+        out << "  " << line << '\n';
+      write_matrix(out,
+                   "Stiffness: F1 F2 F3 M1 M2 M3 from Gamma1 Gamma2 Gamma3 K1 K2 K3 [N, N m, N m^2]",
+                   row.values.stiffness);
+      write_matrix(out, "Inertia per length about the reference line [kg/m, kg, kg m]", row.values.inertia);
+      return out.str();
+    }
+
+
+
+    /** A name that every file system takes. */
+    std::string
+    file_name(const std::string &text)
+    {
+      std::string result;
+      for (const char c : text)
+        result += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
+      return result;
+    }
+  } // namespace
+
+
+
+  void
+  SectionReport::add_parameters(Parameters &prm)
+  {
+    prm.add("Sections", names, "Names of the sections to report; not given: all.");
+    prm.add("Stresses at",
+            places,
+            "Places of beams where stresses are recovered in the state reached: blade at 0.3, blade.root, ...");
+  }
+
+
+
+  std::vector<const Section *>
+  SectionReport::wanted(const Model &model) const
+  {
+    std::vector<const Section *> result;
+    try
+      {
+        for (const auto &name : names)
+          result.push_back(&model.find<Section>(name, "section"));
+        for (const auto *const section : result)
+          if (dynamic_cast<const TableSection *>(section) != nullptr)
+            throw std::invalid_argument("<" + section->name + "> is a table: name the sections at its stations");
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        throw InputError(parameters.where("Sections") + ": " + problem.what());
+      }
+    if (names.empty())
+      for (const auto &item : model.items)
+        if (const auto *const section = dynamic_cast<const Section *>(item.get()))
+          if (dynamic_cast<const TableSection *>(section) == nullptr)
+            result.push_back(section);
+    if (result.empty())
+      throw InputError(parameters.where() + ": the model has no section to report");
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /** A section with one curvature; its files but for the tables are written. */
+    Row
+    report_one(const std::string &name,
+               const Section     &section,
+               const Vector3     &curvature,
+               const std::string &folder,
+               const bool         pictures)
+    {
+      Row row{name, curvature, section.at(0, curvature)};
+      if (const auto *const analysed = section.nearest(0))
+        {
+          const auto analysis = analysed->analyse(curvature);
+          row                 = row_of(name, *analysed, curvature, *analysis);
+          if (pictures)
+            replace_file(folder + "/section_" + file_name(name) + ".vtu", picture_of(*analysis));
+        }
+      replace_file(folder + "/section_" + file_name(name) + ".txt", text_of(row));
+      return row;
+    }
+  } // namespace
+
+
+
+  void
+  SectionReport::report(const Model &model, const std::string &folder, const bool pictures, Log &log) const
+  {
+    constexpr std::size_t most = 4; // a curved beam has many curvatures
+    std::vector<Row>      rows;
+    for (const Section *const section : wanted(model))
+      {
+        const auto *const analysed = section->nearest(0);
+        const auto curvatures = analysed != nullptr ? analysed->curvatures() : std::vector<Vector3>(1, Vector3::Zero());
+        for (std::size_t i = 0; i < std::min(most, curvatures.size()); ++i)
+          {
+            rows.push_back(report_one(
+              section->name + (i == 0 ? "" : " " + std::to_string(i + 1)), *section, curvatures[i], folder, pictures));
+            log.line(text_of(rows.back()));
+          }
+        if (curvatures.size() > most)
+          log.line("Section " + section->name + ": beams use it with " + std::to_string(curvatures.size() - most) +
+                   " more curvatures, which are not reported");
+      }
+
+    std::vector<std::string> header = {"section"};
+    for (const auto &[name, unit] : columns)
+      header.push_back(unit.empty() ? name : name + " [" + unit + "]");
+    Table                            table(header);
+    std::vector<std::vector<double>> block(columns.size());
+    for (const Row &row : rows)
+      {
+        const auto               numbers = numbers_of(row);
+        std::vector<Table::Cell> cells   = {row.name};
+        for (unsigned int i = 0; i < numbers.size(); ++i)
+          {
+            block[i].push_back(numbers[i]);
+            cells.push_back(Table::Cell::optional(numbers[i]));
+          }
+        table.add_row(cells);
+      }
+    table.write(folder + "/sections.csv");
+    write_hdf5(folder + "/sections.h5", columns, rows.size(), [&](std::vector<std::vector<double>> &next) {
+      next = block;
+    });
+  }
+
+
+
+  void
+  SectionReport::run(Context &context)
+  {
+    if (context.folder.empty())
+      return;
+    report(context.system.model, context.folder, context.pictures && context.is_shown(), context.log);
+    if (!places.empty())
+      report_stresses(context);
+  }
+
+
+
+  void
+  SectionReport::report_stresses(const Context &context) const
+  {
+    Table table({"place",
+                 "section",
+                 "F1 [N]",
+                 "F2 [N]",
+                 "F3 [N]",
+                 "M1 [N m]",
+                 "M2 [N m]",
+                 "M3 [N m]",
+                 "stress 11 [Pa]",
+                 "stress 22 [Pa]",
+                 "stress 33 [Pa]",
+                 "stress 23 [Pa]",
+                 "stress 13 [Pa]",
+                 "stress 12 [Pa]",
+                 "von Mises stress [Pa]",
+                 "index of max stress",
+                 "index of Tsai-Wu",
+                 "index of Hashin",
+                 "index of von Mises"});
+    for (const auto &place : places)
+      try
+        {
+          std::string name, at;
+          const auto  dot    = place.find('.');
+          const bool  has_at = split_at(place, name, at) && name.find('.') == std::string::npos;
+          if (!has_at && dot == std::string::npos)
+            throw std::invalid_argument("a place is written <blade at 0.3> or <blade.root>, not <" + place + ">");
+          const Beam &beam     = context.system.model.find<Beam>(has_at ? name : trim(place.substr(0, dot)), "beam");
+          const auto  here     = beam.station(context.state, has_at ? "at " + at : trim(place.substr(dot + 1)));
+          const auto  analysis = here.section->analyse(here.curvature);
+          const auto  extremes =
+            SectionStresses(analysis->section, analysis->mesh, analysis->shape.materials).extremes(here.forces);
+          std::vector<Table::Cell> row = {place, here.section->name};
+          for (int i = 0; i < 6; ++i)
+            row.emplace_back(here.forces(i));
+          for (int i = 0; i < 6; ++i)
+            row.emplace_back(extremes.stress(i));
+          row.emplace_back(extremes.von_mises_stress);
+          for (const double index : {extremes.indices.max_stress,
+                                     extremes.indices.tsai_wu,
+                                     extremes.indices.hashin,
+                                     extremes.indices.von_mises})
+            row.push_back(Table::Cell::optional(index < 0 ? std::nan("") : index));
+          table.add_row(row);
+          if (context.pictures && context.is_shown())
+            replace_file(context.folder + "/stresses_" + file_name(place) + ".vtu",
+                         picture_of_stresses(*analysis, here.forces, here.x, here.D));
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          throw InputError(parameters.where("Stresses at") + ": " + problem.what());
+        }
+    table.write(context.folder + "/stresses.csv");
+    std::ostringstream text;
+    table.print(text);
+    context.log.line(text.str());
+  }
+} // namespace samara
