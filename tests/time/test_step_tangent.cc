@@ -1,6 +1,6 @@
 /*
  * Problem:   the tangent of a step, ∂x_{n+1}/∂x_n
- * Reference: central differences of sixth order of converged steps; Padé's approximants of the exponential
+ * Reference: central differences of sixth order of converged steps
  */
 
 #include <samara/time/step_tangent.h>
