@@ -17,6 +17,19 @@ namespace samara
             "Direction near which azimuth zero lies in the reference configuration; 0, 0, 0: any [1].");
     prm.add("Radius", radius, "Radius of the disk [m].", Double(1e-300));
     prm.add("Air", air_name, "Name of the air; needed only if there are several.");
+    prm.turns("Axis", Turning::direction);
+    prm.turns("Direction", Turning::direction);
+  }
+
+
+
+  void
+  Inflow::be_placed(const Placement &placement)
+  {
+    // the azimuth that is chosen where none is given is one of the subsystem
+    if (!axis.isZero(0.) && direction.isZero(0.))
+      parameters.assign("Direction", Vector3(triad_about(axis, direction).col(0)));
+    Item::be_placed(placement);
   }
 
 
@@ -131,6 +144,7 @@ namespace samara
       components,
       "w0, wc, ws: flow against the thrust axis, and how much more it is at the edge at azimuth 0 and 90 degrees, "
       "functions of time t [m/s].");
+    prm.turns("Velocity", Turning::own_axes);
   }
 
 

@@ -59,6 +59,9 @@ namespace samara
     prm.add("Lift factor", lift_factor, "What lift is multiplied by, a function of s: losses at tips [1].");
     prm.add("Inflow", inflow_name, "Name of the inflow in which the surface moves; empty: none.");
     prm.add("Air", air_name, "Name of the air; needed only if there are several.");
+    prm.turns("Line", Turning::position);
+    prm.turns("Leading edge", Turning::direction);
+    prm.turns("Upper side", Turning::direction);
   }
 
 

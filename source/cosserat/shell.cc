@@ -81,6 +81,15 @@ namespace samara
 
 
   void
+  Shell::be_placed(const Placement &)
+  {
+    throw std::invalid_argument("shell <" + name +
+                                "> cannot stand in a subsystem that is turned or moved; write its patches where they are");
+  }
+
+
+
+  void
   Shell::initialize(Model &model_)
   {
     model             = &model_;

@@ -40,6 +40,39 @@ namespace samara
       "rotation 2, rotation 3.");
     prm.add("Axis", axis, "Direction of axis 3 of the support, inertial components [1].");
     prm.add("Axis 1", axis_1, "Direction near which axis 1 lies; 0, 0, 0: as near to x as can be [1].");
+    prm.turns("Axis", Turning::direction);
+    prm.turns("Axis 1", Turning::direction);
+  }
+
+
+
+  Matrix3
+  Support::triad() const
+  {
+    if (axis.isZero(0.))
+      throw std::invalid_argument("an axis must not be zero");
+    Matrix3 E;
+    E.col(2)  = axis.normalized();
+    Vector3 e = axis_1;
+    if (axis_1.isZero(0.))
+      e = std::abs(E(0, 2)) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
+    e -= E.col(2) * E.col(2).dot(e);
+    if (e.norm() < 1e-6 * std::max(axis_1.norm(), 1e-300))
+      throw std::invalid_argument("<Axis 1> is along <Axis>");
+    E.col(0) = e.normalized();
+    E.col(1) = cross(E.col(2), E.col(0));
+    return E;
+  }
+
+
+
+  void
+  Support::be_placed(const Placement &placement)
+  {
+    // the axis that is chosen where none is given is one of the subsystem
+    if (axis_1.isZero(0.))
+      parameters.assign("Axis 1", Vector3(triad().col(0)));
+    Item::be_placed(placement);
   }
 
 
@@ -78,18 +111,8 @@ namespace samara
         if (!read_fixed())
           throw std::invalid_argument("support <" + name + "> holds nothing");
         where = "Axis";
-        if (axis.isZero(0.))
-          throw std::invalid_argument("an axis must not be zero");
-        axes.col(2) = axis.normalized();
-        Vector3 e   = axis_1;
-        if (axis_1.isZero(0.))
-          e = std::abs(axes(0, 2)) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
-        e -= axes.col(2) * axes.col(2).dot(e);
-        if (e.norm() < 1e-6 * std::max(axis_1.norm(), 1e-300))
-          throw std::invalid_argument("<Axis 1> is along <Axis>");
-        axes.col(0) = e.normalized();
-        axes.col(1) = cross(axes.col(2), axes.col(0));
-        where       = "Along";
+        axes  = triad();
+        where = "Along";
         for (const auto &place : places)
           add_frames(place);
       }

@@ -20,6 +20,12 @@ namespace samara
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
 
+    bool
+    acts_on_whole_model() const override
+    {
+      return true;
+    }
+
     double density = 1.225, speed_of_sound = 340.3; ///< [kg/m^3], [m/s]
 
     template <typename Number>

@@ -47,6 +47,7 @@ namespace samara
   {
   public:
     void                     add_parameters(Parameters &prm) override;
+    void                     be_placed(const Placement &placement) override;
     void                     initialize(Model &model) override;
     void                     connect(Layout &layout) override;
     std::optional<Probe>     probe(const std::string &path) const override;

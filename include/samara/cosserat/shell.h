@@ -32,6 +32,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void be_placed(const Placement &placement) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 

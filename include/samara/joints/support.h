@@ -26,6 +26,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void be_placed(const Placement &placement) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
@@ -39,6 +40,8 @@ namespace samara
     std::vector<std::string> probe_names() const override;
 
   private:
+    /** Axes of the support. @throws std::invalid_argument */
+    Matrix3 triad() const;
     std::vector<std::string> places, fixed_entries = {"all"};
     Vector3                  axis = Vector3::UnitZ(), axis_1 = Vector3::Zero();
 
