@@ -1,6 +1,7 @@
 // Inflow: matrices against references, momentum theory exactly, derivatives, axes; hover as an equilibrium.
 
 #include <samara/aero/finite_state.h>
+#include <samara/base/composite_rule.h>
 
 #include "../complex_step.h"
 #include "../reference.h"
