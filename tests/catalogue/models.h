@@ -69,7 +69,7 @@ subsection Bodies
     set E              = 1e6
     set Thickness      = 0.05
     set Density        = 1000
-    set Frames         = place at 0.5 0.5
+    set Frames         = place at 0 0 0
   end
   subsection other
     set Type           = shell
