@@ -95,22 +95,18 @@ namespace samara
 
 
 
-    Row
-    row_of(const std::string     &name,
-           const AnalysedSection &section,
-           const Vector3         &curvature,
-           const SectionAnalysis &own)
+    /** What only an analysis tells. */
+    void
+    add_analysis(Row &row, const AnalysedSection &section, const SectionAnalysis &own)
     {
-      Row row{name, curvature, section.at(0, curvature)};
       row.area     = own.section.area;
       row.unknowns = own.section.n_unknowns();
-      row.change   = difference(section.analyse(curvature, 1)->section.stiffness, row.values.stiffness);
+      row.change   = difference(section.analyse(row.curvature, 1)->section.stiffness, row.values.stiffness);
       std::vector<double> areas(own.shape.materials.size(), 0.);
       for (const auto &point : own.section.points())
         areas[own.mesh.ply(point.cell).material] += point.weight;
       for (unsigned int i = 0; i < areas.size(); ++i)
         row.materials.push_back(own.shape.materials[i].name + ": " + number_to_text("%.6g", areas[i]) + " m^2");
-      return row;
     }
 
 
@@ -217,7 +213,7 @@ namespace samara
       if (const auto *const analysed = section.nearest(0))
         {
           const auto analysis = analysed->analyse(curvature);
-          row                 = row_of(name, *analysed, curvature, *analysis);
+          add_analysis(row, *analysed, *analysis);
           if (pictures)
             replace_file(folder + "/section_" + file_name(name) + ".vtu", picture_of(*analysis));
         }

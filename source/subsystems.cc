@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/model/model.h>
+#include <samara/model/output_name.h>
 #include <samara/rotation/rotation.h>
 #include <samara/subsystems.h>
 
@@ -288,6 +289,11 @@ namespace samara
           else
             complaints.add(state.where, "state <" + scope.prefix + state.name + ">: " + fault);
         });
+    if (all.size() == 1)
+      {
+        all.front().quantities.signals = std::move(names);
+        return;
+      }
     for (auto &scope : all)
       {
         scope.quantities.signals           = names;
@@ -322,11 +328,17 @@ namespace samara
     for (const auto &path : paths)
       {
         const std::string name = trim(path.substr(0, path.find('.')));
-        std::string       full = path;
+        // an output of several, "pilot_2", is named by its object
+        std::string owner, number;
+        const bool  is_output = path.find('.') == std::string::npos && split_number(name, owner, number);
+        const auto  has       = [&](const std::string &object) {
+          return std::any_of(catalogue.groups.begin(), catalogue.groups.end(), [&](const Group &group) {
+            return objects.count({group.subsection, object}) > 0;
+          });
+        };
+        std::string full = path;
         for (const Scope *s = &scope; !s->prefix.empty() && full == path; s = s->around)
-          if (std::any_of(catalogue.groups.begin(), catalogue.groups.end(), [&](const Group &group) {
-                return objects.count({group.subsection, s->prefix + name}) > 0;
-              }))
+          if (has(s->prefix + name) || (is_output && has(s->prefix + owner)))
             full = s->prefix + path;
         probes.emplace_back(full, parameters.where("Probes"));
       }

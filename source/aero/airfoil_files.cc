@@ -285,9 +285,7 @@ namespace samara
           std::istringstream words(file.read());
           std::string        value, word;
           if (words >> value >> word && value[0] != '!' && word == keyword)
-            return value == "True" || value == "true" || value == "TRUE" || value == "T"    ? 1 :
-                   value == "False" || value == "false" || value == "FALSE" || value == "F" ? 0 :
-                                                                                              file.number(value);
+            return file.number(value);
         }
       file.complain("no line says <" + keyword + ">");
     }

@@ -135,6 +135,8 @@ namespace samara
   FiniteStateInflow
   FiniteStateInflow::peters_he(const unsigned int harmonics, const unsigned int power, const bool first_state_alone)
   {
+    if (power < harmonics)
+      throw std::invalid_argument("the power is less than the highest harmonic");
     FiniteStateInflow                inflow;
     std::vector<std::pair<int, int>> mn;
     for (int m = 0; m <= static_cast<int>(harmonics); ++m)

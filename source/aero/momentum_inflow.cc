@@ -39,11 +39,16 @@ namespace samara
   MomentumInflow::initialize(Model &model)
   {
     Inflow::initialize(model);
-    theory = make();
-    disk   = theory.disk;
-    for (const auto &shape : disk.shapes)
-      if (shape.c.empty())
-        model.complaints.add(parameters.where("Power"), "the power is less than the highest harmonic");
+    try
+      {
+        theory = make();
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where("Power"), problem.what());
+        return;
+      }
+    disk = theory.disk;
     if (air == nullptr)
       return;
     // a uniform flow: of radial functions φ, one for each n, the sum of a_n φ_n is 1 where all of them are taken; the

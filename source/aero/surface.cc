@@ -97,18 +97,22 @@ namespace samara
         check_disk();
         inflow->surfaces.push_back(this);
       }
-    for (auto &element : elements)
-      if (has_virtual_mass)
-        find_virtual_mass(element);
+    if (model->complaints.count() != before)
+      return;
+    where = "Chord";
     try
       {
+        if (has_virtual_mass)
+          for (auto &element : elements)
+            find_virtual_mass(element);
+        where = "Unsteady";
         for (auto &element : elements)
           for (auto &station : element.stations)
             add_states(station, element);
       }
     catch (const std::invalid_argument &problem)
       {
-        model->complaints.add(parameters.where("Unsteady"), problem.what());
+        model->complaints.add(parameters.where(where), problem.what());
       }
   }
 

@@ -10,11 +10,10 @@ namespace samara
   Surface::Gathered<Number>
   Surface::gather(const Element &element, const Point<Number> &point) const
   {
-    Gathered<Number>   g;
-    std::vector<Frame> frames = element.frames;
+    Gathered<Number> g;
+    g.frames.gather(element.frames, point);
     if (inflow != nullptr)
-      frames.push_back(inflow->hub);
-    g.frames.gather(frames, point);
+      g.frames.add(inflow->hub, point);
     for (const unsigned int i : element.lags)
       g.lags.push_back(point.states[i]);
     if (inflow != nullptr)

@@ -18,10 +18,15 @@ namespace samara
   std::string
   Law::with_paths(std::string text, const std::vector<std::string> &paths)
   {
-    // from the last on: word(1) is the beginning of word(10)
-    for (unsigned int i = paths.size(); i-- > 0;)
-      for (std::size_t at = 0; (at = text.find(word(i), at)) != std::string::npos; at += paths[i].size())
-        text.replace(at, word(i).size(), paths[i]);
+    // in one pass: what is put in is not looked at again, and word(1) is the beginning of word(10)
+    for (std::size_t at = 0; (at = text.find(reserved, at)) != std::string::npos;)
+      {
+        const std::size_t digits = at + reserved.size(),
+                          end    = std::min(text.find_first_not_of("0123456789", digits), text.size());
+        const std::string &path  = paths.at(std::stoul(text.substr(digits, end - digits)));
+        text.replace(at, end - at, path);
+        at += path.size();
+      }
     return text;
   }
 
@@ -60,20 +65,14 @@ namespace samara
         {
           const auto &own  = laws[j].paths;
           std::string term = own.empty() ? laws[j].time_function.formula_text() : laws[j].words;
-          std::vector<std::string> marks; // the number of each signal among all, where no word can be taken for another
+          std::vector<std::string> among_all; // words of its signals
           for (const auto &path : own)
             {
               if (std::find(all.begin(), all.end(), path) == all.end())
                 all.push_back(path);
-              marks.push_back("@" + std::to_string(std::find(all.begin(), all.end(), path) - all.begin()) + "@");
+              among_all.push_back(word(std::find(all.begin(), all.end(), path) - all.begin()));
             }
-          term = with_paths(term, marks);
-          for (unsigned int i = 0; i < all.size(); ++i)
-            {
-              const std::string mark = "@" + std::to_string(i) + "@";
-              for (std::size_t at = 0; (at = term.find(mark, at)) != std::string::npos;)
-                term.replace(at, mark.size(), word(i));
-            }
+          term = with_paths(term, among_all);
           terms.push_back(c(j) == 1 ? "(" + term + ")" : "(" + number_to_text(c(j)) + ")*(" + term + ")");
         }
     if (terms.empty())

@@ -323,12 +323,12 @@ namespace samara
       if (placement.is_identity())
         return Law(text, local_paths);
       const std::string        axes = "xyz";
-      std::vector<std::string> paths, sums; // marks stand for numbers of paths, where no word can be taken for another
-      const auto               mark_of = [&](const std::string &path) {
+      std::vector<std::string> paths, sums;
+      const auto               word_of = [&](const std::string &path) {
         const auto known = std::find(paths.begin(), paths.end(), path) - paths.begin();
         if (known == static_cast<std::ptrdiff_t>(paths.size()))
           paths.push_back(path);
-        return "@" + std::to_string(known) + "@";
+        return Law::word(known);
       };
       for (const auto &path : local_paths)
         {
@@ -336,26 +336,19 @@ namespace samara
           const auto i = axes.find(path.back());
           if (i == std::string::npos || n < 2 || path[n - 2] != ' ' || path.find('.') == std::string::npos)
             {
-              sums.push_back(mark_of(path));
+              sums.push_back(word_of(path));
               continue;
             }
           std::string sum;
           for (unsigned int j = 0; j < 3; ++j)
             if (const double r = placement.rotation(j, i); r != 0)
               sum += (sum.empty() ? "" : " + ") + (r == 1 ? "" : "(" + number_to_text(r) + ")*") +
-                     mark_of(path.substr(0, n - 1) + axes[j]);
+                     word_of(path.substr(0, n - 1) + axes[j]);
           const bool   is_place = n > 11 && path.compare(n - 11, 10, ".position ") == 0;
           const double along    = placement.origin.dot(placement.rotation.col(i));
           sums.push_back("(" + sum + (is_place && along != 0 ? " - (" + number_to_text(along) + ")" : "") + ")");
         }
-      std::string result = Law::with_paths(text, sums);
-      for (unsigned int k = 0; k < paths.size(); ++k)
-        {
-          const std::string mark = "@" + std::to_string(k) + "@";
-          for (std::size_t at = 0; (at = result.find(mark, at)) != std::string::npos;)
-            result.replace(at, mark.size(), Law::word(k));
-        }
-      return Law(result, paths);
+      return Law(Law::with_paths(text, sums), paths);
     }
   } // namespace
 

@@ -14,6 +14,7 @@ namespace samara
   {
     constexpr unsigned int n_points     = 8;
     constexpr unsigned int most_halving = 50; ///< towards a jump of the curvature, say, of which nobody tells
+    constexpr unsigned int most_parts   = 500; ///< where the force itself is less exact than what is asked for
 
     const dealii::QGauss<1> &
     rule()
@@ -33,7 +34,8 @@ namespace samara
       return sum * (b - a);
     }
 
-    /** Halved until that, and halving once more, changes no more than @p round_off. */
+    /** Halved until that, and halving once more, changes no more than @p round_off, or @p left_over halvings are used
+     * up. */
     template <typename F>
     double
     by_halves(const F           &f,
@@ -41,11 +43,13 @@ namespace samara
               const double       b,
               const double       whole,
               const double       round_off,
-              const unsigned int depth)
+              const unsigned int depth,
+              unsigned int      &left_over)
     {
       const double middle = 0.5 * (a + b), left = by_rule(f, a, middle), right = by_rule(f, middle, b);
-      if (depth == 0)
+      if (depth == 0 || left_over == 0)
         return left + right;
+      --left_over;
       if (!(std::abs(left + right - whole) > round_off))
         {
           // once may be chance: a jump of the curvature can lie where the rule and its halves err by the same
@@ -54,7 +58,8 @@ namespace samara
           if (!(std::abs(quarters - left - right) > round_off))
             return quarters;
         }
-      return by_halves(f, a, middle, left, round_off, depth - 1) + by_halves(f, middle, b, right, round_off, depth - 1);
+      return by_halves(f, a, middle, left, round_off, depth - 1, left_over) +
+             by_halves(f, middle, b, right, round_off, depth - 1, left_over);
     }
     /**
      * The same with linear tables in place of cubic ones: it has a corner at each of their rows, where the curvature of
@@ -63,6 +68,8 @@ namespace samara
     const ScalarFunction &
     with_linear_tables(const ScalarFunction &function)
     {
+      if (function.text().find("cubic") == std::string::npos)
+        return function;
       static std::mutex                            mutex;
       static std::map<std::string, ScalarFunction> all;
       const std::lock_guard<std::mutex>            guard(mutex);
@@ -129,7 +136,9 @@ namespace samara
     const double round_off = 2e-15 * by_rule(size_at, 0, 1);
     for (const double end : ends)
       {
-        result.force += by_halves(force_at, begin, end, by_rule(force_at, begin, end), round_off, most_halving);
+        unsigned int left_over = most_parts;
+        result.force +=
+          by_halves(force_at, begin, end, by_rule(force_at, begin, end), round_off, most_halving, left_over);
         result.slope += by_rule(slope_at, begin, end); // for matrices only
         begin = end;
       }

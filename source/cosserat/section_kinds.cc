@@ -143,9 +143,7 @@ namespace samara
     else
       {
         result.patches = strip_patches(width_2, plies, f);
-        result.finest  = width_2 / f.along;
-        for (const WallPly &ply : plies)
-          result.finest = std::min(result.finest, ply.thickness / f.per_ply);
+        result.finest  = finest_of({plies}, width_2);
       }
     result.outline = rectangle_outline(width_2, height);
     return result;

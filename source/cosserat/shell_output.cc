@@ -42,8 +42,12 @@ namespace samara
         }
     };
     if (numbers.size() == 3)
-      for (unsigned int i = 0; i < mesh->nodes.size(); ++i)
-        look(i, (mesh->nodes[i] - Vector3(numbers[0], numbers[1], numbers[2])).norm() / mesh->size());
+      {
+        const Vector3 x(numbers[0], numbers[1], numbers[2]);
+        const double  size = mesh->size();
+        for (unsigned int i = 0; i < mesh->nodes.size(); ++i)
+          look(i, (mesh->nodes[i] - x).norm() / size);
+      }
     else
       for (const auto &origin : mesh->origins)
         if (origin.patch == 0)
@@ -210,6 +214,8 @@ namespace samara
     for (const auto &force : plate_forces)
       if (quantity == force.name && at.node >= 0)
         {
+          if (rigid)
+            throw std::invalid_argument("shell <" + name + "> is rigid: its section forces are not known");
           VectorN weights = VectorN::Zero();
           for (const auto &[row, weight] : force.weights)
             weights(row) = weight;

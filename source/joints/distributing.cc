@@ -88,16 +88,19 @@ namespace samara
     if (surface == nullptr)
       throw std::invalid_argument("body <" + name + "> has no edges; join it by a joint");
     for (const auto &span : surface->edge(dot == std::string::npos ? "" : trim(path.substr(dot + 1))))
-      for (unsigned int a = 0; a < span.frames.size(); ++a)
-        {
-          double weight = 0;
-          for (const auto &[s, ds] : composite_rule({span.start, span.end}, 10))
-            weight += lagrange(span.abscissae, a, s) * ds;
-          length += weight;
-          centroid += weight * model.position(span.frames[a]);
-          const double h = surface->thickness();
-          nodes.push_back({span.frames[a], weight, Vector3::Zero(), h * h / 12});
-        }
+      {
+        const auto   rule = composite_rule({span.start, span.end}, 10);
+        const double h    = surface->thickness();
+        for (unsigned int a = 0; a < span.frames.size(); ++a)
+          {
+            double weight = 0;
+            for (const auto &[s, ds] : rule)
+              weight += lagrange(span.abscissae, a, s) * ds;
+            length += weight;
+            centroid += weight * model.position(span.frames[a]);
+            nodes.push_back({span.frames[a], weight, Vector3::Zero(), h * h / 12});
+          }
+      }
   }
 
 

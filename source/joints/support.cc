@@ -51,17 +51,13 @@ namespace samara
   {
     if (axis.isZero(0.))
       throw std::invalid_argument("an axis must not be zero");
-    Matrix3 E;
-    E.col(2)  = axis.normalized();
-    Vector3 e = axis_1;
-    if (axis_1.isZero(0.))
-      e = std::abs(E(0, 2)) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
-    e -= E.col(2) * E.col(2).dot(e);
-    if (e.norm() < 1e-6 * std::max(axis_1.norm(), 1e-300))
+    const Vector3 e3   = axis.normalized();
+    Vector3       near = axis_1;
+    if (near.isZero(0.))
+      near = std::abs(e3(0)) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
+    else if (near.cross(e3).norm() < 1e-6 * near.norm())
       throw std::invalid_argument("<Axis 1> is along <Axis>");
-    E.col(0) = e.normalized();
-    E.col(1) = cross(E.col(2), E.col(0));
-    return E;
+    return triad_about(axis, near);
   }
 
 
@@ -70,7 +66,7 @@ namespace samara
   Support::be_placed(const Placement &placement)
   {
     // the axis that is chosen where none is given is one of the subsystem
-    if (axis_1.isZero(0.))
+    if (axis_1.isZero(0.) && !axis.isZero(0.))
       parameters.assign("Axis 1", Vector3(triad().col(0)));
     Item::be_placed(placement);
   }

@@ -46,11 +46,7 @@ namespace samara
                 weights += area * rule.N.row(g).transpose();
                 products += area * rule.N.row(g).transpose() * rule.N.row(g);
               }
-            if (is_follower())
-              spans.push_back({cell.frames, products});
-            else
-              for (unsigned int a = 0; a < n; ++a)
-                points.push_back({cell.frames[a], weights(a)});
+            add_part(cell.frames, weights, products);
           }
       }
     catch (const std::invalid_argument &problem)

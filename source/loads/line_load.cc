@@ -119,10 +119,6 @@ namespace samara
         weights += variation(s) * ds * N;
         products += variation(s) * ds * N * N.transpose();
       }
-    if (is_follower())
-      spans.push_back({span.frames, products});
-    else
-      for (unsigned int a = 0; a < n; ++a)
-        points.push_back({span.frames[a], weights(a)});
+    add_part(span.frames, weights, products);
   }
 } // namespace samara

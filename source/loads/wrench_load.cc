@@ -26,6 +26,20 @@ namespace samara
 
 
   void
+  WrenchLoad::add_part(const std::vector<Frame> &frames,
+                       const Eigen::VectorXd    &weights,
+                       const Eigen::MatrixXd    &products)
+  {
+    if (is_follower())
+      spans.push_back({frames, products});
+    else
+      for (unsigned int a = 0; a < frames.size(); ++a)
+        points.push_back({frames[a], weights(a)});
+  }
+
+
+
+  void
   WrenchLoad::find_signals(Model &model)
   {
     const auto find = [&](Responses &responses, const unsigned int first) {

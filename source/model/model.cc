@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/model/model.h>
+#include <samara/model/output_name.h>
 #include <samara/model/signal.h>
 
 #include <deal.II/base/exceptions.h>
@@ -104,21 +105,17 @@ namespace samara
 
 
 
-  namespace
+  bool
+  split_number(const std::string &path, std::string &name, std::string &number)
   {
-    /** "pilot_2" into "pilot" and "2": an output of several. False if it has no number. */
-    bool
-    split_number(const std::string &path, std::string &name, std::string &number)
-    {
-      const auto bar = path.rfind('_');
-      if (bar == std::string::npos || bar + 1 == path.size() ||
-          path.find_first_not_of("0123456789", bar + 1) != std::string::npos)
-        return false;
-      name   = path.substr(0, bar);
-      number = path.substr(bar + 1);
-      return true;
-    }
-  } // namespace
+    const auto bar = path.rfind('_');
+    if (bar == std::string::npos || bar + 1 == path.size() ||
+        path.find_first_not_of("0123456789", bar + 1) != std::string::npos)
+      return false;
+    name   = path.substr(0, bar);
+    number = path.substr(bar + 1);
+    return true;
+  }
 
 
 

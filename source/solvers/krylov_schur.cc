@@ -190,11 +190,10 @@ namespace samara
         for (unsigned int i = 0; i + 1 < m; ++i)
           if (T(i + 1, i) != 0.)
             select[i] = select[i + 1] = select[i] || select[i + 1];
-        const int           size_of_T = m, n_work = 1;
+        const int           size_of_T = m, n_numbers = m;
         int                 n_selected = 0, info = 0, n_integers = 1, integers[1];
-        std::vector<double> real(m), imag(m), work(std::max(1u, m));
+        std::vector<double> real(m), imag(m), work(m);
         double              s = 0, sep = 0;
-        const int           n_numbers = std::max<int>(n_work, m);
         dtrsen_("N",
                 "V",
                 select.data(),
@@ -215,6 +214,8 @@ namespace samara
                 &info);
         if (info < 0)
           throw std::logic_error("dtrsen: argument " + std::to_string(-info));
+        if (info > 0)
+          throw NotConverged("Arnoldi's method: the largest eigenvalues cannot be brought to the front");
         const VectorXd b = U.transpose() * H.row(m).transpose();
         H.topRows(m)     = T;
         H.row(m)         = b.transpose();

@@ -48,14 +48,15 @@ namespace samara
     sigma = shift;
     reduce_points();
     assemble();
-    const auto whole = eliminate();
-    scale            = equilibrating_factors(*whole, 6);
-    const Pattern &pattern = *whole->pattern;
-    SparseMatrix   scaled(whole->pattern);
+    const auto          rest     = eliminate();
+    const SparseMatrix &unscaled = rest ? *rest : *A;
+    scale                        = equilibrating_factors(unscaled, 6);
+    const Pattern &pattern       = *unscaled.pattern;
+    SparseMatrix   scaled(unscaled.pattern);
     for (int j = 0; j < pattern.size(); ++j)
       for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        scaled.values[k] = whole->values[k] * scale[j] * scale[pattern.rows[k]];
-    solver = make_solver(whole->pattern, library_in_use(), Ordering::columns);
+        scaled.values[k] = unscaled.values[k] * scale[j] * scale[pattern.rows[k]];
+    solver = make_solver(unscaled.pattern, library_in_use(), Ordering::columns);
     try
       {
         solver->factorize(scaled);
@@ -317,6 +318,8 @@ namespace samara
     n_left = 0;
     for (auto &p : place)
       p = p < 0 ? -1 : static_cast<int>(n_left++);
+    if (n_left == size())
+      return nullptr;
 
     std::vector<Eigen::Triplet<double>> entries;
     for_entries([&](const int i, const int j, const double value) {
@@ -372,7 +375,7 @@ namespace samara
 
 
   void
-  MixedMatrix::expand(double *b, const std::vector<double> &e) const
+  MixedMatrix::expand(double *b) const
   {
     for (unsigned int g = 0; g < points.size(); ++g)
       if (stiffness[g].size() > 0)
@@ -380,7 +383,7 @@ namespace samara
           const unsigned int first = points[g].first;
           Eigen::VectorXd    strain(stiffness[g].rows());
           for (int i = 0; i < strain.size(); ++i)
-            strain(i) = rows.row_times(first + i, b) - e[n + first + i];
+            strain(i) = rows.row_times(first + i, b) - b[n + first + i];
           Eigen::Map<Eigen::VectorXd>(b + n + first, strain.size()) = stiffness[g] * strain;
         }
   }
@@ -391,7 +394,6 @@ namespace samara
   MixedMatrix::solve_scaled(double *b) const
   {
     ++n_solutions;
-    const std::vector<double> given(b, b + size());
     condense(b);
     left.resize(n_left);
     for (unsigned int i = 0; i < size(); ++i)
@@ -401,7 +403,7 @@ namespace samara
     for (unsigned int i = 0; i < size(); ++i)
       if (place[i] >= 0)
         b[i] = left[place[i]] * scale[place[i]];
-    expand(b, given);
+    expand(b);
   }
 
 

@@ -150,8 +150,9 @@ namespace samara
     std::vector<Summand> summands = {{integral, error(model)}};
     if (is_limited)
       {
-        summands.push_back({1 / tracking_time, output(model, 0)});
-        summands.push_back({-1 / tracking_time, unlimited(model)});
+        const SignalPointer before_limits = unlimited(model);
+        summands.push_back({1 / tracking_time, saturated_signal(before_limits, lower, upper)});
+        summands.push_back({-1 / tracking_time, before_limits});
       }
     return sum_of_signals(summands);
   }

@@ -1,3 +1,6 @@
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+#include <samara/solvers/anderson.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/projection.h>
 
@@ -295,10 +298,47 @@ namespace samara
   std::vector<double>
   Projection::solve_for_accelerations(State &state)
   {
+    const auto &in_laws = system.layout.multipliers_in_laws;
+    if (in_laws.empty())
+      {
+        std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+        return accelerations_about_multipliers(state);
+      }
+    // what loads are depends on reactions, which depend on them: a fixed point, from those of the integrator on
+    constexpr unsigned int most_passes = 100;
+    constexpr double       precision   = 1e-12;
+    Anderson               anderson;
+    Eigen::VectorXd        known(in_laws.size()), found(in_laws.size());
+    for (unsigned int i = 0; i < in_laws.size(); ++i)
+      known(i) = state.multipliers[in_laws[i]];
+    for (unsigned int pass = 0; pass < most_passes; ++pass)
+      {
+        std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+        for (unsigned int i = 0; i < in_laws.size(); ++i)
+          state.multipliers[in_laws[i]] = known(i);
+        const std::vector<double> result  = accelerations_about_multipliers(state);
+        double                    largest = 0;
+        for (const double lambda : state.multipliers)
+          largest = std::max(largest, std::abs(lambda));
+        for (unsigned int i = 0; i < in_laws.size(); ++i)
+          found(i) = state.multipliers[in_laws[i]];
+        if (!((found - known).lpNorm<Eigen::Infinity>() > precision * largest))
+          return result;
+        known = anderson.next(known, found);
+      }
+    throw NotConverged(
+      "t = " + number_to_text("%.6g", state.time) +
+      " s: forces of joints that laws depend on are not found, for they depend on these laws too much");
+  }
+
+
+
+  std::vector<double>
+  Projection::accelerations_about_multipliers(State &state)
+  {
     system.find_state_rates(state);
     const bool was_held = state.held;
     state.held          = false;
-    std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
     system.residual(state, state.stress, r);
     state.held = was_held;
     b.assign(system.size(), 0.);
@@ -326,7 +366,7 @@ namespace samara
     solve();
     std::copy(state.state_rates.begin(), state.state_rates.end(), b.begin() + system.layout.of_state(0));
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-      state.multipliers[i] = b[system.layout.of_multiplier(i)];
+      state.multipliers[i] += b[system.layout.of_multiplier(i)];
     return {b.begin(), b.begin() + system.layout.of_multiplier(0)};
   }
 } // namespace samara

@@ -1,9 +1,7 @@
+// What a change at the start of a step, and of its stages, changes in the equations of the stages.
+
 #include <samara/base/errors.h>
 #include <samara/time/step_tangent.h>
-
-#include <deal.II/lac/precondition.h>
-#include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <array>
@@ -20,11 +18,6 @@ namespace samara
     /** Motions [rad, lengths of the model, scales of states] in a difference of constraints. */
     constexpr double step_of_differences = 5e-3;
     constexpr double agreement           = 1e-9; ///< of differences with one step and with half of it
-
-    /** Relative residual of the equations of stages: wanted, and needed. @{ */
-    constexpr double wanted_residual = 1e-13, needed_residual = 1e-10;
-    /** @} */
-    constexpr unsigned int most_products = 60;
 
 
 
@@ -484,102 +477,5 @@ namespace samara
       }
     differentiate_constraints(s, X, change.gaps);
     add_corrections(X, result);
-  }
-
-
-
-  void
-  StepTangent::solve(const Vector &right, Vector &X)
-  {
-    struct Matrix
-    {
-      StepTangent   &tangent;
-      mutable Vector x, r;
-
-      /** Scaled unknowns on both sides, J preconditioned from the left. */
-      void
-      vmult(dealii::Vector<double> &to, const dealii::Vector<double> &from) const
-      {
-        for (unsigned int i = 0; i < x.size(); ++i)
-          x[i] = from[i] * tangent.scale[i];
-        ++tangent.n_products;
-        tangent.residual(nullptr, x.data(), r);
-        tangent.integrator.solve_stages(r, x);
-        for (unsigned int i = 0; i < x.size(); ++i)
-          to[i] = x[i] / tangent.scale[i];
-      }
-    };
-    X.resize(right.size());
-    integrator.solve_stages(right, X);
-    // every kind of unknown counts by its own size
-    const unsigned int n = system.size();
-    scale.assign(X.size(), 1.);
-    std::array<double, 3> sizes{};
-    const auto            kind = [&](const unsigned int i) { return i < n_velocities ? 0 : i < n_positions ? 1 : 2; };
-    const auto            unit = [&](const unsigned int i) {
-      return i < n_velocities && system.layout.is_length(i) ? integrator.length : 1.;
-    };
-    for (unsigned int i = 0; i < X.size(); ++i)
-      sizes[kind(i % n)] = std::max(sizes[kind(i % n)], std::abs(X[i]) / unit(i % n));
-    for (unsigned int i = 0; i < X.size(); ++i)
-      scale[i] = unit(i % n) * (sizes[kind(i % n)] > 0 ? sizes[kind(i % n)] : 1.);
-
-    dealii::Vector<double> b(X.size()), solution(X.size());
-    for (unsigned int i = 0; i < X.size(); ++i)
-      b[i] = X[i] / scale[i];
-    using Settings    = dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData;
-    const double size = b.l2_norm();
-    if (size > 0)
-      {
-        dealii::SolverControl                       control(most_products, wanted_residual * size, false, false);
-        dealii::SolverGMRES<dealii::Vector<double>> gmres(control, Settings(most_products + 2));
-        Matrix                                      matrix{*this, X, {}};
-        try
-          {
-            gmres.solve(matrix, solution, b, dealii::PreconditionIdentity());
-          }
-        catch (const dealii::SolverControl::NoConvergence &)
-          {
-            // round-off may be more than what is wanted
-          }
-        if (!(control.last_value() < needed_residual * size))
-          throw NotConverged("the tangent of a step is not found: the equations of its stages are solved to " +
-                             std::to_string(control.last_value() / size) + " only");
-      }
-    for (unsigned int i = 0; i < X.size(); ++i)
-      X[i] = solution[i] * scale[i];
-  }
-
-
-
-  void
-  StepTangent::apply(double *x)
-  {
-    const Layout      &layout = system.layout;
-    const unsigned int s = tableau.s, n = system.size();
-    Vector             right, X(s * n, 0.);
-    residual(x, X.data(), right);
-    for (double &r : right)
-      r = -r;
-    solve(right, X);
-
-    move_nodes(x, X.data());
-    move_others(x, X.data());
-    for (unsigned int node = 1; node < layout.n_nodes; ++node)
-      {
-        const Eigen::Map<const Matrix3> D(&end_q[12 * node + 3]), dD(&change.end_q[12 * node + 3]);
-        Eigen::Map<Vector6>(x + layout.of_node(node))
-          << D.transpose() * Eigen::Map<const Vector3>(&change.end_q[12 * node]),
-          axial(D.transpose() * dD);
-      }
-    std::copy(change.end_coordinates.begin(), change.end_coordinates.end(), x + layout.of_coordinate(0));
-    std::copy(change.end_states.begin(), change.end_states.end(), x + layout.of_state(0));
-    double *const velocities = x + n_positions;
-    for (unsigned int i = 0; i < n_velocities; ++i)
-      {
-        const double from = velocities[i];
-        for (unsigned int k = 0; k < s; ++k)
-          velocities[i] += integrator.final_weights(k) * (X[k * n + i] - from);
-      }
   }
 } // namespace samara

@@ -392,3 +392,12 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
   EXPECT_LT(T, thrust);
   EXPECT_NEAR(T, 2 * 1.225 * M_PI * 9 * nu * (nu + 3), 1e-8 * T);
 }
+
+
+
+// Harmonics above the power have no shapes: they are refused, not left out.
+TEST(FiniteStateInflow, PowerIsAtLeastTheHighestHarmonic)
+{
+  EXPECT_THROW(FiniteStateInflow::peters_he(8, 2, false), std::invalid_argument);
+  EXPECT_NO_THROW(FiniteStateInflow::peters_he(2, 2, false));
+}

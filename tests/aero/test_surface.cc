@@ -236,3 +236,34 @@ TEST(Surface, RefusesBadInput)
   sideways.replace(sideways.find("Upper side = 0, 0, 1"), 20, "Upper side = 0, 1, 0");
   EXPECT_NE(complaint_of(sideways).find("neither up nor down"), std::string::npos);
 }
+
+
+
+// Virtual mass asks for stations, which there are none of where something else is wrong.
+TEST(Surface, RefusesVirtualMassWithoutAir)
+{
+  const std::string said = complaint_of(R"(
+subsection Bodies
+  subsection hub
+    set Type = rigid body
+    set Mass = 1
+    set Inertia = 1, 1, 1
+  end
+end
+subsection Airfoils
+  subsection a
+    set Type = analytic
+  end
+end
+subsection Surfaces
+  subsection w
+    set Body         = hub
+    set Line         = 0, 0, 0; 1, 0, 0
+    set Chord        = 0.1
+    set Airfoils     = a
+    set Virtual mass = true
+  end
+end
+)");
+  EXPECT_NE(said.find("air"), std::string::npos) << said;
+}

@@ -198,3 +198,20 @@ TEST(Subsystems, CopyOfASubsystem)
   const Scene a(model(by_hand)), b(model("subsection arm\n" + arm + "set Copies = 2 about z\nend\n"));
   EXPECT_EQ(residual(a.system), residual(b.system));
 }
+
+
+
+// "pilot_2", an output of several, is that of the subsystem in which it is asked for, whatever the model has.
+TEST(Subsystems, ProbesOfNumberedOutputs)
+{
+  const auto pilot = [](const std::string &input) {
+    return "subsection States\n subsection pilot\n set Type = state space\n set A = -1\n set B = 1\n set C = 1; 2\n"
+           " set Inputs = " +
+           input + "\n end\nend\n";
+  };
+  const Scene scene(model("subsection sub\n" + pilot("7") + "subsection Output\n set Probes = pilot_2\nend\nend\n",
+                          "end\n" + pilot("5")));
+  const auto  probes = scene.input.make_probes();
+  ASSERT_EQ(probes.size(), 1u);
+  EXPECT_EQ(probes[0].name, "sub:pilot_2");
+}

@@ -12,11 +12,12 @@
 #include <samara/section/section_constants.h>
 #include <samara/section/shapes.h>
 
-#include "../reference.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
+
+#include "stiffness.h"
 
 using namespace samara;
 using dealii::Point;
@@ -47,32 +48,6 @@ namespace
     for (int m = 399; m > 0; m -= 2)
       sum += std::tanh(m * M_PI / 2) / std::pow(m, 5);
     return 1. / 3 - 64 / std::pow(M_PI, 5) * sum;
-  }
-
-
-
-  /** Largest difference of two stiffnesses relative to the diagonal. */
-  double
-  difference(const Matrix6 &a, const Matrix6 &b)
-  {
-    const Vector6 size = b.diagonal().cwiseAbs().cwiseSqrt();
-    return ((a - b).array() / (size * size.transpose()).array()).abs().maxCoeff();
-  }
-
-
-
-  /** The files have the axes x, y across and z along the beam, and forces Tx Ty Tz Mx My Mz. */
-  Matrix6
-  reference_stiffness(const std::string &name)
-  {
-    const auto                        table = reference_rows("sections/" + name + ".csv");
-    const int                         of[6] = {2, 0, 1, 5, 3, 4};
-    const std::array<const char *, 6> names = {{"Tx", "Ty", "Tz", "Mx", "My", "Mz"}};
-    Matrix6                           K;
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        K(i, j) = std::stod(table.at(of[i]).at(names[of[j]]));
-    return K;
   }
 
 

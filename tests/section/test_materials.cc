@@ -73,22 +73,6 @@ end
   {
     return scene.input.model.find<Layup>("skin", "layup");
   }
-
-
-
-  std::string
-  refusal(const std::string &model)
-  {
-    try
-      {
-        Scene scene(model);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
 } // namespace
 
 
@@ -131,7 +115,7 @@ TEST(Materials, AreReadWithUnitsAndDefaults)
 TEST(Materials, WithoutEnergyAreRefusedByName)
 {
   const auto material = [](const std::string &entries) {
-    return refusal("subsection Materials\n  subsection bad\n" + entries + "  end\nend\n" + rest);
+    return complaint_of("subsection Materials\n  subsection bad\n" + entries + "  end\nend\n" + rest);
   };
   const auto says = [](const std::string &text, const std::string &wanted) {
     EXPECT_NE(text.find(wanted), std::string::npos) << text;
@@ -195,7 +179,7 @@ TEST(Layups, MixMaterials)
 TEST(Layups, SayWhatIsWrong)
 {
   const auto says = [](const std::string &entries, const std::string &wanted) {
-    const std::string text = refusal(layup(entries));
+    const std::string text = complaint_of(layup(entries));
     EXPECT_NE(text.find(wanted), std::string::npos) << entries << text;
     EXPECT_NE(text.find(".prm:"), std::string::npos) << text;
   };

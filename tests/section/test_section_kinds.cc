@@ -7,11 +7,12 @@
 #include <samara/cosserat/section_kinds.h>
 #include <samara/section/section_constants.h>
 
-#include "../reference.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "stiffness.h"
 
 using namespace samara;
 
@@ -86,45 +87,6 @@ end
   }
 
 
-
-  double
-  difference(const Matrix6 &a, const Matrix6 &b)
-  {
-    const Vector6 size = b.diagonal().cwiseAbs().cwiseSqrt();
-    return ((a - b).array() / (size * size.transpose()).array()).abs().maxCoeff();
-  }
-
-
-
-  /** The files have the axes x, y across and z along the beam, and forces Tx Ty Tz Mx My Mz. */
-  Matrix6
-  reference_stiffness(const std::string &name)
-  {
-    const auto                        table = reference_rows("sections/" + name + ".csv");
-    const int                         of[6] = {2, 0, 1, 5, 3, 4};
-    const std::array<const char *, 6> names = {{"Tx", "Ty", "Tz", "Mx", "My", "Mz"}};
-    Matrix6                           K;
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        K(i, j) = std::stod(table.at(of[i]).at(names[of[j]]));
-    return K;
-  }
-
-
-
-  std::string
-  refusal(const std::string &text)
-  {
-    try
-      {
-        Scene scene(text);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
 
   const std::string box = "    set Type     = box\n    set Width 2  = 0.953\n    set Width 3  = 0.530\n    set Elements = 10\n";
 } // namespace
@@ -345,7 +307,7 @@ end
 TEST(SectionKinds, SayWhatIsWrong)
 {
   const auto says = [](const std::string &section, const std::string &wanted) {
-    const std::string text = refusal(model(section));
+    const std::string text = complaint_of(model(section));
     EXPECT_NE(text.find(wanted), std::string::npos) << section << text;
     EXPECT_NE(text.find(".prm:"), std::string::npos) << text;
     EXPECT_EQ(text.find("beam"), std::string::npos) << "a section is one mistake, however many beams have it: " << text;
@@ -380,8 +342,9 @@ TEST(SectionKinds, SayWhatIsWrong)
 
 TEST(SectionKinds, TooMuchTwistOfABeamIsToldOfTheBeam)
 {
-  const std::string text = refusal(model("    set Type = rectangle\n    set Width 2 = 1\n    set Width 3 = 0.1\n"
-                                         "    set Material = metal\n",
-                                         "    set Shape = arc\n    set Points = 0.4, 0, 0; 0, 0.4, 0; -0.4, 0, 0\n"));
+  const std::string text =
+    complaint_of(model("    set Type = rectangle\n    set Width 2 = 1\n    set Width 3 = 0.1\n"
+                       "    set Material = metal\n",
+                       "    set Shape = arc\n    set Points = 0.4, 0, 0; 0, 0.4, 0; -0.4, 0, 0\n"));
   EXPECT_NE(text.find("section <s> in beam <beam>: the curvature"), std::string::npos) << text;
 }

@@ -206,3 +206,13 @@ TEST(NonlinearSprings, DependOnTheirOwnMotionAlone)
             std::string::npos);
   EXPECT_NE(complaint_of(on_a_slide("", "set Damper = 2*slide.displacement^2")).find("Force"), std::string::npos);
 }
+
+
+
+// A force that is less exact than what is asked for, as it is a small difference: the means are found all the same.
+TEST(NonlinearSprings, ForcesWithRoundOff)
+{
+  const SpringLaw law(ScalarFunction("1000*(exp(x) - 1)", "x"), 0);
+  for (const double x : {1e-4, 1e-7, 1e-10})
+    EXPECT_NEAR(law.mean(0, x).force, 1000 * x * (1. / 2 + x / 6 + x * x / 24), 1e-12) << x;
+}

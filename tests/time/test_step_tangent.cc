@@ -187,3 +187,17 @@ TEST(StepTangent, WithStatesOfFirstOrder)
         compare(scene.system, start, tableau, 0.02, 1e-10);
     }
 }
+
+
+
+// What keeps the energy of nonlinear springs is no part of the tangent: better none than one without it.
+TEST(StepTangent, RefusesNonlinearSprings)
+{
+  const Scene     scene(on_a_slide("", "set Spring force = 50*slide.displacement + 2000*slide.displacement^3"));
+  StageIntegrator integrator(scene.system, Tableau(2, 0.5), 1e-12);
+  State           state = scene.system.reference();
+  scene.system.add_initial_velocities(state);
+  const State start = state;
+  ASSERT_TRUE(integrator.step(state, 0.01).converged);
+  EXPECT_THROW(integrator.linearize(start), NotConverged);
+}

@@ -104,11 +104,15 @@ namespace samara
       D.clear();
       y.clear();
       for (const auto &frame : frames)
-        {
-          x.push_back(frame.position(point.q));
-          D.push_back(frame.triad(point.q));
-          y.push_back(frame.twist(point.y));
-        }
+        add(frame, point);
+    }
+
+    void
+    add(const Frame &frame, const Point<Number> &point)
+    {
+      x.push_back(frame.position(point.q));
+      D.push_back(frame.triad(point.q));
+      y.push_back(frame.twist(point.y));
     }
 
     /** Σ N_a (x_a + D_a r) */

@@ -166,6 +166,12 @@ namespace samara
     /** The sides of cells by the sorted numbers of their nodes. */
     std::map<std::vector<unsigned int>, std::vector<Side>> cells_at_sides() const;
   };
+
+  /** "(1, 0.5, 0)", for messages. */
+  std::string place_text(const Vector3 &x);
+
+  /** The unit coordinates of Gauss–Lobatto nodes along one direction, in order. */
+  std::vector<double> line_nodes(const ElementTable<2> &table);
 } // namespace samara
 
 #endif

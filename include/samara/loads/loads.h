@@ -114,6 +114,9 @@ namespace samara
     };
     std::vector<AlongSpan> spans;
 
+    /** A part of a distributed load: ∫ N_a p and ∫ N_a N_b p of its frames. */
+    void add_part(const std::vector<Frame> &frames, const Eigen::VectorXd &weights, const Eigen::MatrixXd &products);
+
     std::array<Law, 3> force, moment;
 
   private:

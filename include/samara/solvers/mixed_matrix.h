@@ -113,11 +113,11 @@ namespace samara
     void  assemble();
 
     bool is_eliminated(unsigned int point) const;
-    /** Decide what is eliminated, and give the matrix of what is left. */
+    /** Decide what is eliminated, and give the matrix of what is left; null if that is everything. */
     std::unique_ptr<SparseMatrix> eliminate();
-    /** Stress by stress: f += Bᵀ F⁻¹ e before a solution, and s = F⁻¹ (B ζ − e) after it. */
+    /** Stress by stress: f += Bᵀ F⁻¹ e before a solution, and s = F⁻¹ (B ζ − e), in the place of e, after it. */
     void condense(double *b) const;
-    void expand(double *b, const std::vector<double> &e) const;
+    void  expand(double *b) const;
     void  solve_scaled(double *b) const;
   };
 } // namespace samara

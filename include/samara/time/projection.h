@@ -76,6 +76,8 @@ namespace samara
     /** The saddle-point matrix's solution for b: in the place of b. */
     void                solve();
     std::vector<double> solve_for_accelerations(State &state);
+    /** The same where laws see the multipliers that the state has, to which those found are added. */
+    std::vector<double> accelerations_about_multipliers(State &state);
     void                constraint_rates(const Point<double> &point, std::vector<double> &rates) const;
 
     /** Constraint rates at these twists where the nodes are after @p dt straight along their velocities. */

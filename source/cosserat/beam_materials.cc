@@ -1,0 +1,154 @@
+// What the sections along a beam give its elements: stiffness, damping, inertia.
+
+#include <samara/cosserat/beam.h>
+#include <samara/cosserat/section_average.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace samara
+{
+  Vector6
+  Beam::relaxation_times() const
+  {
+    Vector6 times;
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        const double ratio = damping_ratio[damping_ratio.size() == 6 ? i : 0];
+        times(i) = viscosity[viscosity.size() == 6 ? i : 0] + (ratio > 0 ? 2 * ratio / damping_frequency : 0.);
+      }
+    return times;
+  }
+
+
+
+  Beam::Material
+  Beam::material_of(const Matrix6 &stiffness) const
+  {
+    // symmetric and positive semidefinite also when the six times differ
+    const Matrix6 root = relaxation_times().cwiseSqrt().asDiagonal();
+    return {stiffness, root * stiffness * root};
+  }
+
+
+
+  std::vector<double>
+  Beam::kinks_inside(const Cell &cell) const
+  {
+    const double        margin = 1e-9 * curve->length(), h = cell.end - cell.start;
+    std::vector<double> inside;
+    if (!section->kinks().empty())
+      for (const double s : kinks)
+        if (s > cell.start + margin && s < cell.end - margin)
+          inside.push_back((s - cell.start) / h);
+    if (inside.empty())
+      return {};
+    inside.insert(inside.begin(), 0.);
+    inside.push_back(1.);
+    return inside;
+  }
+
+
+
+  Vector3
+  Beam::initial_curvature(const Cell &cell, const double s) const
+  {
+    // from the triads a little before and behind, both inside of the element
+    const double h = 1e-4 * (cell.end - cell.start), middle = 0.5 * (cell.start + cell.end),
+                 at    = std::clamp(s, cell.start + h, cell.end - h);
+    const Matrix3 turn = triad_at(at - h, middle).transpose() * triad_at(at + h, middle);
+    const Vector3 axis(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+    return axis / (4 * h); // the sine of so small an angle is the angle to 1e-8
+  }
+
+
+
+  SectionValues
+  Beam::section_at(const Cell &cell, const double s) const
+  {
+    return section->at(s / curve->length(),
+                       section->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero()));
+  }
+
+
+
+  std::vector<Matrix6>
+  Beam::stiffnesses_of(const Cell &cell) const
+  {
+    const auto stiffness = [&](const double xi) {
+      return section_at(cell, cell.start + xi * (cell.end - cell.start)).stiffness;
+    };
+    const auto           breaks = kinks_inside(cell);
+    std::vector<Matrix6> result;
+    std::vector<double>  points, weights(table->weights.begin(), table->weights.end());
+    for (const auto &xi : table->points)
+      {
+        points.push_back(xi[0]);
+        if (breaks.empty())
+          result.push_back(stiffness(xi[0]));
+      }
+    if (breaks.empty())
+      return result;
+    // of the compliance: section forces are smooth where stiffnesses jump
+    for (const Matrix6 &compliance :
+         section_averages(points, weights, breaks, [&](const double xi) { return Matrix6(stiffness(xi).inverse()); }))
+      result.push_back(compliance.inverse());
+    return result;
+  }
+
+
+
+  std::vector<Matrix6>
+  Beam::inertias_of(const Cell &cell) const
+  {
+    const auto inertia = [&](const double xi) {
+      return section_at(cell, cell.start + xi * (cell.end - cell.start)).inertia;
+    };
+    const auto           breaks = kinks_inside(cell);
+    std::vector<Matrix6> result;
+    std::vector<double>  points, weights(table->node_weights.begin(), table->node_weights.end());
+    for (const auto &xi : table->nodes)
+      {
+        points.push_back(xi[0]);
+        if (breaks.empty())
+          result.push_back(inertia(0.999 * (xi[0] - 0.5) + 0.5)); // seen from inside of the element
+      }
+    if (breaks.empty())
+      return result;
+    // shares of nodes follow each other along the element, but the table has its ends first
+    std::vector<unsigned int> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](const auto a, const auto b) { return points[a] < points[b]; });
+    std::vector<double> sorted_points, sorted_weights;
+    for (const auto a : order)
+      {
+        sorted_points.push_back(points[a]);
+        sorted_weights.push_back(weights[a]);
+      }
+    const auto means = section_averages(sorted_points, sorted_weights, breaks, inertia);
+    result.resize(points.size());
+    for (unsigned int i = 0; i < order.size(); ++i)
+      result[order[i]] = means[i];
+    return result;
+  }
+
+
+
+  std::vector<unsigned int>
+  Beam::materials_of_cell(const Cell &cell)
+  {
+    const bool                varies = !section->kinks().empty() || section->depends_on_curvature();
+    std::vector<unsigned int> indices(table->n_points, 0);
+    if (!materials.empty() && !varies)
+      return indices;
+    const auto stiffnesses = stiffnesses_of(cell);
+    for (unsigned int g = 0; g < (varies ? table->n_points : 1); ++g)
+      {
+        if (materials.empty() || stiffnesses[g] != last_stiffness)
+          materials.push_back(material_of(stiffnesses[g]));
+        last_stiffness = stiffnesses[g];
+        indices[g]     = materials.size() - 1;
+      }
+    return indices;
+  }
+} // namespace samara
