@@ -303,7 +303,7 @@ namespace samara
 
 
 
-  std::string
+  std::shared_ptr<const std::string>
   Input::used() const
   {
     std::ostringstream text;
@@ -318,7 +318,7 @@ namespace samara
             text << "    set line " << ++i << " of the file = " << line << '\n';
           text << "  end\nend\n";
         }
-    return text.str();
+    return std::make_shared<const std::string>(text.str());
   }
 
 

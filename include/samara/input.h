@@ -77,7 +77,7 @@ namespace samara
     void print(std::ostream &out) const;
 
     /** The same with the contents of the files that it names: what the model is, for checkpoints. */
-    std::string used() const;
+    std::shared_ptr<const std::string> used() const;
 
     /** Declare the entries that stand outside of named objects; for reading and for the documentation. */
     void add_parameters(Parameters &prm);

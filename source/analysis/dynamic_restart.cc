@@ -148,7 +148,7 @@ namespace samara
   {
     const std::string  file       = checkpoint_file(context);
     const Checkpoint   checkpoint = read_checkpoint(file);
-    const ModelChanges changes    = changes_of_model(checkpoint.model, context.used);
+    const ModelChanges changes    = changes_of_model(*checkpoint.model, *context.used);
     const State        reference  = context.system.reference();
     const State       &state      = checkpoint.state;
     const bool         fits = state.q.size() == reference.q.size() && state.stress.size() == reference.stress.size() &&

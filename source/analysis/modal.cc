@@ -66,7 +66,7 @@ namespace samara
     Linearization linearization(system, state);
     for (const auto *const A : {&linearization.M, &linearization.gyroscopic, &linearization.S})
       require_finite_matrix(system, *A);
-    check_mass(linearization);
+    check_mass(system, linearization);
     try
       {
         const MovingAxes seen(system, state, linearization, axes);
@@ -155,10 +155,11 @@ namespace samara
 
 
   void
-  ModalAnalysis::check_mass(const Linearization &linearization) const
+  ModalAnalysis::check_mass(const System &system, const Linearization &linearization) const
   {
     const auto &values = linearization.M.values;
-    if (std::all_of(values.begin(), values.end(), [](const double m) { return m == 0.; }))
+    const bool  is_massless = std::all_of(values.begin(), values.end(), [](const double m) { return m == 0.; });
+    if (is_massless && system.layout.n_states == 0)
       throw NotConverged(
         "modal analysis: nothing that can move has mass.\n  Give the sections a density or mass, or the "
         "rigid bodies a mass.");

@@ -32,23 +32,41 @@ namespace samara
 
 
 
-  Law::Law(const std::string &text, const std::vector<std::string> &signals)
-    : words(text)
-    , paths(signals)
+  Law::Law(const double constant)
   {
-    if (paths.empty())
+    static const auto zero = std::make_shared<const Parts>();
+    parts                  = constant == 0 ? zero : Law(FunctionOfTime(constant)).parts;
+  }
+
+
+
+  Law::Law(const FunctionOfTime &function)
+  {
+    Parts own;
+    own.time_function = function;
+    parts             = std::make_shared<const Parts>(std::move(own));
+  }
+
+
+
+  Law::Law(const std::string &text, const std::vector<std::string> &signals)
+  {
+    if (signals.empty())
       {
-        time_function = FunctionOfTime(text);
+        *this = Law(FunctionOfTime(text));
         return;
       }
+    Parts                    own;
     std::vector<std::string> variables = {"t"};
-    for (unsigned int i = 0; i < paths.size(); ++i)
+    for (unsigned int i = 0; i < signals.size(); ++i)
       variables.push_back(word(i));
-    formula = Formula(text, variables);
-    source  = with_paths(text, paths);
-
-    for (const auto &part : formula.switches_of_first_variable())
-      switches_of_time.emplace_back(part);
+    own.words   = text;
+    own.paths   = signals;
+    own.formula = Formula(text, variables);
+    own.source  = with_paths(text, signals);
+    for (const auto &part : own.formula.switches_of_first_variable())
+      own.switches_of_time.emplace_back(part);
+    parts = std::make_shared<const Parts>(std::move(own));
   }
 
 
@@ -60,11 +78,11 @@ namespace samara
     double                   constant = offset;
     for (unsigned int j = 0; j < 3; ++j)
       if (c(j) != 0 && laws[j].is_constant())
-        constant += c(j) * laws[j].time_function(0.);
+        constant += c(j) * laws[j].of_time()(0.);
       else if (c(j) != 0)
         {
-          const auto &own  = laws[j].paths;
-          std::string term = own.empty() ? laws[j].time_function.formula_text() : laws[j].words;
+          const auto &own  = laws[j].signals();
+          std::string term = own.empty() ? laws[j].of_time().formula_text() : laws[j].parts->words;
           std::vector<std::string> among_all; // words of its signals
           for (const auto &path : own)
             {
@@ -92,8 +110,8 @@ namespace samara
   const FunctionOfTime &
   Law::of_time() const
   {
-    Assert(paths.empty(), dealii::ExcMessage("The law depends on the state."));
-    return time_function;
+    Assert(parts->paths.empty(), dealii::ExcMessage("The law depends on the state."));
+    return parts->time_function;
   }
 
 
@@ -101,9 +119,9 @@ namespace samara
   ScalarFunction
   Law::of_signal() const
   {
-    if (paths.size() != 1 || formula.uses(0))
+    if (parts->paths.size() != 1 || parts->formula.uses(0))
       throw std::invalid_argument("<" + text() + "> must depend on one motion, and on nothing else.");
-    return ScalarFunction(words, word(0));
+    return ScalarFunction(parts->words, word(0));
   }
 
 
@@ -111,10 +129,10 @@ namespace samara
   double
   Law::next_corner(const double from, const double to) const
   {
-    if (paths.empty())
-      return time_function.next_corner(from, to);
+    if (parts->paths.empty())
+      return parts->time_function.next_corner(from, to);
     double first = std::numeric_limits<double>::infinity();
-    for (const auto &part : switches_of_time)
+    for (const auto &part : parts->switches_of_time)
       first = std::min(first, part.next_corner(from, to));
     return first;
   }
@@ -124,7 +142,7 @@ namespace samara
   const std::string &
   Law::text() const
   {
-    return paths.empty() ? time_function.text() : source;
+    return parts->paths.empty() ? parts->time_function.text() : parts->source;
   }
 
 

@@ -175,7 +175,7 @@ namespace samara
     entries.back().read = [](const std::string &text, const Quantities &, const Entry &self) {
       // "file:line"; "--set" has no folder
       auto &variable = *static_cast<std::string *>(self.variable);
-      variable       = text.empty() ? "" : file_beside(self.where.substr(0, self.where.rfind(':')), text);
+      variable       = text.empty() ? "" : file_beside(self.where->substr(0, self.where->rfind(':')), text);
       std::error_code ignored;
       const auto      absolute = std::filesystem::absolute(variable, ignored);
       return variable.empty() || ignored ? variable : absolute.string();
@@ -202,7 +202,7 @@ namespace samara
         if (entry.turning == Turning::unknown)
           throw std::invalid_argument(description() + " cannot be turned: nobody knows how its <" + entry.name() +
                                       "> turns");
-        if (entry.turning == Turning::given_position && entry.where.empty())
+        if (entry.turning == Turning::given_position && !entry.where)
           continue;
         const std::string before = entry.value;
         entry.value              = entry.place(entry, placement, entry.turning != Turning::direction);
@@ -286,7 +286,7 @@ namespace samara
                          const Quantities     &quantities,
                          Complaints           &complaints)
   {
-    entry.where = given.where;
+    entry.where = std::make_unique<std::string>(given.where);
     try
       {
         // what is printed holds wherever it is read
@@ -372,7 +372,7 @@ namespace samara
   bool
   Parameters::is_set(const std::string &wanted) const
   {
-    return !existing(wanted).where.empty();
+    return existing(wanted).where != nullptr;
   }
 
 
@@ -381,7 +381,7 @@ namespace samara
   Parameters::where(const std::string &wanted) const
   {
     const auto &entry = existing(wanted);
-    return entry.where.empty() ? place : entry.where;
+    return entry.where ? *entry.where : place;
   }
 
 
@@ -411,7 +411,7 @@ namespace samara
   Parameters::print(std::ostream &out, const std::string &indent) const
   {
     for (const auto &e : entries)
-      out << indent << (e.where.empty() && !e.is_assigned ? "# set " : "set ") << e.name() << " = " << e.value << '\n';
+      out << indent << (!e.where && !e.is_assigned ? "# set " : "set ") << e.name() << " = " << e.value << '\n';
     for (const auto &s : subsections)
       {
         out << indent << "subsection " << s->step << '\n';

@@ -157,9 +157,9 @@ namespace samara
   Joint::tension()
   {
     const bool is_locked = locked.size() == 1 && locked[0].function.kind == PairFunction::squared_distance,
-               is_free   = free.size() == 1 && free[0].is_length();
+               is_free   = free.size() == 1 && free.front().is_length();
     if (is_free)
-      use_coordinate(*model, free[0].name);
+      use_coordinate(*model, free.front().name);
     return is_locked || is_free ? std::make_shared<Reaction>(*this, false, std::nullopt) : nullptr;
   }
 

@@ -135,7 +135,7 @@ namespace samara
   {
     frame_a            = end_on_a(model, a);
     frame_b            = b;
-    FreeMotion &motion = free[0];
+    FreeMotion &motion = free.front();
     motion.reference   = (model.position(frame_b) - model.position(frame_a)).norm();
     if (motion.reference == 0)
       model.complaints.add(parameters.where("Position"),
@@ -153,7 +153,7 @@ namespace samara
   {
     if (path != "force")
       return Joint::probe(path);
-    const FreeMotion &motion = free[0];
+    const FreeMotion &motion = free.front();
     if (motion.coordinate < 0)
       return {};
     return Probe{path, "N", [this, &motion](const State &state) {
@@ -175,7 +175,7 @@ namespace samara
   Spring::draw(const State &state, Drawing &drawing) const
   {
     drawing.begin_object(name);
-    drawing.bar(drawing.sample(frame_a, state), drawing.sample(frame_b, state), 0.02 * free[0].reference);
+    drawing.bar(drawing.sample(frame_a, state), drawing.sample(frame_b, state), 0.02 * free.front().reference);
   }
 
 

@@ -239,7 +239,7 @@ namespace samara
       const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), &H5Fclose);
       write_state(file, checkpoint.state);
       write(file, "step", std::vector<double>{checkpoint.step});
-      write(file, "model", std::vector<char>(checkpoint.model.begin(), checkpoint.model.end()));
+      write(file, "model", std::vector<char>(checkpoint.model->begin(), checkpoint.model->end()));
       write_named(file, "arrays", checkpoint.arrays);
       std::map<std::string, std::vector<double>> numbers;
       for (const auto &[name, number] : checkpoint.numbers)
@@ -267,7 +267,7 @@ namespace samara
       checkpoint.state                    = read_state(file);
       checkpoint.step                     = read_number(file, "step");
       const std::vector<char> model = read<char>(file, "model");
-      checkpoint.model.assign(model.begin(), model.end());
+      checkpoint.model = std::make_shared<const std::string>(model.begin(), model.end());
       checkpoint.arrays = read_named(file, "arrays");
       for (const auto &[name, numbers] : read_named(file, "numbers"))
         checkpoint.numbers[name] = numbers.at(0);

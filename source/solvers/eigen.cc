@@ -199,7 +199,10 @@ namespace samara
 
 
 
-    /** No more eigenvalues are finite than twice the unknowns with mass, if nothing is viscous. */
+    /**
+     * No more eigenvalues are finite than two for each unknown with mass and, if nothing is viscous, one for each of the
+     * others whose rate counts: states of first order.
+     */
     unsigned int
     most_eigenvalues(const LinearMotion &motion)
     {
@@ -207,9 +210,12 @@ namespace samara
       for (unsigned int i = 0; i < motion.n_kinematic; ++i)
         {
           const int k = motion.M.pattern->position(i, i);
-          n += motion.strains.is_viscous() || (k >= 0 && motion.M.values[k] != 0.);
+          if (motion.strains.is_viscous() || (k >= 0 && motion.M.values[k] != 0.))
+            n += 2;
+          else if (k >= 0 && motion.gyroscopic.values[k] != 0.)
+            n += 1;
         }
-      return 2 * n;
+      return n;
     }
 
 

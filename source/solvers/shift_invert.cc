@@ -25,9 +25,9 @@ namespace samara
 
   namespace
   {
-    /** The largest |a_ij − sign a_ji| of the first @p n rows, over the largest |a_ij| */
-    double
-    asymmetry(const SparseMatrix &A, const double sign, const unsigned int n)
+    /** Whether a_ij = sign a_ji in the first @p n rows, to 1e-9 of the largest of them and @p round_off. */
+    bool
+    is_mirrored(const SparseMatrix &A, const double sign, const unsigned int n, const double round_off = 0)
     {
       double largest = 0, difference = 0;
       for (unsigned int j = 0; j < n; ++j)
@@ -38,7 +38,23 @@ namespace samara
               largest         = std::max(largest, std::abs(A.values[k]));
               difference = std::max(difference, std::abs(A.values[k] - sign * (other < 0 ? 0. : A.values[other])));
             }
-      return largest > 0 ? difference / largest : 0.;
+      return difference <= 1e-9 * largest + round_off;
+    }
+
+    /** The largest stiffness of a strain for an unknown. */
+    double
+    largest_stiffness(const LinearMotion &motion)
+    {
+      const SparseRows &B      = motion.strains.B;
+      double            result = 0;
+      for (const auto &p : motion.strains.points)
+        {
+          const auto C = motion.strains.C(p);
+          for (unsigned int i = 0; i < p.size; ++i)
+            for (unsigned int k = B.start[p.first_row + i]; k < B.start[p.first_row + i + 1]; ++k)
+              result = std::max(result, p.weight * std::abs(C(i, i)) * B.values[k] * B.values[k]);
+        }
+      return result;
     }
   } // namespace
 
@@ -53,12 +69,15 @@ namespace samara
     , mass(n, 0.)
     , zeta_now(n)
   {
-    for (unsigned int i = 0; i < n; ++i)
-      if (const int k = motion.M.pattern->position(i, i); k >= 0)
-        mass[i] = motion.M.values[k];
-    const bool S_is = asymmetry(motion.S, 1., n) < 1e-9;
-    is_symmetric    = S_is && asymmetry(motion.gyroscopic, 1., n) < 1e-9 && motion.B_dot.n_rows() == 0;
-    is_conservative = S_is && asymmetry(motion.gyroscopic, -1., n) < 1e-9 && !motion.strains.is_viscous();
+    // not the diagonal: where that is round-off of zero, as the inertia of a line about itself in turned axes, what
+    // stands beside it is much larger
+    M.for_all([&](const int i, const int j, const double a) {
+      mass[i] = std::max(mass[i], std::abs(a) * motion.units[j] / motion.units[i]);
+    });
+    // the geometric stiffness of a shell without stress is round-off of its stresses
+    const bool S_is = is_mirrored(motion.S, 1., n, 1e-14 * largest_stiffness(motion));
+    is_symmetric    = S_is && is_mirrored(motion.gyroscopic, 1., n) && motion.B_dot.n_rows() == 0;
+    is_conservative = S_is && is_mirrored(motion.gyroscopic, -1., n) && !motion.strains.is_viscous();
   }
 
 

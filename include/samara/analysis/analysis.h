@@ -22,7 +22,9 @@ namespace samara
     bool                     is_equilibrium = false; ///< whether the state has been found by a static analysis
     bool                     restart        = false; ///< go on from a checkpoint in the folder
     bool                     least_norm     = true;  ///< whether probes show reactions that are not unique
-    std::string              used = "";              ///< all entries as used, see Input::used(), for checkpoints
+
+    /** All entries as used, see Input::used(), for checkpoints. */
+    std::shared_ptr<const std::string> used = std::make_shared<const std::string>();
 
     /**
      * Whether pictures are to be made here: of a sweep only at the model's own speed, or the last one if that is not

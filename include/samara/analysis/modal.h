@@ -45,7 +45,7 @@ namespace samara
     /** Nor if loads change as it turns. */
     void check_loads(const Context &context, const State &state) const;
     void refuse_unsteady(const Context &context, const std::string &why) const;
-    void check_mass(const Linearization &linearization) const;
+    void check_mass(const System &system, const Linearization &linearization) const;
     void find(const Context &context, const Linearization &linearization);
     void check_axes(const Context &context, const MovingAxes &seen) const;
     void check_errors(const Context &context) const;

@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -22,17 +23,15 @@ namespace samara
    *
    * A signal is what an object of the model tells of itself, "slider.displacement rate", or a state of first order,
    * "filter". A law without signals is a function of time. Numbers are in SI units; angles in rad.
+   *
+   * Copies share what was read: models have many laws, and most of them are zero.
    */
   class Law
   {
   public:
-    Law(const double constant = 0)
-      : time_function(constant)
-    {}
+    Law(double constant = 0);
 
-    explicit Law(const FunctionOfTime &function)
-      : time_function(function)
-    {}
+    explicit Law(const FunctionOfTime &function);
 
     /**
      * @p text in SI units with a word for each of the @p signals in place of its path, see Law::word().
@@ -57,13 +56,13 @@ namespace samara
     const std::vector<std::string> &
     signals() const
     {
-      return paths;
+      return parts->paths;
     }
 
     bool
     depends_on_state() const
     {
-      return !paths.empty();
+      return !parts->paths.empty();
     }
 
     /** For a law without signals. */
@@ -76,40 +75,40 @@ namespace samara
     double
     value(const double *variables) const
     {
-      return formula.at(variables, 0).value;
+      return parts->formula.at(variables, 0).value;
     }
 
     /** Its derivative by variable @p i: 0 time, 1 the first signal. */
     double
     derivative(const double *variables, const unsigned int i) const
     {
-      return formula.at(variables, i).first;
+      return parts->formula.at(variables, i).first;
     }
 
     /** On which of its pieces each operation is that has some, see Formula. */
     void
     pieces(const double *variables, std::vector<double> &result) const
     {
-      formula.pieces(variables, result);
+      parts->formula.pieces(variables, result);
     }
 
     bool
     has_pieces() const
     {
-      return formula.switches();
+      return parts->formula.switches();
     }
 
     /** Whether it acts at all. */
     bool
     is_zero() const
     {
-      return paths.empty() && time_function.is_zero();
+      return parts->paths.empty() && parts->time_function.is_zero();
     }
 
     bool
     is_constant() const
     {
-      return paths.empty() && time_function.is_constant();
+      return parts->paths.empty() && parts->time_function.is_constant();
     }
 
     /**
@@ -125,11 +124,15 @@ namespace samara
     const std::string &text() const;
 
   private:
-    FunctionOfTime              time_function;
-    Formula                     formula;
-    std::string                 words, source; ///< the text with words for the signals, and with their paths
-    std::vector<std::string>    paths;
-    std::vector<ScalarFunction> switches_of_time; ///< parts of the formula
+    struct Parts
+    {
+      FunctionOfTime              time_function;
+      Formula                     formula;
+      std::string                 words, source; ///< the text with words for the signals, and with their paths
+      std::vector<std::string>    paths;
+      std::vector<ScalarFunction> switches_of_time; ///< parts of the formula
+    };
+    std::shared_ptr<const Parts> parts;
   };
 
 

@@ -124,10 +124,10 @@ namespace samara
 
     struct Entry
     {
-      const Declaration *declaration;
-      std::string        value; ///< in SI units
-      std::string        where;
-      void              *variable;
+      const Declaration           *declaration;
+      std::string                  value; ///< in SI units
+      std::unique_ptr<std::string> where; ///< of most entries the file says nothing
+      void                        *variable;
 
       /** Make SI text from the user's, refuse it or write the variable. */
       std::string (*read)(const std::string &text, const Quantities &, const Entry &);
@@ -215,7 +215,7 @@ namespace samara
   void
   Parameters::declare(T &variable, const Wanted &wanted)
   {
-    Entry entry{&declaration_of(wanted), Value<T>::write(variable), "", &variable, &read_value<T>};
+    Entry entry{&declaration_of(wanted), Value<T>::write(variable), nullptr, &variable, &read_value<T>};
     if constexpr (Placed<T>::is_spatial)
       entry.place = &place_value<T>;
     declare(std::move(entry));

@@ -29,7 +29,7 @@ namespace samara
 
 
   /** What becomes of the three components of an entry when the axes turn in which it is given. */
-  enum class Turning
+  enum class Turning : unsigned char
   {
     unknown,       ///< nobody has said it
     own_axes,      ///< they are in the axes of the object, which turn with it

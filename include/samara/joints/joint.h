@@ -8,7 +8,7 @@
 
 #include <array>
 #include <cmath>
-#include <deque>
+#include <list>
 
 namespace samara
 {
@@ -227,7 +227,7 @@ namespace samara
       unsigned int axis = 0; ///< joint axis of its force
     };
     std::vector<Locked>    locked;
-    std::deque<FreeMotion> free; // a deque, because parameters keep references to what is in it
+    std::list<FreeMotion>  free; // parameters keep references to what is in it
     std::vector<NoSlip>    no_slip;
 
     void lock_displacement(unsigned int axis);

@@ -4,6 +4,7 @@
 #include <samara/model/state.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace samara
     std::map<std::string, std::vector<double>> arrays;
     /** @} */
 
-    std::string model; ///< all entries of the model that the state belongs to; compared by those who read
+    /** All entries of the model that the state belongs to; compared by those who read. */
+    std::shared_ptr<const std::string> model = std::make_shared<const std::string>();
   };
 
 

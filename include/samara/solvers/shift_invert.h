@@ -89,7 +89,7 @@ namespace samara
     double                      time_unit = 1; ///< ω₀ [1/s]
     MixedMatrix                 matrix;
     Entries                     M, gyroscopic;
-    std::vector<double>         mass; ///< the diagonal of M
+    std::vector<double>         mass;            ///< of each row: the largest entry of M, in the motion's units
     bool                        is_symmetric;    ///< M, Γ, S: x is a left vector of each mode
     bool                        is_conservative; ///< Γ antisymmetric, M, S symmetric: x̄ is one where λ is imaginary
     mutable std::vector<double> b, zeta_now;
