@@ -16,7 +16,7 @@ namespace
 {
   /** Two blades on flap hinges, lags, inflow of Pitt and Peters, a wind of 12 m/s along x; turning at 30 rad/s. */
   std::string
-  rotor(const std::string &hub, const std::string &entries)
+  two_bladed_rotor(const std::string &hub, const std::string &entries)
   {
     std::string bodies = R"(
   subsection hub
@@ -98,7 +98,7 @@ namespace
 
 TEST(ForwardFlight, OrdersOfHubLoads)
 {
-  const Scene  scene(rotor("ground", ""));
+  const Scene  scene(two_bladed_rotor("ground", ""));
   const double T     = 0.12; // 0.6 of a turn
   const auto   exact = hub_loads(scene, flown(scene, Tableau(3, 1.), T, 96).state);
   struct Member
@@ -123,7 +123,7 @@ TEST(ForwardFlight, OrdersOfHubLoads)
 
 TEST(ForwardFlight, EnergyStatement)
 {
-  const Scene scene(rotor("hub.centre", "    set Virtual mass = true\n"));
+  const Scene scene(two_bladed_rotor("hub.centre", "    set Virtual mass = true\n"));
   for (const double rho : {1., 0.})
     for (const unsigned int s : {2, 3})
       {
@@ -139,7 +139,7 @@ TEST(ForwardFlight, EnergyStatement)
 // The axes of the inflow may turn with the hub or not: the air is the same.
 TEST(ForwardFlight, InflowInTurningAxes)
 {
-  const Scene fixed(rotor("ground", "")), turning(rotor("hub.centre", ""));
+  const Scene fixed(two_bladed_rotor("ground", "")), turning(two_bladed_rotor("hub.centre", ""));
   const auto  a = flown(fixed, Tableau(3, 1.), 0.1, 30), b = flown(turning, Tableau(3, 1.), 0.1, 30);
   const auto  loads = hub_loads(fixed, a.state), same = hub_loads(turning, b.state);
   EXPECT_LT(distance(loads, same), 1e-8);

@@ -285,10 +285,10 @@ namespace
 {
   /** Four blades on a body that turns at 30 rad/s about z; hub, inflow and wind as given. */
   std::string
-  rotor(const std::string &inflow,
-        const std::string &hub,
-        const std::string &wind = "0, 0, 0",
-        const std::string &more = "")
+  four_bladed_rotor(const std::string &inflow,
+                    const std::string &hub,
+                    const std::string &wind = "0, 0, 0",
+                    const std::string &more = "")
   {
     std::string surfaces;
     for (unsigned int k = 0; k < 4; ++k)
@@ -344,7 +344,7 @@ TEST(MomentumInflow, DerivativesAgainstComplexSteps)
       {
         if (hub == "ground" && kind != "uniform inflow") // refused in statics
           continue;
-        const Scene       scene(rotor(kind, hub, "12, 3, -1", "    set Virtual mass = true\n"));
+        const Scene       scene(four_bladed_rotor(kind, hub, "12, 3, -1", "    set Virtual mass = true\n"));
         const ComplexStep step(scene.system, false, false, true);
         EXPECT_LT(step.error_of_tangent(), 1e-12) << kind << hub;
         EXPECT_LT(step.error_of_damping(), 1e-12) << kind << hub;
@@ -362,7 +362,7 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
                                  "Peters-He inflow\n    set Harmonics = 0\n    set Power = 0",
                                  "Peters-He inflow\n    set Harmonics = 4\n    set Power = 8"})
     {
-      Scene scene(rotor(kind, "rotor.centre"));
+      Scene scene(four_bladed_rotor(kind, "rotor.centre"));
       scene.equilibrium();
       const double T = scene.value("flow.thrust"), nu = scene.value("flow.mean");
       EXPECT_GT(T, 100.);
@@ -370,7 +370,7 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
       // the power of a rotor that hovers turns the shaft
       EXPECT_NEAR(scene.value("flow.power"), 30 * scene.value("flow.torque"), 1e-8 * scene.value("flow.power"));
       // in axes that stand still, flow without harmonics is the same, and steady harmonics are not to be had
-      Scene fixed(rotor(kind, "ground"));
+      Scene fixed(four_bladed_rotor(kind, "ground"));
       if (scene.system.layout.n_states == 1)
         {
           fixed.equilibrium();
@@ -381,12 +381,12 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
       if (kind == "uniform inflow")
         thrust = T;
     }
-  std::string small = rotor("uniform inflow", "ground");
+  std::string small = four_bladed_rotor("uniform inflow", "ground");
   small.replace(small.find("Radius = 3"), 10, "Radius = 2");
   EXPECT_NE(complaint_of(small).find("outside of the disk of <flow>"), std::string::npos);
 
   // a climb needs more collective, and wind from above is one
-  Scene climbing(rotor("uniform inflow", "ground", "0, 0, -3"));
+  Scene climbing(four_bladed_rotor("uniform inflow", "ground", "0, 0, -3"));
   climbing.equilibrium();
   const double T = climbing.value("flow.thrust"), nu = climbing.value("flow.mean");
   EXPECT_LT(T, thrust);

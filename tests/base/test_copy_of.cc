@@ -1,6 +1,6 @@
-#include <samara/base/outline.h>
-
 #include <gtest/gtest.h>
+
+#include "outline_of.h"
 
 using namespace samara;
 
@@ -27,15 +27,6 @@ namespace
                              "    end\n"
                              "  end\n"
                              "end\n";
-
-  Outline
-  outline_of(const std::string &text, Strings expected_complaints = {})
-  {
-    Complaints complaints;
-    auto       outline = Outline::of_text(text, "a.prm", complaints);
-    EXPECT_EQ(complaints.all(), expected_complaints);
-    return outline;
-  }
 
   const Outline &
   body(const Outline &outline, const std::string &name)

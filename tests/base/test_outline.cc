@@ -1,21 +1,12 @@
-#include <samara/base/outline.h>
-
 #include <gtest/gtest.h>
+
+#include "outline_of.h"
 
 using namespace samara;
 
 namespace
 {
   using Strings = std::vector<std::string>;
-
-  Outline
-  outline_of(const std::string &text)
-  {
-    Complaints    complaints;
-    const Outline outline = Outline::of_text(text, "a.prm", complaints);
-    EXPECT_EQ(complaints.all(), Strings());
-    return outline;
-  }
 
   Strings
   complaints_about(const std::string &text)

@@ -11,7 +11,7 @@ namespace
 {
   /** What number() complains about. */
   std::string
-  fault(const Quantities &quantities, const std::string &text, const std::string &unit)
+  fault_of_number(const Quantities &quantities, const std::string &text, const std::string &unit)
   {
     try
       {
@@ -67,12 +67,12 @@ namespace
   TEST(Quantity, RefusesTheWrongDimension)
   {
     const Quantities q;
-    EXPECT_EQ(fault(q, "5 m", "kg"), "<5 m> is a length [m], but [kg] is wanted.");
-    EXPECT_EQ(fault(q, "5 m", "1"), "<5 m> is a length [m], but a number without unit is wanted.");
-    EXPECT_EQ(fault(q, "45 deg", "m"), "<45 deg> is an angle [rad], but [m] is wanted.");
-    EXPECT_TRUE(contains(fault(q, "45 deg", "rad/s"), "an angle [rad]"));
-    EXPECT_TRUE(contains(fault(q, "5 m^2", "m"), "an area"));
-    EXPECT_TRUE(contains(fault(q, "5 kg/m", "kg"), "a mass per length"));
+    EXPECT_EQ(fault_of_number(q, "5 m", "kg"), "<5 m> is a length [m], but [kg] is wanted.");
+    EXPECT_EQ(fault_of_number(q, "5 m", "1"), "<5 m> is a length [m], but a number without unit is wanted.");
+    EXPECT_EQ(fault_of_number(q, "45 deg", "m"), "<45 deg> is an angle [rad], but [m] is wanted.");
+    EXPECT_TRUE(contains(fault_of_number(q, "45 deg", "rad/s"), "an angle [rad]"));
+    EXPECT_TRUE(contains(fault_of_number(q, "5 m^2", "m"), "an area"));
+    EXPECT_TRUE(contains(fault_of_number(q, "5 kg/m", "kg"), "a mass per length"));
     EXPECT_EQ(q.number("5 m", ""), 5) << "no unit is declared";
   }
 
@@ -83,8 +83,9 @@ namespace
     const Quantities q;
     for (const char *text : {"1 m + 1 kg", "1 + 1 m", "exp(1 m)", "1 m + 1 m^2", "sin(2 s)"})
       {
-        EXPECT_TRUE(contains(fault(q, text, "m"), "mixes dimensions")) << text << ": " << fault(q, text, "m");
-        EXPECT_TRUE(contains(fault(q, text, ""), "mixes dimensions")) << text;
+        EXPECT_TRUE(contains(fault_of_number(q, text, "m"), "mixes dimensions"))
+          << text << ": " << fault_of_number(q, text, "m");
+        EXPECT_TRUE(contains(fault_of_number(q, text, ""), "mixes dimensions")) << text;
       }
     EXPECT_EQ(q.number("6.0 ft - 6.0 ft", "m"), 0);
     EXPECT_NEAR(q.number("6.0 ft - 1.8288 m", "m"), 0, 1e-15) << "what rounding leaves has a dimension, too";
@@ -107,8 +108,8 @@ namespace
   TEST(Quantity, RefusesToGuessWhatACycleIs)
   {
     const Quantities q;
-    EXPECT_TRUE(contains(fault(q, "5 Hz", "rad/s"), "rev/s"));
-    EXPECT_TRUE(contains(fault(q, "300 rpm", "Hz"), "cycles"));
+    EXPECT_TRUE(contains(fault_of_number(q, "5 Hz", "rad/s"), "rev/s"));
+    EXPECT_TRUE(contains(fault_of_number(q, "300 rpm", "Hz"), "cycles"));
     EXPECT_EQ(q.number("5 Hz", "Hz"), 5);
     EXPECT_EQ(q.number("5 Hz", "1/s"), 5);
     EXPECT_DOUBLE_EQ(q.number("5 rev/s", "rad/s"), 10 * M_PI);
@@ -126,7 +127,7 @@ namespace
     EXPECT_DOUBLE_EQ(q.number("1e6 lb*ft^2", "N*m^2"), 1e6 * force * ft * ft);
     EXPECT_DOUBLE_EQ(q.number("1e6 lb*ft^2", "kg*m^2"), 1e6 * mass * ft * ft);
     EXPECT_DOUBLE_EQ(q.number("1 lb*s^2/ft", "kg"), force / ft) << "a slug";
-    EXPECT_TRUE(contains(fault(q, "1 lb", "m"), "a mass"));
+    EXPECT_TRUE(contains(fault_of_number(q, "1 lb", "m"), "a mass"));
     EXPECT_DOUBLE_EQ(q.number("1 lb + 1 N", "N"), force + 1);
   }
 
@@ -139,7 +140,7 @@ namespace
     EXPECT_DOUBLE_EQ(q.number("w2", "kg"), 20 * mass);
     EXPECT_DOUBLE_EQ(q.number("w2", "N"), 20 * force);
     EXPECT_DOUBLE_EQ(q.number("f", "N"), force + 1);
-    EXPECT_TRUE(contains(fault(q, "f", "kg"), "a force"));
+    EXPECT_TRUE(contains(fault_of_number(q, "f", "kg"), "a force"));
   }
 
 
@@ -153,7 +154,7 @@ namespace
     EXPECT_DOUBLE_EQ(q.number("Omega", "rad/s"), 10 * M_PI);
     EXPECT_DOUBLE_EQ(q.number("n", "kg"), 4) << "a number takes the declared unit";
     EXPECT_DOUBLE_EQ(q.number("neg^2", "m^2"), 4);
-    EXPECT_TRUE(contains(fault(q, "A", "m"), "an area"));
+    EXPECT_TRUE(contains(fault_of_number(q, "A", "m"), "an area"));
   }
 
 
@@ -168,11 +169,11 @@ namespace
   TEST(Quantity, SaysWhichWordIsUnknown)
   {
     const auto q = with_constants({{"span", "6 m"}});
-    EXPECT_EQ(fault(q, "2*spam", "m"),
+    EXPECT_EQ(fault_of_number(q, "2*spam", "m"),
               "<2*spam>: <spam> is neither a constant nor a unit nor a function; did you mean <span>?");
-    EXPECT_TRUE(contains(fault(q, "2 slugs", "kg"), "did you mean <slug>?"));
-    EXPECT_TRUE(contains(fault(q, "sine(2)", "1"), "did you mean <sin>?"));
-    EXPECT_TRUE(contains(fault(q, "span(2)", "m"), "<span> is not a function"));
+    EXPECT_TRUE(contains(fault_of_number(q, "2 slugs", "kg"), "did you mean <slug>?"));
+    EXPECT_TRUE(contains(fault_of_number(q, "sine(2)", "1"), "did you mean <sin>?"));
+    EXPECT_TRUE(contains(fault_of_number(q, "span(2)", "m"), "<span> is not a function"));
   }
 
 
@@ -183,10 +184,10 @@ namespace
     for (const char *text :
          {"",   "  ",    "1 +",     "(1",  "1)",       "1 000", "1; 2",     "sin()",     "3 = 3", "1, 2",
           "()", "m = 3", "max(,1)", "1/0", "sqrt(-1)", "* 3",   "atan2(1)", "sin(1, 2)", "\"a\"", "3 µm"})
-      EXPECT_FALSE(contains(fault(q, text, "1"), "no fault")) << text << fault(q, text, "1");
-    EXPECT_TRUE(contains(fault(q, "1 000", "1"), "operator is missing before <000>"));
-    EXPECT_TRUE(contains(fault(q, "1/0", "1"), "not a finite number"));
-    EXPECT_TRUE(contains(fault(q, "3 µm", "1"), "<µ>"));
+      EXPECT_FALSE(contains(fault_of_number(q, text, "1"), "no fault")) << text << fault_of_number(q, text, "1");
+    EXPECT_TRUE(contains(fault_of_number(q, "1 000", "1"), "operator is missing before <000>"));
+    EXPECT_TRUE(contains(fault_of_number(q, "1/0", "1"), "not a finite number"));
+    EXPECT_TRUE(contains(fault_of_number(q, "3 µm", "1"), "<µ>"));
   }
 
 

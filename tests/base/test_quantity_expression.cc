@@ -17,7 +17,7 @@ namespace
   }
 
   std::string
-  fault(const std::string &text, const std::string &unit)
+  fault_of_expression(const std::string &text, const std::string &unit)
   {
     try
       {
@@ -48,7 +48,7 @@ namespace
   TEST(QuantityExpression, WithoutVariablesIsANumber)
   {
     EXPECT_EQ(Quantities().expression("5 kN", "N", {"t"}), "5000");
-    EXPECT_NE(fault("5 kg", "N").find("a mass [kg], but [N] is wanted"), std::string::npos);
+    EXPECT_NE(fault_of_expression("5 kg", "N").find("a mass [kg], but [N] is wanted"), std::string::npos);
   }
 
 
@@ -69,9 +69,9 @@ namespace
 
   TEST(QuantityExpression, ChecksTheDimensionAsFarAsItIsCertain)
   {
-    EXPECT_EQ(fault("2 kg * sin(t)", "N"), "<2 kg * sin(t)> is a mass [kg], but [N] is wanted.");
-    EXPECT_NE(fault("2 kg * t", "N").find("but [N] is wanted"), std::string::npos);
-    EXPECT_NE(fault("5 lb + 3*t", "N").find("write lbf"), std::string::npos);
+    EXPECT_EQ(fault_of_expression("2 kg * sin(t)", "N"), "<2 kg * sin(t)> is a mass [kg], but [N] is wanted.");
+    EXPECT_NE(fault_of_expression("2 kg * t", "N").find("but [N] is wanted"), std::string::npos);
+    EXPECT_NE(fault_of_expression("5 lb + 3*t", "N").find("write lbf"), std::string::npos);
     EXPECT_EQ(of_time("5 lbf + 3*t", "N")(1), 5 * 4.4482216152605 + 3) << "nobody knows what 3 is";
     EXPECT_EQ(of_time("3*t", "N")(1), 3);
   }
@@ -112,6 +112,7 @@ namespace
                              "table: 0 0; 0 1",
                              "t(3)",
                              "sin(t, 1)"})
-      EXPECT_EQ(fault(text, "N").find("no fault"), std::string::npos) << text << fault(text, "N");
+      EXPECT_EQ(fault_of_expression(text, "N").find("no fault"), std::string::npos)
+        << text << fault_of_expression(text, "N");
   }
 } // namespace

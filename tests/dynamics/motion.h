@@ -10,13 +10,23 @@
 
 namespace samara
 {
+  /** What a published reference says at one time: the values of some probes, and how sure it is of them. */
+  struct ReferenceRow
+  {
+    double              t;
+    std::vector<double> places;
+    double              error; ///< of the reference, by its author
+  };
+
+
+
   /** A dynamic analysis of one of prm/benchmarks/dynamics, with some probes at the end of each step. */
   class Motion
   {
   public:
     Motion(const std::string &model, const std::vector<std::string> &overrides, const std::vector<std::string> &probes)
     {
-      Scene scene("prm/benchmarks/dynamics/" + model + ".prm", overrides);
+      Scene              scene("prm/benchmarks/dynamics/" + model + ".prm", overrides);
       std::vector<Probe> recorded;
       for (const auto &probe : probes)
         recorded.push_back(scene.input.model.probe(probe));

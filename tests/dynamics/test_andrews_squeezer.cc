@@ -21,7 +21,7 @@ namespace
 
   using Coordinates = std::map<std::string, Coordinate>;
 
-  const Coordinates exact = {
+  const Coordinates exact_coordinates = {
     {"beta", {-0.0617138900142764496, 15.810771195153707097, 1139.9203022591060642, -24631.76312287463447}},
     {"theta", {0, -15.75637105841183947, -1424.3792951775400732, 51850.319636464231534}},
     {"gamma", {0.455279819163070380, 0.040822240119645804858, 11.032911910618593745, 324102.60070757860581}},
@@ -56,7 +56,7 @@ namespace
                                                                               {"AH", {"epsilon"}}};
 
   std::vector<std::string>
-  probes()
+  rotations_and_forces()
   {
     std::vector<std::string> names;
     for (const auto &bar : bars)
@@ -81,7 +81,7 @@ namespace
         std::string unknown;
         for (const auto &name : bars[i].second)
           {
-            bar.end += exact.at(name).start;
+            bar.end += exact_coordinates.at(name).start;
             if (result.count(name) > 0)
               {
                 bar.end -= result[name].end;
@@ -101,7 +101,7 @@ namespace
         result[first].acceleration -= result[second].acceleration;
       }
     for (auto &[name, c] : result)
-      c.end -= 2 * M_PI * std::round((c.end - exact.at(name).end) / (2 * M_PI));
+      c.end -= 2 * M_PI * std::round((c.end - exact_coordinates.at(name).end) / (2 * M_PI));
     return result;
   }
 
@@ -140,9 +140,9 @@ namespace
 
 TEST(AndrewsSqueezer, NineDigitsOfTheReferenceAndThePublishedValues)
 {
-  const Motion motion("andrews_squeezer", integrator(3, 1, 5e-5), probes());
+  const Motion motion("andrews_squeezer", integrator(3, 1, 5e-5), rotations_and_forces());
   const auto   forces = multipliers(motion);
-  Coordinate   e      = error(coordinates(motion), exact);
+  Coordinate   e      = error(coordinates(motion), exact_coordinates);
   EXPECT_LT(e.end, 1e-9);
   EXPECT_LT(e.velocity, 1e-8);
   EXPECT_LT(e.acceleration, 1e-7);
@@ -162,8 +162,8 @@ TEST(AndrewsSqueezer, NineDigitsOfTheReferenceAndThePublishedValues)
 
 TEST(AndrewsSqueezer, SixDigitsWithHalfARadianAStep)
 {
-  const Motion motion("andrews_squeezer", integrator(3, 1, 2e-4), probes());
-  EXPECT_LT(error(coordinates(motion), exact).end, 1e-6);
+  const Motion motion("andrews_squeezer", integrator(3, 1, 2e-4), rotations_and_forces());
+  EXPECT_LT(error(coordinates(motion), exact_coordinates).end, 1e-6);
 }
 
 
@@ -177,6 +177,7 @@ TEST(AndrewsSqueezer, ConvergesWithTheOrderOfTheScheme)
                                Member{3, 0.5, 2e-4},
                                Member{3, 0, 2e-4}})
     member.expect_order([](const std::vector<std::string> &overrides) {
-      return error(coordinates(Motion("andrews_squeezer", overrides, probes())), exact).velocity;
+      return error(coordinates(Motion("andrews_squeezer", overrides, rotations_and_forces())), exact_coordinates)
+        .velocity;
     });
 }

@@ -40,7 +40,7 @@ namespace
   }
 
   void
-  run(Scene &scene, const std::string &folder, const bool restart = false)
+  run_into(Scene &scene, const std::string &folder, const bool restart = false)
   {
     scene.context.folder  = folder;
     scene.context.probes  = scene.input.make_probes();
@@ -58,7 +58,7 @@ TEST(Contacts, TimesAndDepths)
   const ScratchFolder folder;
   const double        k = 1e5, T = M_PI / std::sqrt(k), depth = 1 / std::sqrt(k);
   Scene               scene(ball(0.0598, k, 0));
-  run(scene, folder.path);
+  run_into(scene, folder.path);
   const auto &contacts = scene.analysis<DynamicAnalysis>().contacts.all();
   // the second contact is at 0.01 + T + 0.03 = 0.04993, over at 0.05987
   ASSERT_EQ(contacts.size(), 2u);
@@ -90,7 +90,7 @@ TEST(Contacts, LossesAndRestart)
   const std::string   whole = folder.path + "/whole", parts = folder.path + "/parts";
   const double        k = 1e5, c = 60;
   Scene               once(ball(0.2, k, c));
-  run(once, whole);
+  run_into(once, whole);
   const auto &dynamic = once.analysis<DynamicAnalysis>();
   double      loss    = 0;
   for (const auto &contact : dynamic.contacts.all())
@@ -104,9 +104,9 @@ TEST(Contacts, LossesAndRestart)
 
   Scene first(ball(0.0549, k, c)); // within the second contact
   first.analysis<DynamicAnalysis>().fresh_every = 100;
-  run(first, parts);
+  run_into(first, parts);
   Scene second(ball(0.2, k, c));
-  run(second, parts, true);
+  run_into(second, parts, true);
   const auto a = lines_of(whole + "/dynamic_stops.csv"), b = lines_of(parts + "/dynamic_stops.csv");
   ASSERT_EQ(a.size(), b.size());
   for (unsigned int i = 0; i < a.size(); ++i)

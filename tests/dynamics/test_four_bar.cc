@@ -10,12 +10,12 @@ using namespace samara;
 
 namespace
 {
-  const std::vector<std::string> probes = {"coupler 1.position x",
-                                           "coupler 1.position y",
-                                           "coupler 1.velocity x",
-                                           "coupler 2.position x",
-                                           "coupler 2.position y",
-                                           "coupler 1.rotation z"};
+  const std::vector<std::string> places_on_the_coupler = {"coupler 1.position x",
+                                                          "coupler 1.position y",
+                                                          "coupler 1.velocity x",
+                                                          "coupler 2.position x",
+                                                          "coupler 2.position y",
+                                                          "coupler 1.rotation z"};
 
   /** From those of the corner B0. */
   std::vector<double>
@@ -29,7 +29,7 @@ namespace
 
 TEST(FourBar, PassesSingularPositions)
 {
-  const Motion motion("four_bar", integrator(3, 0.5, 0.01, "1e-10"), probes);
+  const Motion motion("four_bar", integrator(3, 0.5, 0.01, "1e-10"), places_on_the_coupler);
   EXPECT_LT(motion.error(4, couplers(0.117616102376, 0.993059138451, 1.06903926503)), 1e-6);
   EXPECT_LT(motion.error(10, couplers(0.328458111533, 0.944518538181, 1.42305147019)), 1e-6);
   EXPECT_LT(motion.budget.dissipated, 1e-5); // of 35 J
@@ -41,7 +41,7 @@ TEST(FourBar, ConvergesWithTheOrderOfTheScheme)
 {
   std::vector<double> errors;
   for (const double step : {0.02, 0.01})
-    errors.push_back(Motion("four_bar", integrator(2, 0.5, step, "1e-10"), probes)
+    errors.push_back(Motion("four_bar", integrator(2, 0.5, step, "1e-10"), places_on_the_coupler)
                        .error(10, couplers(0.328458111533, 0.944518538181, 1.42305147019)));
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 3, 0.3);
 }

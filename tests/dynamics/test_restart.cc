@@ -91,12 +91,12 @@ end
 
   /** A run of @p text into @p folder, ended by force at the time @p killed; every fresh start is written. */
   void
-  run(const std::string              &text,
-      const std::string              &folder,
-      const std::vector<std::string> &overrides,
-      const bool                      restart,
-      const double                    killed = 1e300,
-      const unsigned int              every  = 23)
+  run_until_killed(const std::string              &text,
+                   const std::string              &folder,
+                   const std::vector<std::string> &overrides,
+                   const bool                      restart,
+                   const double                    killed = 1e300,
+                   const unsigned int              every  = 23)
   {
     Scene scene(text, overrides);
     scene.context.folder                = folder;
@@ -127,7 +127,7 @@ end
   {
     try
       {
-        run(text, folder, overrides, true);
+        run_until_killed(text, folder, overrides, true);
       }
     catch (const InputError &problem)
       {
@@ -151,14 +151,14 @@ TEST(Restart, KilledRunsGoOnToTheLastBit)
                                                    "Dynamic/Tolerance = 1e-3"};
         const ScratchFolder            scratch;
         const std::string              whole = scratch.path + "/whole";
-        run(pendulum, whole, settings, false);
+        run_until_killed(pendulum, whole, settings, false);
         for (const double killed : {0.01, 0.2, 0.55})
           {
             const std::string folder = scratch.path + "/" + std::to_string(killed);
             const std::string where  = stages + " stages, " + control + ", killed at " + std::to_string(killed);
-            EXPECT_THROW(run(pendulum, folder, settings, false, killed), Killed) << where;
+            EXPECT_THROW(run_until_killed(pendulum, folder, settings, false, killed), Killed) << where;
             EXPECT_NE(content_of(whole + "/dynamic.csv"), content_of(folder + "/dynamic.csv")) << where;
-            run(pendulum, folder, settings, true);
+            run_until_killed(pendulum, folder, settings, true);
             expect_same_files(whole, folder, where);
           }
       }
@@ -170,11 +170,11 @@ TEST(Restart, KilledAgainAndAgain)
 {
   const ScratchFolder scratch;
   const std::string   whole = scratch.path + "/whole", folder = scratch.path + "/folder";
-  run(pendulum, whole, {}, false);
-  EXPECT_THROW(run(pendulum, folder, {}, false, 0.3), Killed);
+  run_until_killed(pendulum, whole, {}, false);
+  EXPECT_THROW(run_until_killed(pendulum, folder, {}, false, 0.3), Killed);
   for (const double killed : {0.35, 0.36, 0.5})
-    EXPECT_THROW(run(pendulum, folder, {}, true, killed), Killed);
-  run(pendulum, folder, {}, true);
+    EXPECT_THROW(run_until_killed(pendulum, folder, {}, true, killed), Killed);
+  run_until_killed(pendulum, folder, {}, true);
   expect_same_files(whole, folder, "killed four times");
 }
 
@@ -194,9 +194,9 @@ TEST(Restart, FinishedRunsGoOnBeyondTheirEnd)
       shorter.push_back("Dynamic/End time = 0.3331");
       const ScratchFolder scratch;
       const std::string   whole = scratch.path + "/whole", folder = scratch.path + "/folder";
-      run(pendulum, whole, settings, false);
-      run(pendulum, folder, shorter, false);
-      run(pendulum, folder, settings, true);
+      run_until_killed(pendulum, whole, settings, false);
+      run_until_killed(pendulum, folder, shorter, false);
+      run_until_killed(pendulum, folder, settings, true);
       for (const std::string file : {"dynamic.csv", "dynamic_energy.csv", "dynamic_steps.csv"})
         EXPECT_EQ(content_of(whole + "/" + file), content_of(folder + "/" + file)) << file << ", " << control;
     }
@@ -207,7 +207,7 @@ TEST(Restart, FinishedRunsGoOnBeyondTheirEnd)
 TEST(Restart, OtherModelsAreRefused)
 {
   const ScratchFolder folder;
-  EXPECT_THROW(run(pendulum, folder.path, {}, false, 0.3), Killed);
+  EXPECT_THROW(run_until_killed(pendulum, folder.path, {}, false, 0.3), Killed);
   const std::string before = content_of(folder.path + "/dynamic.csv");
   for (const auto &[entry, value] : {std::make_pair("Sections/s/E", "3e9"),
                                      {"Bodies/bob/Mass", "2"},
@@ -246,7 +246,7 @@ TEST(Restart, ContentsOfTablesBelongToTheModel)
                tube.size(),
                "set Type = table\n    set File = " + std::filesystem::absolute(table).string() + "\n");
   write("100");
-  EXPECT_THROW(run(text, folder.path, {}, false, 0.3), Killed);
+  EXPECT_THROW(run_until_killed(text, folder.path, {}, false, 0.3), Killed);
   write("101");
   const std::string complaint = refusal(folder.path, {}, text);
   EXPECT_NE(complaint.find("Sections/s/line 3 of the file"), std::string::npos) << complaint;
@@ -259,7 +259,7 @@ TEST(Restart, ContentsOfTablesBelongToTheModel)
 TEST(Restart, HarmlessChangesAreTold)
 {
   const ScratchFolder folder;
-  EXPECT_THROW(run(pendulum, folder.path, {}, false, 0.3), Killed);
+  EXPECT_THROW(run_until_killed(pendulum, folder.path, {}, false, 0.3), Killed);
   Scene scene(pendulum, {"Dynamic/End time = 0.4", "Dynamic/Stages = 1", "Title = New"});
   scene.context.folder  = folder.path;
   scene.context.probes  = scene.input.make_probes();
@@ -278,7 +278,7 @@ TEST(Restart, TablesMustHaveTheirRows)
   for (const std::string table : {"dynamic.csv", "dynamic_energy.csv", "dynamic_steps.csv"})
     {
       const ScratchFolder folder;
-      EXPECT_THROW(run(pendulum, folder.path, {}, false, 0.4), Killed);
+      EXPECT_THROW(run_until_killed(pendulum, folder.path, {}, false, 0.4), Killed);
       const std::string file = folder.path + "/" + table, text = content_of(file);
       // without its fourth line
       std::size_t begin = 0;

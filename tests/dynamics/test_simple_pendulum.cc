@@ -10,11 +10,11 @@ using namespace samara;
 
 namespace
 {
-  constexpr double g = 9.81;
+  constexpr double gravity = 9.81;
 
   /** x, y of the mass, by the arithmetic-geometric mean. */
   std::vector<double>
-  exact(const double t)
+  place_of_the_mass(const double t)
   {
     std::vector<double> a = {1}, c = {std::sqrt(0.5)};
     for (double b = std::sqrt(0.5); c.back() > 1e-15;)
@@ -24,7 +24,7 @@ namespace
         b                 = std::sqrt(a.back() * b);
         a.push_back(mean);
       }
-    double phi = std::pow(2., a.size() - 1) * a.back() * std::sqrt(g) * t;
+    double phi = std::pow(2., a.size() - 1) * a.back() * std::sqrt(gravity) * t;
     for (unsigned int i = a.size() - 1; i > 0; --i)
       phi = (phi + std::asin(c[i] / a[i] * std::sin(phi))) / 2;
     const double half = std::sqrt(0.5) * std::cos(phi) / std::sqrt(1 - 0.5 * std::sin(phi) * std::sin(phi));
@@ -38,7 +38,7 @@ namespace
   {
     double error = 0;
     for (const double t : motion.times)
-      error = std::max(error, motion.error(t, exact(t)));
+      error = std::max(error, motion.error(t, place_of_the_mass(t)));
     return error;
   }
 } // namespace
@@ -47,9 +47,9 @@ namespace
 
 TEST(SimplePendulum, ReferenceIsThatOfTheTable)
 {
-  EXPECT_NEAR(exact(10)[0], -0.2750874625761, 1e-13);
-  EXPECT_NEAR(exact(10)[1], -0.9614192050991, 1e-13);
-  EXPECT_NEAR(exact(2.367841947576)[0], -1, 1e-11); // a period
+  EXPECT_NEAR(place_of_the_mass(10)[0], -0.2750874625761, 1e-13);
+  EXPECT_NEAR(place_of_the_mass(10)[1], -0.9614192050991, 1e-13);
+  EXPECT_NEAR(place_of_the_mass(2.367841947576)[0], -1, 1e-11); // a period
 }
 
 
@@ -87,10 +87,10 @@ TEST(SimplePendulum, TensionOfTheRod)
   for (unsigned int i = 0; i < motion.times.size(); ++i)
     {
       // towards the hinge; cos θ = −y
-      const auto  r = exact(motion.times[i]);
+      const auto  r = place_of_the_mass(motion.times[i]);
       const auto &v = motion.values[i];
-      EXPECT_NEAR(v[2], -3 * g * -r[1] * r[0], 1e-8) << motion.times[i];
-      EXPECT_NEAR(v[3], -3 * g * -r[1] * r[1], 1e-8) << motion.times[i];
+      EXPECT_NEAR(v[2], -3 * gravity * -r[1] * r[0], 1e-8) << motion.times[i];
+      EXPECT_NEAR(v[3], -3 * gravity * -r[1] * r[1], 1e-8) << motion.times[i];
     }
 }
 

@@ -11,7 +11,9 @@ using namespace samara;
 
 namespace
 {
-  const std::vector<std::string> probes = {"slider.position x", "slider.velocity x", "crank.angular velocity x"};
+  const std::vector<std::string> slider_and_crank = {"slider.position x",
+                                                     "slider.velocity x",
+                                                     "crank.angular velocity x"};
 
   struct Variant
   {
@@ -41,7 +43,7 @@ TEST(SliderCrank, EveryDigitOfTheTable)
     {
       auto overrides = integrator(3, 1, 2.5e-3);
       overrides.push_back("Constants/arm = " + variant.arm);
-      const Motion motion("slider_crank", overrides, probes);
+      const Motion motion("slider_crank", overrides, slider_and_crank);
       EXPECT_EQ(motion.log.find("obey"), std::string::npos) << "the velocities at the start fit";
       for (const auto &[t, row] : variant.rows)
         {
@@ -62,7 +64,7 @@ TEST(SliderCrank, ConvergesWithTheOrderOfTheScheme)
     member.expect_order(
       [](std::vector<std::string> overrides) {
         overrides.push_back("Dynamic/End time = 1");
-        const Motion motion("slider_crank", overrides, probes);
+        const Motion motion("slider_crank", overrides, slider_and_crank);
         return std::abs(motion.at(1)[0] - variants[1].rows[0].second[0]);
       },
       0.5);
@@ -79,7 +81,7 @@ TEST(SliderCrank, AdaptiveStepsDoNotCollapse)
       auto overrides = integrator(s, 1, 1e-2);
       overrides.push_back("Dynamic/Step control = adaptive");
       overrides.push_back("Dynamic/Tolerance = 1e-3");
-      const Motion motion("slider_crank", overrides, probes);
+      const Motion motion("slider_crank", overrides, slider_and_crank);
       EXPECT_LT(motion.report.n_rejected, 0.3 * motion.report.n_steps);
       EXPECT_LT(motion.report.n_steps, s == 1 ? 10000u : 1000u);
     }
@@ -94,7 +96,7 @@ TEST(SliderCrank, AdaptiveStepsMeetTheTolerance)
       auto overrides = integrator(3, 1, 1e-2, "1e-12");
       overrides.push_back("Dynamic/Step control = adaptive");
       overrides.push_back("Dynamic/Tolerance = " + text_of(tolerance));
-      const Motion motion("slider_crank", overrides, probes);
+      const Motion motion("slider_crank", overrides, slider_and_crank);
       EXPECT_LT(std::abs(motion.at(5)[0] - variants[1].rows[4].second[0]), 40 * tolerance);
     }
 }

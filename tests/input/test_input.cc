@@ -1,40 +1,18 @@
 // What stands above the single entries of an input file: used.prm says the same as the file it came from, and analyses
 // are done in the order in which they are asked for.
 
-#include "../scene.h"
-#include <gtest/gtest.h>
 #include <samara/study.h>
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
+
+#include "said.h"
 
 using namespace samara;
 
 namespace
 {
-  std::string
-  used(const Scene &scene)
-  {
-    std::ostringstream text;
-    scene.input.print(text);
-    return text.str();
-  }
-
-  /** The residual of a state that is far from all equilibria. */
-  std::vector<double>
-  residual(const System &system)
-  {
-    State               state = system.reference();
-    std::vector<double> z(system.size()), stress, r;
-    for (unsigned int i = 0; i < z.size(); ++i)
-      z[i] = 0.1 * std::sin(i + 1.);
-    system.update(state, z);
-    state.time   = 0.3;
-    state.factor = 0.7;
-    system.stresses(state, stress);
-    system.residual(state, stress, r);
-    return r;
-  }
-
   const std::string turning_hub = R"(
 subsection Constants
   set speed = 300 rpm
@@ -89,7 +67,8 @@ TEST(UsedPrm, IsTheSameModel)
 {
   std::vector<std::string> models = {turning_hub};
   for (const auto &entry : std::filesystem::recursive_directory_iterator(SAMARA_SOURCE_DIR "/prm"))
-    if (entry.path().extension() == ".prm" && entry.path().parent_path().filename() != "parts" && !Study::is_study(Outline::of_file(entry.path().string())))
+    if (entry.path().extension() == ".prm" && entry.path().parent_path().filename() != "parts" &&
+        !Study::is_study(Outline::of_file(entry.path().string())))
       models.push_back("prm/" + std::filesystem::relative(entry.path(), SAMARA_SOURCE_DIR "/prm").string());
   EXPECT_GT(models.size(), 10u);
   for (const auto &model : models)

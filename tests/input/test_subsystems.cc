@@ -1,23 +1,15 @@
 // Subsystems: names, arguments, copies, what is changed in one of them, and what a file with them is written as.
 
-#include "../scene.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
+
+#include "said.h"
 
 using namespace samara;
 
 namespace
 {
-  std::string
-  used(const Scene &scene)
-  {
-    std::ostringstream text;
-    scene.input.print(text);
-    return text.str();
-  }
-
   const std::string hub = "subsection Bodies\n subsection hub\n set Type = rigid body\n set Mass = 3\n"
                           " set Inertia = 1, 1, 1\n end\n";
   const std::string arm = "include " SAMARA_SOURCE_DIR "/tests/input/parts/arm.prm\n";
@@ -40,20 +32,6 @@ namespace
   {
     EXPECT_LT((a - b).norm(), 1e-14) << a.transpose() << " and " << b.transpose();
   }
-
-  /** Residual and size of a state far from equilibria. */
-  std::vector<double>
-  residual(const System &system)
-  {
-    State               state = system.reference();
-    std::vector<double> z(system.size()), r;
-    for (unsigned int i = 0; i < z.size(); ++i)
-      z[i] = 0.1 * std::sin(i + 1.);
-    system.update(state, z);
-    system.stresses(state, state.stress);
-    system.residual(state, state.stress, r);
-    return r;
-  }
 } // namespace
 
 
@@ -66,8 +44,9 @@ TEST(Subsystems, CopiesAreTurned)
   expect_near(position(four, "arm 3:arm.tip"), {-2, 0, 0});
   expect_near(position(four, "arm 4:arm.tip"), {0, -2, 0});
 
-  const Scene fan(model("subsection arm\n" + arm + "set Copies = 3 about 0 0 -2 through 1 m, 1 m, 0 by 90 deg\n"
-                                                   "set Position = 0, 0, 5\nend\n"));
+  const Scene fan(model("subsection arm\n" + arm +
+                        "set Copies = 3 about 0 0 -2 through 1 m, 1 m, 0 by 90 deg\n"
+                        "set Position = 0, 0, 5\nend\n"));
   expect_near(position(fan, "arm 1:arm.tip"), {2, 0, 5});
   expect_near(position(fan, "arm 2:arm.tip"), {0, 0, 5});
   expect_near(position(fan, "arm 3:arm.tip"), {0, 2, 5});
@@ -77,9 +56,11 @@ TEST(Subsystems, CopiesAreTurned)
 
 TEST(Subsystems, PlacesAreNested)
 {
-  const std::string inner = "subsection Subsystems\n subsection inner\n" + arm + " set Rotation = 90 deg, 0, 0\n"
+  const std::string inner = "subsection Subsystems\n subsection inner\n" + arm +
+                            " set Rotation = 90 deg, 0, 0\n"
                             " set Position = 0, 0, 1\n end\n end\n";
-  const Scene       scene(model("subsection outer\n set Position = 10, 0, 0\n set Rotation = 0, 0, 90 deg\n" + inner + "end\n"));
+  const Scene scene(
+    model("subsection outer\n set Position = 10, 0, 0\n set Rotation = 0, 0, 90 deg\n" + inner + "end\n"));
   // about z, up, about x, along x
   expect_near(position(scene, "outer:inner:arm.tip"), {10, -1, 2});
 }
@@ -100,7 +81,8 @@ TEST(Subsystems, ArgumentsTakeThePlaceOfConstants)
   EXPECT_NE(complaint_of(model("subsection arm\n" + arm + "set Arguments = pi = 3\nend\n")), "");
 
   // copies know their numbers
-  const Scene copies(model("subsection arm\n" + arm + "set Arguments = length = 1 m\n set Copies = 2 about z\n"
+  const Scene copies(model("subsection arm\n" + arm +
+                           "set Arguments = length = 1 m\n set Copies = 2 about z\n"
                            "subsection Constants\n set mass = copy*1 kg\nend\nend\n"));
   EXPECT_NE(used(copies).find("set Mass = 2"), std::string::npos);
 }
@@ -112,7 +94,8 @@ TEST(Subsystems, NamesAreLookedUpInsideFirst)
 {
   const std::string inner_hub = "subsection Bodies\n subsection hub\n set Type = rigid body\n set Mass = 4\n"
                                 " set Inertia = 1, 1, 1\n set Position = 0, 0, 9\n end\nend\n",
-                    probe     = "subsection Output\n set Probes = arm.tip.position x, hub.position z, hinge.rotation\nend\n";
+                    probe =
+                      "subsection Output\n set Probes = arm.tip.position x, hub.position z, hinge.rotation\nend\n";
   Scene scene(model("subsection one\n" + arm + probe + "end\nsubsection two\n" + arm + inner_hub + probe + "end\n"));
   std::vector<std::string> names;
   for (const auto &p : scene.input.make_probes())
@@ -126,8 +109,9 @@ TEST(Subsystems, NamesAreLookedUpInsideFirst)
                                       "two:hinge.rotation"}));
   // the arm of two hangs on its own hub: the other one is free of it
   const auto with_load = [&](const std::string &body) {
-    return model("subsection two\n" + arm + inner_hub + "subsection Loads\n subsection push\n set Type = point load\n set At = " +
-                 body + "\n set Force = 0, 0, 1\n end\nend\nend\n");
+    return model("subsection two\n" + arm + inner_hub +
+                 "subsection Loads\n subsection push\n set Type = point load\n set At = " + body +
+                 "\n set Force = 0, 0, 1\n end\nend\nend\n");
   };
   EXPECT_NE(residual(Scene(with_load("hub")).system), residual(Scene(with_load("arm")).system));
 }
@@ -140,7 +124,7 @@ TEST(Subsystems, LawsSpeakOfTheirOwnCopy)
                             " set Rate = (hinge.rotation - filter)/(0.1 s) + arm.velocity z*1/m\n end\nend\n";
   const std::string force = "subsection Joints\n subsection hinge\n subsection rotation\n"
                             " set Moment = -3 N*m*filter - 2 N*m*hinge.rotation\n end\n end\nend\n";
-  Scene scene(model("subsection arm\n" + arm + state + force + "set Copies = 2 about x by 90 deg\nend\n"));
+  Scene             scene(model("subsection arm\n" + arm + state + force + "set Copies = 2 about x by 90 deg\nend\n"));
   const std::string text = used(scene);
   EXPECT_NE(text.find("arm 2:hinge.rotation"), std::string::npos) << text;
   EXPECT_NE(text.find("arm 2:filter"), std::string::npos) << text;
@@ -157,7 +141,7 @@ TEST(Subsystems, LawsSpeakOfTheirOwnCopy)
 // The model can change one copy, in its file or from the command line.
 TEST(Subsystems, OneCopyIsChanged)
 {
-  const std::string two = "subsection arm\n" + arm + "set Copies = 2 about z\nend\n";
+  const std::string two    = "subsection arm\n" + arm + "set Copies = 2 about z\nend\n";
   const auto        masses = [](const Scene &scene) {
     const std::string   text = used(scene);
     std::vector<double> all;
@@ -180,7 +164,8 @@ TEST(Subsystems, OneCopyIsChanged)
 // A model made of subsystems is written as one that runs by itself and is the same.
 TEST(Subsystems, UsedIsTheSameModel)
 {
-  const Scene scene(model("subsection arm\n" + arm + "set Copies = 3 about 1 2 3 through 0.2 0 0\n set Rotation = 0.3, 0, 0.4\nend\n"));
+  const Scene scene(
+    model("subsection arm\n" + arm + "set Copies = 3 about 1 2 3 through 0.2 0 0\n set Rotation = 0.3, 0, 0.4\nend\n"));
   const std::string text = used(scene);
   EXPECT_EQ(text.find("Subsystems"), std::string::npos);
   const auto a = residual(scene.system), b = residual(Scene(text).system);
@@ -194,7 +179,8 @@ TEST(Subsystems, UsedIsTheSameModel)
 // Copies, and copies of copies, by hand: the nearest thing to a second program.
 TEST(Subsystems, CopyOfASubsystem)
 {
-  const std::string by_hand = "subsection one\n" + arm + "end\nsubsection two\n set Copy of = one\n set Rotation = 180 deg, 0, 0\nend\n";
+  const std::string by_hand =
+    "subsection one\n" + arm + "end\nsubsection two\n set Copy of = one\n set Rotation = 180 deg, 0, 0\nend\n";
   const Scene a(model(by_hand)), b(model("subsection arm\n" + arm + "set Copies = 2 about z\nend\n"));
   EXPECT_EQ(residual(a.system), residual(b.system));
 }

@@ -13,13 +13,13 @@ using namespace samara;
 
 namespace
 {
-  constexpr double turn = 2 * M_PI;
+  constexpr double full_turn = 2 * M_PI;
 
   /** How far two angles are apart but for whole turns. */
   double
   apart(const double a, const double b)
   {
-    return std::abs(std::remainder(a - b, turn));
+    return std::abs(std::remainder(a - b, full_turn));
   }
 
   std::string
@@ -169,7 +169,11 @@ namespace
   }
 
   std::string
-  joint(const std::string &name, const std::string &kind, const std::string &a, const std::string &b, const Vector3 &at)
+  unclosed_joint(const std::string &name,
+                 const std::string &kind,
+                 const std::string &a,
+                 const std::string &b,
+                 const Vector3     &at)
   {
     return " subsection " + name + "\n set Type = " + kind + "\n set Body A = " + a + "\n set Body B = " + b +
            "\n set Position = " + text(at) + "\n";
@@ -201,14 +205,15 @@ TEST(Angles, ChainsOfHingesAndUniversalJoints)
         }
       const Vector3 a = number.axis(), b = number.axis(), first = number.axis(),
                     second = first.cross(number.axis()).normalized(), at_a(0, 0, 0), at_u(1, 0, 0), at_b(1, 1, 0);
-      Scene scene("set Analyses = static\nsubsection Bodies\n" + body("1", {0.5, 0, 0}) + body("2", {1, 0.5, 0}) +
-                  body("3", {1, 1, 0.5}) + "end\nsubsection Joints\n" + joint("a", "revolute", "ground", "1", at_a) +
-                  " set Axis = " + text(a) + "\n" + spring("rotation", k[0], rest[0], M[0]) + " end\n" +
-                  joint("u", "universal", "1", "2", at_u) + " set Axis = " + text(first) +
-                  "\n set Second axis = " + text(second) + "\n" + spring("rotation 1", k[1], rest[1], M[1]) +
-                  spring("rotation 2", k[2], rest[2], M[2]) + " end\n" + joint("b", "revolute", "2", "3", at_b) +
-                  " set Axis = " + text(b) + "\n" + spring("rotation", k[3], rest[3], M[3]) +
-                  " end\nend\nsubsection Static\n set Load steps = " + std::to_string(1 + i % 4) + "\nend\n");
+      Scene scene(
+        "set Analyses = static\nsubsection Bodies\n" + body("1", {0.5, 0, 0}) + body("2", {1, 0.5, 0}) +
+        body("3", {1, 1, 0.5}) + "end\nsubsection Joints\n" + unclosed_joint("a", "revolute", "ground", "1", at_a) +
+        " set Axis = " + text(a) + "\n" + spring("rotation", k[0], rest[0], M[0]) + " end\n" +
+        unclosed_joint("u", "universal", "1", "2", at_u) + " set Axis = " + text(first) +
+        "\n set Second axis = " + text(second) + "\n" + spring("rotation 1", k[1], rest[1], M[1]) +
+        spring("rotation 2", k[2], rest[2], M[2]) + " end\n" + unclosed_joint("b", "revolute", "2", "3", at_b) +
+        " set Axis = " + text(b) + "\n" + spring("rotation", k[3], rest[3], M[3]) +
+        " end\nend\nsubsection Static\n set Load steps = " + std::to_string(1 + i % 4) + "\nend\n");
       const State &state = scene.equilibrium();
       unsigned int j     = 0;
       for (const std::string path : {"a.rotation", "u.rotation 1", "u.rotation 2", "b.rotation"})
@@ -234,7 +239,7 @@ TEST(Angles, WeightOnAScrew)
                    angle = number(-25, 25), weight = -k * (angle - rest) / p;
       const Vector3 axis = number.axis();
       Scene scene("set Analyses = static\nsubsection Bodies\n" + body("b", {0.5, 0, 0}) + "end\nsubsection Joints\n" +
-                  joint("s", "screw", "ground", "b", {0, 0, 0}) + " set Axis = " + text(axis) +
+                  unclosed_joint("s", "screw", "ground", "b", {0, 0, 0}) + " set Axis = " + text(axis) +
                   "\n set Pitch = " + text(p) + "\n" + spring("rotation", k, rest, 0) +
                   " end\nend\nsubsection Loads\n subsection g\n set Type = gravity\n set Acceleration = " +
                   text(Vector3(-weight * axis)) + "\n end\nend\n");
@@ -257,13 +262,13 @@ TEST(Angles, Gears)
       const double k = std::pow(10, number(-1, 3)), rest = number(-3, 3), n = number(-4, 4), angle = number(-10, 10),
                    M  = k * (angle - rest) / n;
       const Vector3 a = number.axis(), b = number.axis();
-      Scene         scene(
-        "set Analyses = static\nsubsection Bodies\n" + body("1", {0.5, 0, 0}) + body("2", {1, 0.5, 0}) +
-        "end\nsubsection Joints\n" + joint("a", "revolute", "ground", "1", {0, 0, 0}) + " set Axis = " + text(a) +
-        "\n" + spring("rotation", k, rest, 0) + " end\n" + joint("b", "revolute", "ground", "2", {1, 0, 0}) +
-        " set Axis = " + text(b) + "\n subsection rotation\n set Moment = " + text(M) +
-        "\n end\n end\n subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = " + text(n) +
-        "\n end\nend\n");
+      Scene scene("set Analyses = static\nsubsection Bodies\n" + body("1", {0.5, 0, 0}) + body("2", {1, 0.5, 0}) +
+                  "end\nsubsection Joints\n" + unclosed_joint("a", "revolute", "ground", "1", {0, 0, 0}) +
+                  " set Axis = " + text(a) + "\n" + spring("rotation", k, rest, 0) + " end\n" +
+                  unclosed_joint("b", "revolute", "ground", "2", {1, 0, 0}) + " set Axis = " + text(b) +
+                  "\n subsection rotation\n set Moment = " + text(M) +
+                  "\n end\n end\n subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = " +
+                  text(n) + "\n end\nend\n");
       const State &state = scene.equilibrium();
       EXPECT_NEAR(scene.value("a.rotation") * M_PI / 180, angle, 1e-7) << "case " << i;
       EXPECT_NEAR(scene.value("b.rotation") * M_PI / 180, n * angle, 1e-7) << "case " << i;
@@ -280,14 +285,14 @@ TEST(Angles, SeveralTurnsPrescribed)
   for (const double turns : {0.5, -1., 3.25, -7.5})
     {
       Scene scene("set Analyses = static\nsubsection Bodies\n" + body("1", {0.5, 0, 0}) + body("2", {1, 0.5, 0}) +
-                  "end\nsubsection Joints\n" + joint("a", "revolute", "ground", "1", {0, 0, 0}) +
-                  " set Axis = 0, 0, 1\n subsection rotation\n set Prescribed = " + text(turns * turn) +
-                  "\n end\n end\n" + joint("b", "revolute", "1", "2", {1, 0, 0}) + " set Axis = 0, 0, 1\n" +
+                  "end\nsubsection Joints\n" + unclosed_joint("a", "revolute", "ground", "1", {0, 0, 0}) +
+                  " set Axis = 0, 0, 1\n subsection rotation\n set Prescribed = " + text(turns * full_turn) +
+                  "\n end\n end\n" + unclosed_joint("b", "revolute", "1", "2", {1, 0, 0}) + " set Axis = 0, 0, 1\n" +
                   spring("rotation", 2, 0.3, 5) + " end\nend\n");
       const State &state = scene.equilibrium();
       EXPECT_NEAR(scene.value("a.rotation"), 360 * turns, 1e-6);
       EXPECT_NEAR(scene.value("b.rotation") * M_PI / 180, 2.8, 1e-8);
-      EXPECT_LT((state.triad(2) - rotation(turns * turn + 2.8, Vector3::UnitZ())).norm(), 1e-8);
+      EXPECT_LT((state.triad(2) - rotation(turns * full_turn + 2.8, Vector3::UnitZ())).norm(), 1e-8);
     }
 }
 
@@ -296,13 +301,13 @@ TEST(Angles, SeveralTurnsPrescribed)
 // A torsion pendulum that swings by six turns to either side, up to 1.2 rad a step: θ = ω₀/ν sin ν t, ν² = k/J.
 TEST(Angles, TurnsAreCountedInMotion)
 {
-  const double J = 0.3, nu = 2, amplitude = 6 * turn, end = 7;
+  const double J = 0.3, nu = 2, amplitude = 6 * full_turn, end = 7;
   for (const int s : {1, 2, 3})
     {
       Scene  scene("set Analyses = dynamic\nsubsection Bodies\n subsection b\n set Type = rigid body\n set Mass = 1\n"
                    " set Inertia = 0.3, 0.3, 0.3\n set Angular velocity = 0, 0, " +
                   text(amplitude * nu) + "\n end\nend\nsubsection Joints\n" +
-                  joint("h", "revolute", "ground", "b", {0, 0, 0}) + spring("rotation", J * nu * nu, 0, 0) +
+                  unclosed_joint("h", "revolute", "ground", "b", {0, 0, 0}) + spring("rotation", J * nu * nu, 0, 0) +
                   " end\nend\nsubsection Dynamic\n set End time = " + text(end) +
                   "\n set Stages = " + std::to_string(s) + "\n set Spectral radius = 1\n set Step = " +
                   (s == 1 ? "0.0005" :
@@ -333,7 +338,7 @@ TEST(Angles, ProbedAnglesCountTurns)
 {
   Scene scene("set Analyses = dynamic\nsubsection Bodies\n subsection b\n set Type = rigid body\n set Mass = 1\n"
               " set Inertia = 0.3, 0.3, 0.3\n set Angular velocity = 0, 0, 20\n end\nend\nsubsection Joints\n" +
-              joint("h", "revolute", "ground", "b", {0, 0, 0}) +
+              unclosed_joint("h", "revolute", "ground", "b", {0, 0, 0}) +
               " end\nend\nsubsection Dynamic\n set End time = 1\n set Step = 0.05\n set Spectral radius = 1\nend\n"
               "subsection Output\n set Probes = h.rotation, h.rotation rate\nend\n");
   auto &dynamics = scene.analysis<DynamicAnalysis>();

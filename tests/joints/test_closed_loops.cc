@@ -1,7 +1,6 @@
 // Closed loops: redundant constraints are found, named and dropped; a slider-crank with a massless rod.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -43,11 +42,11 @@ end
 )";
 
   std::string
-  joint(const std::string &name,
-        const std::string &kind,
-        const std::string &a,
-        const std::string &b,
-        const std::string &at)
+  joint_about_z(const std::string &name,
+                const std::string &kind,
+                const std::string &a,
+                const std::string &b,
+                const std::string &at)
   {
     return "  subsection " + name + "\n set Type = " + kind + "\n set Body A = " + a + "\n set Body B = " + b +
            "\n set Position = " + at + "\n set Axis = 0, 0, 1\n" +
@@ -57,10 +56,10 @@ end
   std::string
   four_bar(const std::string &elbow, const std::string &heel)
   {
-    return bars + "subsection Joints\n" + joint("foot", "revolute", "ground", "crank.centre", "0, 0, 0") +
-           joint("knee", "revolute", "crank.end", "coupler.centre", "0, 1, 0") +
-           joint("elbow", elbow, "coupler.end", "rocker.centre", "2, 1, 0") +
-           joint("heel", heel, "ground", "rocker.foot", "2, 0, 0") + "end\n";
+    return bars + "subsection Joints\n" + joint_about_z("foot", "revolute", "ground", "crank.centre", "0, 0, 0") +
+           joint_about_z("knee", "revolute", "crank.end", "coupler.centre", "0, 1, 0") +
+           joint_about_z("elbow", elbow, "coupler.end", "rocker.centre", "2, 1, 0") +
+           joint_about_z("heel", heel, "ground", "rocker.foot", "2, 0, 0") + "end\n";
   }
 
   /** All of the weight at the height cos θ of the cranks' ends: k θ = (½ + 2 + ½) g sin θ, θ ≠ 0 under a side force. */

@@ -28,7 +28,7 @@ namespace
 
   /** Two bodies, not on their joint, that has all that a free motion can have. */
   std::string
-  model(const std::array<std::string, 3> &joint)
+  two_bodies_and_motion(const std::array<std::string, 3> &joint)
   {
     const std::string all_of_it = " set Spring = 2\n set Damper = 0.3\n set Rest = 0.2\n set Prescribed = 0.1 + 0.2*t\n"
                                   " set Lower stop = 2\n set Upper stop = 3\n set Stop stiffness = 1.5\n"
@@ -74,7 +74,7 @@ TEST(JointEvaluations, ConstraintsAreRowsOfTheResidual)
 {
   for (const auto &joint : joints)
     {
-      const Scene         scene(model(joint));
+      const Scene         scene(two_bodies_and_motion(joint));
       const Layout       &layout = scene.system.layout;
       const State         state  = some_state(scene.system);
       std::vector<double> all(scene.system.size() + 6, 0.), alone = all;
@@ -91,7 +91,7 @@ TEST(JointEvaluations, ConstraintRatesAreRowsOfTheTangent)
 {
   for (const auto &joint : joints)
     {
-      const Scene         scene(model(joint));
+      const Scene         scene(two_bodies_and_motion(joint));
       const Layout       &layout = scene.system.layout;
       const State         state  = some_state(scene.system);
       SparseMatrix        K(layout.pattern);
@@ -111,10 +111,10 @@ TEST(JointEvaluations, LinearStrainsAreStrainRatesAndTheirForces)
 {
   for (const auto &joint : joints)
     {
-      const Scene         scene(model(joint));
-      const System       &system    = scene.system;
-      const unsigned int  n_strains = system.layout.n_strains;
-      State               state     = some_state(system);
+      const Scene        scene(two_bodies_and_motion(joint));
+      const System      &system    = scene.system;
+      const unsigned int n_strains = system.layout.n_strains;
+      State              state     = some_state(system);
       if (n_strains == 0)
         continue;
       std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
@@ -149,7 +149,7 @@ TEST(JointEvaluations, CanBeConnectedAgain)
 {
   for (const auto &joint : joints)
     {
-      Scene        scene(model(joint));
+      Scene        scene(two_bodies_and_motion(joint));
       const Layout first = scene.system.layout;
       const Layout second(scene.input.model);
       EXPECT_EQ(second.n_multipliers, first.n_multipliers) << joint[0];

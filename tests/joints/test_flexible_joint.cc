@@ -4,7 +4,6 @@
 // energy of torsion is ½ k sin²θ, the moment k sin θ cos θ = ½ k sin 2θ: largest at 45°.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -24,7 +23,7 @@ namespace
 
   /** The body's centre is at the joint, so that each load strains one spring. */
   std::string
-  model(const std::string &entries, const Vector3 &force, const Vector3 &moment)
+  body_on_flexible_joint(const std::string &entries, const Vector3 &force, const Vector3 &moment)
   {
     return "set Analyses = static\nsubsection Bodies\n subsection body\n set Type = rigid body\n set Mass = 2\n"
            " set Position = 0.4, 0.3, 0.2\n set Inertia = 1, 1, 1\n end\nend\nsubsection Joints\n subsection j\n"
@@ -47,7 +46,7 @@ TEST(FlexibleJoint, DisplacementsOneByOne)
   for (unsigned int i = 0; i < 3; ++i)
     {
       // displacements along the axes of A are linear at any size
-      Scene        scene(model("", 5 * axes[i], Vector3::Zero()));
+      Scene        scene(body_on_flexible_joint("", 5 * axes[i], Vector3::Zero()));
       const State &state = scene.equilibrium();
       EXPECT_LT((state.position(1) - start - 5 / k[i] * axes[i]).norm(), 1e-10) << i + 1;
       EXPECT_LT((state.triad(1) - Matrix3::Identity()).norm(), 1e-10) << i + 1;
@@ -65,7 +64,7 @@ TEST(FlexibleJoint, RotationsOneByOne)
   for (unsigned int i = 0; i < 3; ++i)
     for (const double sin_2_theta : {1e-4, 0.6, -0.9})
       {
-        Scene         scene(model("", Vector3::Zero(), 0.5 * k[i] * sin_2_theta * axes[i]));
+        Scene         scene(body_on_flexible_joint("", Vector3::Zero(), 0.5 * k[i] * sin_2_theta * axes[i]));
         const double  theta    = 0.5 * std::asin(sin_2_theta);
         const Matrix3 expected = Eigen::AngleAxisd(theta, axes[i]).toRotationMatrix();
         const State  &state    = scene.equilibrium();
@@ -81,9 +80,9 @@ TEST(FlexibleJoint, RotationsOneByOne)
 // The energy of a spring is the work of the load that strains it: ½ F²/k, ½ k sin² θ.
 TEST(FlexibleJoint, Energy)
 {
-  Scene stretched(model("", 5 * axis_2, Vector3::Zero()));
+  Scene stretched(body_on_flexible_joint("", 5 * axis_2, Vector3::Zero()));
   EXPECT_NEAR(stretched.system.energy(stretched.equilibrium()).strain, 0.5 * 25 / 20, 1e-10);
-  Scene twisted(model("", Vector3::Zero(), 20 * std::sin(0.8) * axis_1));
+  Scene twisted(body_on_flexible_joint("", Vector3::Zero(), 20 * std::sin(0.8) * axis_1));
   EXPECT_NEAR(twisted.system.energy(twisted.equilibrium()).strain, 0.5 * 40 * std::pow(std::sin(0.4), 2), 1e-8);
 }
 
@@ -99,9 +98,9 @@ TEST(FlexibleJoint, Coupling)
   C(0, 3) = C(3, 0) = -7;
   load << 1e-4, 2e-4, 0, 3e-4, 0, 0;
   const Vector6 strain = C.ldlt().solve(load);
-  Scene         scene(model("set Coupling = 5, 0, -7, 0, 0,  0, 0, 0, 0,  0, 0, 0,  0, 0,  0\n",
-                    load(0) * axis_1 + load(1) * axis_2,
-                    load(3) * axis_1));
+  Scene         scene(body_on_flexible_joint("set Coupling = 5, 0, -7, 0, 0,  0, 0, 0, 0,  0, 0, 0,  0, 0,  0\n",
+                                     load(0) * axis_1 + load(1) * axis_2,
+                                     load(3) * axis_1));
   scene.equilibrium();
   for (unsigned int i = 0; i < 6; ++i)
     EXPECT_NEAR(scene.value("j.strain " + std::to_string(i + 1)), strain(i), 1e-9) << i + 1; // second order of 1e-5

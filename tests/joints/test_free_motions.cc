@@ -3,16 +3,17 @@
 // away from its centre, with a skew axis.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
+
+#include "skew_axes.h"
 
 using namespace samara;
 
 namespace
 {
-  const Vector3 J(0.4, -0.3, 0.2), a = Vector3(1, 2, -2) / 3., b = Vector3(2, 1, 2) / 3.; // b normal to a
+  using namespace skew_axes;
 
-  struct Kind
+  struct FreeMotions
   {
     std::string  entries;
     unsigned int n_free;
@@ -20,9 +21,9 @@ namespace
     std::vector<std::pair<Vector3, Vector3>> free;
   };
 
-  const Vector3 none = Vector3::Zero(), c = a.cross(b);
+  const Vector3 none = Vector3::Zero();
 
-  std::map<std::string, Kind>
+  std::map<std::string, FreeMotions>
   kinds()
   {
     const std::string axis = "set Axis = 1, 2, -2\n";
@@ -42,7 +43,7 @@ namespace
 
   /** With @p used, all free motions are unknowns of the system too. */
   std::string
-  model(const std::string &kind, const std::string &entries, const bool used)
+  body_on_joint(const std::string &kind, const std::string &entries, const bool used)
   {
     std::string text = R"(
 set Analyses = modal
@@ -122,7 +123,7 @@ TEST(FreeMotions, NumberOfEveryKind)
   for (const auto &[name, kind] : kinds())
     for (const bool used : {false, true})
       {
-        Scene scene(model(name, kind.entries, used));
+        Scene scene(body_on_joint(name, kind.entries, used));
         EXPECT_EQ(check_model(scene.system).n_free_motions, kind.n_free) << name << (used ? ", used" : "");
         EXPECT_EQ(free_motions(scene.system).cols(), static_cast<int>(kind.n_free)) << name << (used ? ", used" : "");
         EXPECT_EQ(zero_modes(scene), kind.n_free) << name << (used ? ", used" : "");
@@ -136,7 +137,7 @@ TEST(FreeMotions, DirectionsOfEveryKind)
 {
   for (const auto &[name, kind] : kinds())
     {
-      Scene                 scene(model(name, kind.entries, true));
+      Scene                 scene(body_on_joint(name, kind.entries, true));
       const Eigen::MatrixXd motions = free_motions(scene.system);
       ASSERT_EQ(motions.cols(), static_cast<int>(kind.free.size())) << name;
       for (const auto &[velocity, spin] : kind.free)
@@ -154,7 +155,7 @@ TEST(FreeMotions, DirectionsOfEveryKind)
 // A massless rod keeps the distance of two points: five motions, all but that along it.
 TEST(FreeMotions, Distance)
 {
-  std::string text = model("distance", "", false);
+  std::string text = body_on_joint("distance", "", false);
   text.replace(text.find("ground"), 6, "anchor.centre");
   text.replace(text.find("end\nsubsection Joints"),
                0,

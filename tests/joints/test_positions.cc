@@ -14,7 +14,7 @@ namespace
 {
   /** Two bodies and a joint from a point of @p a at (1, 0.4, 0.2), a named one or a position, to the second body. */
   std::string
-  model(const std::string &kind, const std::string &entries)
+  joint_to_second_body(const std::string &kind, const std::string &entries)
   {
     return "subsection Bodies\n subsection a\n set Type = rigid body\n set Mass = 2\n set Inertia = 1, 1, 1\n"
            " set Position = 0.3, -0.2, 0.1\n set Rotation = 0.4, 0.2, -0.7\n set Frames = end at 1 0.4 0.2\n end\n"
@@ -49,13 +49,14 @@ TEST(Positions, SpringsAndDistancesBeginThere)
     for (const std::string body : {"a", "ground"})
       {
         Eigen::VectorXd with_position =
-          residual(model(kind, entries + " set Body A = " + body + "\n set Position = 1, 0.4, 0.2\n"));
+          residual(joint_to_second_body(kind, entries + " set Body A = " + body + "\n set Position = 1, 0.4, 0.2\n"));
         if (body == "a")
           {
-            const Eigen::VectorXd of_named = residual(model(kind, entries + " set Body A = a.end\n"));
+            const Eigen::VectorXd of_named = residual(joint_to_second_body(kind, entries + " set Body A = a.end\n"));
             EXPECT_LT((with_position - of_named).norm(), 1e-13) << kind;
           }
-        EXPECT_GT((with_position - residual(model(kind, entries + " set Body A = " + body + "\n"))).norm(), 1e-3)
+        EXPECT_GT(
+          (with_position - residual(joint_to_second_body(kind, entries + " set Body A = " + body + "\n"))).norm(), 1e-3)
           << kind << " on " << body;
       }
 }

@@ -2,25 +2,27 @@
 // "Axis", displacements go along it, and angles count beyond a half turn. Expected: exact, so 1e-9, Newton's tolerance.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
+
+#include "skew_axes.h"
 
 using namespace samara;
 
 namespace
 {
-  const Vector3 a = Vector3(1, 2, -2) / 3., b = Vector3(2, 1, 2) / 3., c = a.cross(b), J(0.4, -0.3, 0.2),
-                centre(1, 0.5, -0.3);
+  using namespace skew_axes;
+
+  const Vector3 centre(1, 0.5, -0.3);
 
   Matrix3
-  turn(const double angle, const Vector3 &axis)
+  rotation_matrix(const double angle, const Vector3 &axis)
   {
     return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
   }
 
   /** A body on a joint at J; @p reversed: the body is A and the ground B. */
   std::string
-  model(const std::string &kind, const std::string &entries, const bool reversed = false)
+  prescribed_body(const std::string &kind, const std::string &entries, const bool reversed = false)
   {
     return std::string(R"(
 set Analyses = static
@@ -43,7 +45,7 @@ subsection Joints
   }
 
   std::string
-  prescribed(const std::string &motion, const double value)
+  prescribed_value(const std::string &motion, const double value)
   {
     std::ostringstream text;
     text.precision(17);
@@ -71,8 +73,8 @@ TEST(Prescribed, Revolute)
 {
   for (const double angle : {0.6, -0.6, 2.5, 4., -7.})
     {
-      Scene scene(model("revolute", axis + prescribed("rotation", angle)));
-      expect_motion(scene, turn(angle, a), Vector3::Zero(), "revolute " + std::to_string(angle));
+      Scene scene(prescribed_body("revolute", axis + prescribed_value("rotation", angle)));
+      expect_motion(scene, rotation_matrix(angle, a), Vector3::Zero(), "revolute " + std::to_string(angle));
       EXPECT_NEAR(scene.value("j.rotation"), angle * 180 / M_PI, 1e-7);
     }
 }
@@ -82,9 +84,9 @@ TEST(Prescribed, Revolute)
 // The ground turns by the angle seen from the body: the body turns by the opposite.
 TEST(Prescribed, SeenFromBodyA)
 {
-  Scene scene(model("revolute", axis + prescribed("rotation", 0.6), true));
-  expect_motion(scene, turn(-0.6, a), Vector3::Zero(), "reversed revolute");
-  Scene slide(model("prismatic", axis + prescribed("displacement", 0.7), true));
+  Scene scene(prescribed_body("revolute", axis + prescribed_value("rotation", 0.6), true));
+  expect_motion(scene, rotation_matrix(-0.6, a), Vector3::Zero(), "reversed revolute");
+  Scene slide(prescribed_body("prismatic", axis + prescribed_value("displacement", 0.7), true));
   expect_motion(slide, Matrix3::Identity(), -0.7 * a, "reversed prismatic");
 }
 
@@ -92,7 +94,7 @@ TEST(Prescribed, SeenFromBodyA)
 
 TEST(Prescribed, Prismatic)
 {
-  Scene scene(model("prismatic", axis + prescribed("displacement", -1.7)));
+  Scene scene(prescribed_body("prismatic", axis + prescribed_value("displacement", -1.7)));
   expect_motion(scene, Matrix3::Identity(), -1.7 * a, "prismatic");
   EXPECT_NEAR(scene.value("j.displacement"), -1.7, 1e-9);
 }
@@ -103,10 +105,11 @@ TEST(Prescribed, Screw)
 {
   for (const double angle : {0.6, 4.})
     {
-      Scene by_angle(model("screw", axis + "set Pitch = 0.3\n" + prescribed("rotation", angle)));
-      expect_motion(by_angle, turn(angle, a), 0.3 * angle * a, "screw");
-      Scene by_displacement(model("screw", axis + "set Pitch = 0.3\n" + prescribed("displacement", 0.3 * angle)));
-      expect_motion(by_displacement, turn(angle, a), 0.3 * angle * a, "screw by its displacement");
+      Scene by_angle(prescribed_body("screw", axis + "set Pitch = 0.3\n" + prescribed_value("rotation", angle)));
+      expect_motion(by_angle, rotation_matrix(angle, a), 0.3 * angle * a, "screw");
+      Scene by_displacement(
+        prescribed_body("screw", axis + "set Pitch = 0.3\n" + prescribed_value("displacement", 0.3 * angle)));
+      expect_motion(by_displacement, rotation_matrix(angle, a), 0.3 * angle * a, "screw by its displacement");
     }
 }
 
@@ -114,18 +117,19 @@ TEST(Prescribed, Screw)
 
 TEST(Prescribed, Cylindrical)
 {
-  Scene scene(model("cylindrical", axis + prescribed("rotation", 2.5) + prescribed("displacement", 0.8)));
-  expect_motion(scene, turn(2.5, a), 0.8 * a, "cylindrical");
+  Scene scene(
+    prescribed_body("cylindrical", axis + prescribed_value("rotation", 2.5) + prescribed_value("displacement", 0.8)));
+  expect_motion(scene, rotation_matrix(2.5, a), 0.8 * a, "cylindrical");
 }
 
 
 
 TEST(Prescribed, Planar)
 {
-  Scene scene(
-    model("planar",
-          axis + prescribed("rotation", 4) + prescribed("displacement 1", 0.8) + prescribed("displacement 2", -0.5)));
-  expect_motion(scene, turn(4, a), 0.8 * b - 0.5 * c, "planar");
+  Scene scene(prescribed_body("planar",
+                              axis + prescribed_value("rotation", 4) + prescribed_value("displacement 1", 0.8) +
+                                prescribed_value("displacement 2", -0.5)));
+  expect_motion(scene, rotation_matrix(4, a), 0.8 * b - 0.5 * c, "planar");
 }
 
 
@@ -135,12 +139,12 @@ TEST(Prescribed, Universal)
 {
   for (const auto &[first, second] : {std::pair(0.6, 0.), {0., 0.6}, {0.6, -0.8}, {2.5, 1.2}, {-4., 2.8}})
     {
-      Scene         scene(model("universal",
-                        "set Axis = 1, 2, -2\nset Second axis = 2, 1, 2\n" + prescribed("rotation 1", first) +
-                          prescribed("rotation 2", second)));
+      Scene         scene(prescribed_body("universal",
+                                  "set Axis = 1, 2, -2\nset Second axis = 2, 1, 2\n" +
+                                    prescribed_value("rotation 1", first) + prescribed_value("rotation 2", second)));
       const Matrix3 E = triad(a, b);
       expect_motion(scene,
-                    turn(first, a) * turn(second, b),
+                    rotation_matrix(first, a) * rotation_matrix(second, b),
                     Vector3::Zero(),
                     "universal " + std::to_string(first) + ", " + std::to_string(second));
       EXPECT_LT(
@@ -156,9 +160,9 @@ TEST(Prescribed, Universal)
 // Functions of time are taken at the time the statics are asked for.
 TEST(Prescribed, AtATime)
 {
-  Scene scene(model("revolute", axis + "subsection rotation\n set Prescribed = 0.2 + 0.1*t^2\nend\n"),
+  Scene scene(prescribed_body("revolute", axis + "subsection rotation\n set Prescribed = 0.2 + 0.1*t^2\nend\n"),
               {"Static/Time = 2"});
-  expect_motion(scene, turn(0.6, a), Vector3::Zero(), "at t = 2");
+  expect_motion(scene, rotation_matrix(0.6, a), Vector3::Zero(), "at t = 2");
 }
 
 
@@ -166,7 +170,7 @@ TEST(Prescribed, AtATime)
 // A joint on a body that turns: angles are relative, axes are carried along.
 TEST(Prescribed, ChainOfTwo)
 {
-  std::string text = model("revolute", axis + prescribed("rotation", 0.9));
+  std::string text = prescribed_body("revolute", axis + prescribed_value("rotation", 0.9));
   text.replace(
     text.find("end\nsubsection Joints"),
     0,
@@ -175,11 +179,11 @@ TEST(Prescribed, ChainOfTwo)
     text.find("end\nend\nsubsection Static"),
     4,
     "end\n subsection k\n set Type = revolute\n set Axis = 2, 1, 2\n set Body A = body.centre\n set Body B = second.centre\n" +
-      prescribed("rotation", -2.2) + " end\n");
+      prescribed_value("rotation", -2.2) + " end\n");
   Scene        scene(text);
   const State &state = scene.equilibrium();
-  EXPECT_LT((state.triad(2) - turn(0.9, a) * turn(-2.2, b)).norm(), 1e-9);
-  EXPECT_LT((state.position(2) - (J + turn(0.9, a) * (Vector3(2, 0, 0) - J))).norm(), 1e-9);
+  EXPECT_LT((state.triad(2) - rotation_matrix(0.9, a) * rotation_matrix(-2.2, b)).norm(), 1e-9);
+  EXPECT_LT((state.position(2) - (J + rotation_matrix(0.9, a) * (Vector3(2, 0, 0) - J))).norm(), 1e-9);
 }
 
 
@@ -187,13 +191,13 @@ TEST(Prescribed, ChainOfTwo)
 // What has no unknown of its own is told all the same, between −180° and 180°.
 TEST(Prescribed, UnusedMotionIsTold)
 {
-  std::string text = model("revolute", axis);
+  std::string text = prescribed_body("revolute", axis);
   text.replace(
     text.find("end\nend\nsubsection Static"),
     4,
     "end\n subsection same axis\n set Type = cylindrical\n set Position = 0.4, -0.3, 0.2\n set Axis = 1, 2, -2\n"
     " set Body A = ground\n set Body B = body.centre\n" +
-      prescribed("rotation", 2.) + " end\n");
+      prescribed_value("rotation", 2.) + " end\n");
   Scene scene(text);
   scene.equilibrium();
   EXPECT_NEAR(scene.value("j.rotation"), 2. * 180 / M_PI, 1e-7);
@@ -204,9 +208,10 @@ TEST(Prescribed, UnusedMotionIsTold)
 // The first corner of all that is a function of time at a joint.
 TEST(Prescribed, NextCorner)
 {
-  const Scene scene(model("cylindrical",
-                          axis + "subsection rotation\n set Prescribed = table: 0 0; 1 0.5; 3 0.5\n end\n"
-                                 "subsection displacement\n set Spring = 2\n set Force = t < 2 ? 0 : t\n end\n"));
+  const Scene scene(prescribed_body("cylindrical",
+                                    axis +
+                                      "subsection rotation\n set Prescribed = table: 0 0; 1 0.5; 3 0.5\n end\n"
+                                      "subsection displacement\n set Spring = 2\n set Force = t < 2 ? 0 : t\n end\n"));
   const auto &joint = scene.system;
   EXPECT_NEAR(joint.next_corner(-0.5, 10), 0., 1e-12);
   EXPECT_NEAR(joint.next_corner(0, 10), 1., 1e-12);

@@ -4,18 +4,20 @@
 // frame on B at x_B: force = −F, moment = −(M + (x_C − x_B) × F). Expected: exact, 1e-8.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
+
+#include "skew_axes.h"
 
 using namespace samara;
 
 namespace
 {
-  const Vector3 a = Vector3(1, 2, -2) / 3., b = Vector3(2, 1, 2) / 3., c = a.cross(b), J(0.4, -0.3, 0.2), F(3, -5, 7),
-                M(2, 4, -1);
+  using namespace skew_axes;
+
+  const Vector3 F(3, -5, 7), M(2, 4, -1);
 
   std::string
-  model(const std::string &kind, const std::string &entries)
+  loaded_body(const std::string &kind, const std::string &entries)
   {
     return R"(
 set Analyses = static
@@ -51,12 +53,12 @@ end
   }
 
   std::string
-  prescribed(const std::string &motion, const std::string &value)
+  prescribed_formula(const std::string &motion, const std::string &value)
   {
     return "subsection " + motion + "\n set Prescribed = " + value + "\nend\n";
   }
 
-  struct Kind
+  struct DisplacedJoint
   {
     std::string entries;
     Vector3     displacement; ///< of the frame on B
@@ -67,19 +69,21 @@ end
 
 TEST(Reactions, AllMotionsPrescribed)
 {
-  const std::string                 axes  = "set Axis = 1, 2, -2\nset Axis 1 = 2, 1, 2\n";
-  const std::map<std::string, Kind> kinds = {
-    {"revolute", {axes + prescribed("rotation", "2.5"), Vector3::Zero()}},
-    {"prismatic", {axes + prescribed("displacement", "0.7"), 0.7 * a}},
-    {"cylindrical", {axes + prescribed("displacement", "0.7") + prescribed("rotation", "-1.2"), 0.7 * a}},
+  const std::string                           axes  = "set Axis = 1, 2, -2\nset Axis 1 = 2, 1, 2\n";
+  const std::map<std::string, DisplacedJoint> kinds = {
+    {"revolute", {axes + prescribed_formula("rotation", "2.5"), Vector3::Zero()}},
+    {"prismatic", {axes + prescribed_formula("displacement", "0.7"), 0.7 * a}},
+    {"cylindrical",
+     {axes + prescribed_formula("displacement", "0.7") + prescribed_formula("rotation", "-1.2"), 0.7 * a}},
     {"planar",
-     {axes + prescribed("displacement 1", "0.7") + prescribed("displacement 2", "-0.4") + prescribed("rotation", "4"),
+     {axes + prescribed_formula("displacement 1", "0.7") + prescribed_formula("displacement 2", "-0.4") +
+        prescribed_formula("rotation", "4"),
       0.7 * b - 0.4 * c}},
     {"rigid", {axes + "set Reaction = true\n", Vector3::Zero()}}};
   const Vector3 E[] = {b, c, a};
   for (const auto &[name, kind] : kinds)
     {
-      Scene         scene(model(name, kind.entries));
+      Scene         scene(loaded_body(name, kind.entries));
       const State  &state  = scene.equilibrium();
       const Vector3 moment = -(M + (state.position(1) - (J + kind.displacement)).cross(F));
       for (unsigned int i = 0; i < 3; ++i)
@@ -96,9 +100,9 @@ TEST(Reactions, AllMotionsPrescribed)
 // both.
 TEST(Reactions, Universal)
 {
-  Scene         scene(model("universal",
-                    "set Axis = 1, 2, -2\nset Second axis = 2, 1, 2\n" + prescribed("rotation 1", "0.8") +
-                      prescribed("rotation 2", "-1.1")));
+  Scene         scene(loaded_body("universal",
+                          "set Axis = 1, 2, -2\nset Second axis = 2, 1, 2\n" + prescribed_formula("rotation 1", "0.8") +
+                            prescribed_formula("rotation 2", "-1.1")));
   const State  &state  = scene.equilibrium();
   const Vector3 moment = -(M + (state.position(1) - J).cross(F));
   const Vector3 second = Eigen::AngleAxisd(0.8, a) * b, normal = a.cross(second);
@@ -115,7 +119,7 @@ TEST(Reactions, Universal)
 // Without an unknown of its own a free motion has no reaction, and no probe.
 TEST(Reactions, NoneWhereFree)
 {
-  Scene scene(model("spherical", ""));
+  Scene scene(loaded_body("spherical", ""));
   EXPECT_NO_THROW(scene.input.model.probe("j.force 3"));
   EXPECT_THROW(scene.input.model.probe("j.moment 3"), std::invalid_argument);
 }

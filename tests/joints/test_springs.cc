@@ -2,7 +2,6 @@
 // "Force" act on body B, their reactions on body A; a spring is free of load at "Rest".
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -11,7 +10,7 @@ namespace
 {
   /** A body at (1, 0, 0) on a joint at the origin, and more. */
   std::string
-  model(const std::string &joint, const std::string &rest = "")
+  body_on_springs(const std::string &joint, const std::string &rest = "")
   {
     return "set Analyses = static\nsubsection Bodies\n subsection body\n set Type = rigid body\n set Mass = 2\n"
            " set Position = 1, 0, 0\n set Inertia = 1, 1, 1\n end\nend\nsubsection Joints\n subsection j\n set Body A = ground\n"
@@ -42,8 +41,8 @@ namespace
 
 TEST(Springs, RevoluteWithMomentAndRest)
 {
-  Scene scene(model("set Type = revolute\nset Axis = 0, 1, 0\n" +
-                    motion("rotation", "set Spring = 2\nset Rest = 0.2\nset Moment = 3\n")));
+  Scene scene(body_on_springs("set Type = revolute\nset Axis = 0, 1, 0\n" +
+                              motion("rotation", "set Spring = 2\nset Rest = 0.2\nset Moment = 3\n")));
   scene.equilibrium();
   EXPECT_NEAR(radians(scene, "j.rotation"), 0.2 + 3. / 2, 1e-9);
   // about +y, x turns towards −z
@@ -54,8 +53,8 @@ TEST(Springs, RevoluteWithMomentAndRest)
 
 TEST(Springs, MomentIsAFunctionOfTime)
 {
-  Scene scene(model("set Type = revolute\n" + motion("rotation", "set Spring = 2\nset Moment = t^2\n"),
-                    "subsection Static\n set Time = 0.5\nend\n"));
+  Scene scene(body_on_springs("set Type = revolute\n" + motion("rotation", "set Spring = 2\nset Moment = t^2\n"),
+                              "subsection Static\n set Time = 0.5\nend\n"));
   scene.equilibrium();
   EXPECT_NEAR(radians(scene, "j.rotation"), 0.125, 1e-9);
 }
@@ -65,8 +64,8 @@ TEST(Springs, MomentIsAFunctionOfTime)
 // An outer moment on the body turns it the same way as the joint's own.
 TEST(Springs, OuterMoment)
 {
-  Scene scene(model("set Type = revolute\nset Axis = 1, 2, 2\n" + motion("rotation", "set Spring = 2\n"),
-                    load("set Moment = 1, 2, 2\n")));
+  Scene scene(body_on_springs("set Type = revolute\nset Axis = 1, 2, 2\n" + motion("rotation", "set Spring = 2\n"),
+                              load("set Moment = 1, 2, 2\n")));
   scene.equilibrium();
   EXPECT_NEAR(radians(scene, "j.rotation"), 1.5, 1e-9);
 }
@@ -75,9 +74,9 @@ TEST(Springs, OuterMoment)
 
 TEST(Springs, PrismaticForceAndOuterForce)
 {
-  Scene scene(model("set Type = prismatic\nset Axis = 0, 0, 1\n" +
-                      motion("displacement", "set Spring = 50\nset Rest = 0.1\nset Force = 10\n"),
-                    load("set Force = 3, 4, 5\n")));
+  Scene scene(body_on_springs("set Type = prismatic\nset Axis = 0, 0, 1\n" +
+                                motion("displacement", "set Spring = 50\nset Rest = 0.1\nset Force = 10\n"),
+                              load("set Force = 3, 4, 5\n")));
   scene.equilibrium();
   EXPECT_NEAR(scene.value("body.displacement z"), 0.1 + 15. / 50, 1e-10);
   EXPECT_NEAR(scene.value("j.displacement"), 0.4, 1e-10);
@@ -88,9 +87,9 @@ TEST(Springs, PrismaticForceAndOuterForce)
 // A torque on the nut: k_θ θ + k_d p (p θ) = M + p F.
 TEST(Springs, Screw)
 {
-  Scene scene(model("set Type = screw\nset Pitch = 0.3\nset Axis = 0, 0, 1\n" +
-                    motion("rotation", "set Spring = 2\nset Moment = 1\n") +
-                    motion("displacement", "set Spring = 30\nset Force = 4\n")));
+  Scene scene(body_on_springs("set Type = screw\nset Pitch = 0.3\nset Axis = 0, 0, 1\n" +
+                              motion("rotation", "set Spring = 2\nset Moment = 1\n") +
+                              motion("displacement", "set Spring = 30\nset Force = 4\n")));
   scene.equilibrium();
   const double theta = (1 + 0.3 * 4) / (2 + 0.09 * 30);
   EXPECT_NEAR(radians(scene, "j.rotation"), theta, 1e-9);
@@ -105,7 +104,7 @@ TEST(Springs, ReactionOnBodyA)
   const std::string more =
     "subsection Bodies\n subsection second\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n"
     " set Position = 2, 0, 0\n end\n";
-  std::string text = model("set Type = revolute\n" + motion("rotation", "set Spring = 5\n"));
+  std::string text = body_on_springs("set Type = revolute\n" + motion("rotation", "set Spring = 5\n"));
   text.replace(text.find("subsection Bodies\n"), 18, more);
   text.replace(text.rfind("end\n"),
                4,
@@ -137,9 +136,9 @@ TEST(Springs, PendulumUnderGravity)
   std::ostringstream spring;
   spring.precision(17);
   spring << "set Spring = " << k << "\n";
-  Scene scene(
-    model("set Type = revolute\nset Axis = 0, 1, 0\n" + motion("rotation", spring.str()),
-          "subsection Loads\n subsection g\n set Type = gravity\n set Acceleration = 0, 0, -9.81\n end\nend\n"));
+  Scene scene(body_on_springs(
+    "set Type = revolute\nset Axis = 0, 1, 0\n" + motion("rotation", spring.str()),
+    "subsection Loads\n subsection g\n set Type = gravity\n set Acceleration = 0, 0, -9.81\n end\nend\n"));
   scene.equilibrium();
   EXPECT_NEAR(radians(scene, "j.rotation"), 0.6, 1e-9);
   // the frequency about it: (m l² + J) ω² = k + m g l sin θ
@@ -151,8 +150,8 @@ TEST(Springs, PendulumUnderGravity)
 // Both angles of a universal joint under moments in the joint: each spring sees its own.
 TEST(Springs, Universal)
 {
-  Scene scene(model("set Type = universal\n" + motion("rotation 1", "set Spring = 4\nset Moment = 2\n") +
-                    motion("rotation 2", "set Spring = 5\nset Moment = -3\n")));
+  Scene scene(body_on_springs("set Type = universal\n" + motion("rotation 1", "set Spring = 4\nset Moment = 2\n") +
+                              motion("rotation 2", "set Spring = 5\nset Moment = -3\n")));
   scene.equilibrium();
   EXPECT_NEAR(radians(scene, "j.rotation 1"), 0.5, 1e-9);
   EXPECT_NEAR(radians(scene, "j.rotation 2"), -0.6, 1e-9);
@@ -163,10 +162,11 @@ TEST(Springs, Universal)
 // Planar: springs in both directions and a rotation; displacements go along the axes of A, which do not turn.
 TEST(Springs, Planar)
 {
-  Scene        scene(model("set Type = planar\nset Axis = 0, 0, 1\nset Axis 1 = 1, 0, 0\n" +
-                      motion("displacement 1", "set Spring = 10\n") + motion("displacement 2", "set Spring = 20\n") +
-                      motion("rotation", "set Spring = 3\nset Moment = 1.5\n"),
-                    load("set Force = 2, 8, 5\nset Moment = 0, 0, 0\n")));
+  Scene        scene(body_on_springs("set Type = planar\nset Axis = 0, 0, 1\nset Axis 1 = 1, 0, 0\n" +
+                                motion("displacement 1", "set Spring = 10\n") +
+                                motion("displacement 2", "set Spring = 20\n") +
+                                motion("rotation", "set Spring = 3\nset Moment = 1.5\n"),
+                              load("set Force = 2, 8, 5\nset Moment = 0, 0, 0\n")));
   const State &state = scene.equilibrium();
   // k θ = M + (r × f)_z with the arm r = (cos θ, sin θ) of the body's centre from the joint
   const double theta = radians(scene, "j.rotation");

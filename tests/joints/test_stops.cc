@@ -10,7 +10,7 @@ namespace
 {
   /** A body at (1, 0, 0) on a joint at the origin, with the entries of one motion. */
   std::string
-  model(const std::string &kind, const std::string &motion, const std::string &entries)
+  body_with_stops(const std::string &kind, const std::string &motion, const std::string &entries)
   {
     return "set Analyses = static, modal\nsubsection Bodies\n subsection body\n set Type = rigid body\n set Mass = 2\n"
            " set Position = 1, 0, 0\n set Inertia = 1, 1, 1\n end\nend\nsubsection Joints\n subsection j\n"
@@ -26,7 +26,7 @@ namespace
 // They are all that an integrator sees: coordinates, places, sides.
 TEST(Stops, AreListedInTheLayout)
 {
-  const Scene scene(model("revolute", "rotation", both_stops + "set Stop damping = 3\n"));
+  const Scene scene(body_with_stops("revolute", "rotation", both_stops + "set Stop damping = 3\n"));
   ASSERT_EQ(scene.system.layout.stops.size(), 2u);
   for (unsigned int i = 0; i < 2; ++i)
     {
@@ -44,10 +44,10 @@ TEST(Stops, AreListedInTheLayout)
 
 TEST(Stops, OnlyOnOneSide)
 {
-  const Scene upper(model("prismatic", "displacement", "set Upper stop = 0.4\nset Stop stiffness = 10\n"));
+  const Scene upper(body_with_stops("prismatic", "displacement", "set Upper stop = 0.4\nset Stop stiffness = 10\n"));
   ASSERT_EQ(upper.system.layout.stops.size(), 1u);
   EXPECT_EQ(upper.system.layout.stops[0].side, 1.);
-  const Scene none(model("prismatic", "displacement", "set Stop stiffness = 10\n"));
+  const Scene none(body_with_stops("prismatic", "displacement", "set Stop stiffness = 10\n"));
   EXPECT_TRUE(none.system.layout.stops.empty());
 }
 
@@ -56,8 +56,8 @@ TEST(Stops, OnlyOnOneSide)
 // A stop at zero is one, too, and alone makes the motion an unknown.
 TEST(Stops, UseTheMotion)
 {
-  EXPECT_EQ(Scene(model("revolute", "rotation", "")).system.layout.n_coordinates, 0u);
-  Scene scene(model("revolute", "rotation", "set Lower stop = 0\nset Stop stiffness = 10\n"));
+  EXPECT_EQ(Scene(body_with_stops("revolute", "rotation", "")).system.layout.n_coordinates, 0u);
+  Scene scene(body_with_stops("revolute", "rotation", "set Lower stop = 0\nset Stop stiffness = 10\n"));
   EXPECT_EQ(scene.system.layout.n_coordinates, 1u);
   EXPECT_EQ(scene.system.layout.n_strains, 2u);
   EXPECT_EQ(scene.system.layout.stops.size(), 1u);
@@ -71,8 +71,9 @@ TEST(Stops, HoldAgainstAMoment)
   for (const bool upper : {false, true})
     {
       const double stop = upper ? 0.4 : -0.5, M = upper ? 3 : -3;
-      Scene        scene(
-        model("revolute", "rotation", both_stops + "set Spring = 2\nset Moment = " + (upper ? "3\n" : "-3\n")));
+      Scene        scene(body_with_stops("revolute",
+                                  "rotation",
+                                  both_stops + "set Spring = 2\nset Moment = " + (upper ? "3\n" : "-3\n")));
       scene.equilibrium();
       const double theta = (M + 10 * stop) / 12;
       EXPECT_NEAR(scene.value("j.rotation") * M_PI / 180, theta, 1e-10);
@@ -87,7 +88,7 @@ TEST(Stops, HoldAgainstAMoment)
 // The force between A and B is that of the load, whoever transmits it.
 TEST(Stops, ForceOfTheJoint)
 {
-  Scene scene(model("prismatic", "displacement", both_stops + "set Spring = 2\n") +
+  Scene scene(body_with_stops("prismatic", "displacement", both_stops + "set Spring = 2\n") +
               "subsection Loads\n subsection f\n set Type = point load\n set At = body.centre\n"
               " set Force = 0, 0, 7\n end\nend\n");
   scene.equilibrium();
@@ -100,7 +101,8 @@ TEST(Stops, ForceOfTheJoint)
 // Short of the stop the spring is alone; where stops are left to an integrator they do nothing, wherever the motion is.
 TEST(Stops, NothingWhileNotTouched)
 {
-  Scene scene(model("revolute", "rotation", both_stops + "set Spring = 10\nset Moment = 3\nset Stop damping = 4\n"));
+  Scene scene(
+    body_with_stops("revolute", "rotation", both_stops + "set Spring = 10\nset Moment = 3\nset Stop damping = 4\n"));
   scene.equilibrium();
   EXPECT_NEAR(scene.value("j.rotation") * M_PI / 180, 0.3, 1e-10);
   EXPECT_NEAR(scene.system.energy(scene.context.state).strain, 0.5 * 10 * 0.3 * 0.3, 1e-9);
@@ -119,20 +121,21 @@ TEST(Stops, NothingWhileNotTouched)
 
 
 
-// Beyond its stop from the start, and pressed on it by F = 4, a body of m = 2 moves as m d¨ + c ḋ + k d = F, k = 8, c = 0.8. Touching nothing it is
-// free.
+// Beyond its stop from the start, and pressed on it by F = 4, a body of m = 2 moves as m d¨ + c ḋ + k d = F, k = 8, c =
+// 0.8. Touching nothing it is free.
 TEST(Stops, Modes)
 {
-  const std::string text =
-    model("prismatic", "displacement", "set Upper stop = -0.1\nset Stop stiffness = 8\nset Stop damping = 0.8\n");
-  Scene touching(text + "subsection Loads\n subsection f\n set Type = point load\n set At = body.centre\n"
-                        " set Force = 0, 0, 4\n end\nend\n");
+  const std::string text = body_with_stops("prismatic",
+                                           "displacement",
+                                           "set Upper stop = -0.1\nset Stop stiffness = 8\nset Stop damping = 0.8\n");
+  Scene             touching(text + "subsection Loads\n subsection f\n set Type = point load\n set At = body.centre\n"
+                                    " set Force = 0, 0, 4\n end\nend\n");
   touching.equilibrium();
   EXPECT_NEAR(touching.value("j.displacement"), 0.4, 1e-10);
   ASSERT_EQ(touching.modes().size(), 1u);
   EXPECT_NEAR(touching.modes()[0].frequency(), 2., 1e-10);
   EXPECT_NEAR(touching.modes()[0].damping_ratio(), 0.1, 1e-10);
-  Scene free(model("prismatic", "displacement", "set Upper stop = 0\nset Stop stiffness = 8\n"));
+  Scene free(body_with_stops("prismatic", "displacement", "set Upper stop = 0\nset Stop stiffness = 8\n"));
   EXPECT_LT(free.modes().at(0).frequency(), 1e-6);
 }
 
@@ -140,9 +143,11 @@ TEST(Stops, Modes)
 
 TEST(Stops, DampingIsDissipation)
 {
-  EXPECT_FALSE(Scene(model("revolute", "rotation", both_stops)).system.is_viscous());
-  EXPECT_TRUE(Scene(model("revolute", "rotation", both_stops + "set Stop damping = 0.1\n")).system.is_viscous());
-  EXPECT_FALSE(Scene(model("revolute", "rotation", "set Spring = 1\nset Stop damping = 0.1\n")).system.is_viscous());
+  EXPECT_FALSE(Scene(body_with_stops("revolute", "rotation", both_stops)).system.is_viscous());
+  EXPECT_TRUE(
+    Scene(body_with_stops("revolute", "rotation", both_stops + "set Stop damping = 0.1\n")).system.is_viscous());
+  EXPECT_FALSE(
+    Scene(body_with_stops("revolute", "rotation", "set Spring = 1\nset Stop damping = 0.1\n")).system.is_viscous());
 }
 
 
@@ -150,7 +155,7 @@ TEST(Stops, DampingIsDissipation)
 TEST(Stops, RefusesWhatIsSenseless)
 {
   const auto refused = [](const std::string &entries, const std::string &words) {
-    const std::string text = complaint_of(model("revolute", "rotation", entries));
+    const std::string text = complaint_of(body_with_stops("revolute", "rotation", entries));
     EXPECT_NE(text.find(words), std::string::npos) << entries << text;
   };
   refused("set Lower stop = -1\n", "the stop of the rotation needs a <Stop stiffness> above zero");
@@ -160,5 +165,5 @@ TEST(Stops, RefusesWhatIsSenseless)
   refused("set Upper stop = 1 m\nset Stop stiffness = 3\n", "<Upper stop>");
   refused("set Lower stop = 1\nset Upper stop = 1\nset Stop stiffness = 3\n",
           "the <Upper stop> of the rotation must be above its <Lower stop>");
-  EXPECT_EQ(complaint_of(model("revolute", "rotation", both_stops)), "");
+  EXPECT_EQ(complaint_of(body_with_stops("revolute", "rotation", both_stops)), "");
 }

@@ -73,6 +73,22 @@ namespace samara
 
 
 
+  /** A shipped file with the part from the subsection @p from up to the subsection @p to replaced. */
+  inline std::string
+  with_part(const std::string &file, const std::string &from, const std::string &to, const std::string &text)
+  {
+    std::ifstream     in(std::string(SAMARA_SOURCE_DIR) + "/" + file);
+    std::stringstream stream;
+    stream << in.rdbuf();
+    const std::string all   = stream.str();
+    const auto        first = all.find("subsection " + from), last = all.find("subsection " + to);
+    if (first == std::string::npos || last == std::string::npos)
+      throw std::invalid_argument(file + " has no such subsections");
+    return all.substr(0, first) + text + all.substr(last);
+  }
+
+
+
   /** −λ² of the mode nearest to instability: falls to zero at a buckling load. For models without damping. */
   inline double
   smallest_square(const std::vector<Mode> &modes)

@@ -1,18 +1,18 @@
-// Modes of a twisted cantilever at rest, bent by a dead force, and bent by a force that follows it while it turns with the
-// ground: 3 cubic elements, GA L²/EI from 4e4 to 4e9. Reference: tests/reference/beams/bent_twisted_modes.csv, the same
-// discrete problem written anew in 60 digits, with its equilibrium and its tangents.
+// Modes of a twisted cantilever at rest, bent by a dead force, and bent by a force that follows it while it turns with
+// the ground: 3 cubic elements, GA L²/EI from 4e4 to 4e9. Reference: tests/reference/beams/bent_twisted_modes.csv, the
+// same discrete problem written anew in 60 digits, with its equilibrium and its tangents.
 
 #include "../reference.h"
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
 namespace
 {
   std::string
-  cantilever(const std::map<std::string, std::string> &row)
+  cantilever_under_load(const std::map<std::string, std::string> &row)
   {
     const bool  turns = row.at("Omega") != "0", follows = row.at("follows") == "1";
     std::string loads;
@@ -39,7 +39,7 @@ TEST(BentStates, DiscreteFrequenciesToTwelveDigits)
   unsigned int n_modes = 0;
   for (const auto &row : reference_rows("beams/bent_twisted_modes.csv"))
     {
-      Scene scene(cantilever(row));
+      Scene scene(cantilever_under_load(row));
       scene.equilibrium();
       const auto                &modes = scene.modes();
       const std::complex<double> expected(std::stod(row.at("real")), std::stod(row.at("imaginary")));

@@ -8,29 +8,15 @@
 // Beck 20.0509536, ω 11.0155576; Leipholz 40.0537365, ω 11.030217; Hauger 150.641596, ω 11.4857136. Order of a buckling
 // load: 2p.
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
 namespace
 {
   const std::string euler = "prm/benchmarks/euler_column.prm", beck = "prm/benchmarks/beck_column.prm";
-
-  /** A shipped file with the part from the subsection @p from up to the subsection @p to replaced. */
-  std::string
-  with(const std::string &file, const std::string &from, const std::string &to, const std::string &text)
-  {
-    std::ifstream     in(std::string(SAMARA_SOURCE_DIR) + "/" + file);
-    std::stringstream stream;
-    stream << in.rdbuf();
-    const std::string all   = stream.str();
-    const auto        first = all.find("subsection " + from), last = all.find("subsection " + to);
-    if (first == std::string::npos || last == std::string::npos)
-      throw std::invalid_argument(file + " has no such subsections");
-    return all.substr(0, first) + text + all.substr(last);
-  }
 
   const std::string clamp = "subsection Joints\n subsection foot\n set Type = rigid\n set Body A = ground\n"
                             " set Body B = column.start\n end\n";
@@ -81,9 +67,11 @@ TEST(Buckling, EulerColumns)
 {
   const double pi2 = M_PI * M_PI;
   EXPECT_NEAR(buckling_load(euler, 5, 15), pi2, 1e-6 * pi2);
-  EXPECT_NEAR(buckling_load(with(euler, "Joints", "Loads", clamp + "end\n"), 1, 4), pi2 / 4, 1e-6 * pi2 / 4);
-  EXPECT_NEAR(buckling_load(with(euler, "Joints", "Loads", clamp + guide + "end\n"), 30, 45), 4 * pi2, 4e-6 * pi2);
-  EXPECT_NEAR(buckling_load(with(euler, "Joints", "Loads", clamp + roller + "end\n"), 15, 25), 20.1907285564, 2e-5);
+  EXPECT_NEAR(buckling_load(with_part(euler, "Joints", "Loads", clamp + "end\n"), 1, 4), pi2 / 4, 1e-6 * pi2 / 4);
+  EXPECT_NEAR(buckling_load(with_part(euler, "Joints", "Loads", clamp + guide + "end\n"), 30, 45), 4 * pi2, 4e-6 * pi2);
+  EXPECT_NEAR(buckling_load(with_part(euler, "Joints", "Loads", clamp + roller + "end\n"), 15, 25),
+              20.1907285564,
+              2e-5);
 }
 
 
@@ -131,7 +119,7 @@ TEST(Buckling, Order)
 TEST(Buckling, SelfWeight)
 {
   const std::string loads = line_load("set Force = -P, 0, 0\n");
-  const std::string model = with(euler, "Joints", "Modal", clamp + "end\n" + loads);
+  const std::string model = with_part(euler, "Joints", "Modal", clamp + "end\n" + loads);
   EXPECT_NEAR(buckling_load(model, 5, 10), 7.837347439, 8e-6);
 }
 
@@ -179,7 +167,7 @@ subsection Loads
   end
 end
 )";
-  std::string       model    = with(euler, "Joints", "Modal", supports);
+  std::string       model    = with_part(euler, "Joints", "Modal", supports);
   model.replace(model.find("subsection Bodies\n"),
                 18,
                 "subsection Bodies\n subsection slider\n set Type = rigid body\n set Position = 1, 0, 0\n end\n");
@@ -206,7 +194,7 @@ TEST(Buckling, RingUnderPressure)
     "subsection Loads\n subsection x\n set Type = line load\n set Body = ring\n"
     " set Force = -p, 0, 0\n set Variation = cos(s)\n end\n subsection y\n set Type = line load\n"
     " set Body = ring\n set Force = 0, -p, 0\n set Variation = sin(s)\n end\nend\n";
-  EXPECT_NEAR(buckling_load(with(ring, "Loads", "Modal", dead), 2, 4.5, "p"), 4., 3e-5);
+  EXPECT_NEAR(buckling_load(with_part(ring, "Loads", "Modal", dead), 2, 4.5, "p"), 4., 3e-5);
 }
 
 
@@ -219,12 +207,12 @@ TEST(Flutter, FollowerForces)
     double      from, to, load, frequency;
   } const cases[] = {
     {beck, 15, 25, 20.0509536, 11.0155576},
-    {with(beck, "Loads", "Modal", line_load("set Force = -P, 0, 0\n set Axes = body\n")),
+    {with_part(beck, "Loads", "Modal", line_load("set Force = -P, 0, 0\n set Axes = body\n")),
      30,
      50,
      40.0537365,
      11.030217},
-    {with(beck, "Loads", "Modal", line_load("set Force = -P, 0, 0\n set Variation = 1 - s\n set Axes = body\n")),
+    {with_part(beck, "Loads", "Modal", line_load("set Force = -P, 0, 0\n set Variation = 1 - s\n set Axes = body\n")),
      120,
      180,
      150.641596,

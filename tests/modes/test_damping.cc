@@ -2,15 +2,15 @@
 // = 0: |λ| = ω and the damping ratio β ω/2, exactly, whatever the mesh. A damper at a joint with one degree of freedom:
 // J λ² + c λ + k = 0.
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
 namespace
 {
-  const std::string beam = "prm/benchmarks/timoshenko_beam.prm";
+  const std::string timoshenko_beam = "prm/benchmarks/timoshenko_beam.prm";
 
   const double omega[] = {8.38735763266, 25.3458803025, 44.1265715521, 63.0949419417}; // L/r = 10, exact
 
@@ -18,7 +18,7 @@ namespace
   std::vector<Mode>
   modes_in_plane(const std::string &override)
   {
-    Scene             scene(beam, {override, "Bodies/beam/Damping frequency = 20", "Bodies/beam/Degree = 4"});
+    Scene scene(timoshenko_beam, {override, "Bodies/beam/Damping frequency = 20", "Bodies/beam/Degree = 4"});
     std::vector<Mode> result;
     for (const auto &mode : scene.modes())
       if (share(scene.system, mode, 2) > 0.5)
@@ -124,8 +124,7 @@ TEST(Damping, NearestToTheShift)
 {
   for (const auto &[shift, expected] : {std::pair<std::string, double>{"-7", -6.25}, {"-3.5", -4.}})
     {
-      Scene scene(flywheel,
-                  {"Joints/bearing/rotation/Damper = 20.5", "Modal/Modes = 1", "Modal/Shift = " + shift});
+      Scene scene(flywheel, {"Joints/bearing/rotation/Damper = 20.5", "Modal/Modes = 1", "Modal/Shift = " + shift});
       ASSERT_EQ(scene.modes().size(), 1u);
       EXPECT_NEAR(scene.modes()[0].lambda.real(), expected, 1e-9);
     }

@@ -4,9 +4,9 @@
 // of its boundary conditions below; the rotating one, flap at Ω = 12 √(EI/μL⁴), by power series in
 // 40 digits (Wright et al. 1982 give 13.1702).
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
@@ -40,7 +40,7 @@ namespace
   }
 
   std::string
-  cantilever(const std::string &ratio, const double L = 1, const std::string &more = "")
+  cantilever_of_length(const std::string &ratio, const double L = 1, const std::string &more = "")
   {
     const std::string l = exact(L);
     return "set Analyses = modal\nsubsection Sections\n subsection s\n set Type = engineering constants\n set EA = 3*" +
@@ -60,7 +60,7 @@ TEST(Digits, SlendernessOfTimoshenkosCantilever)
 {
   for (const std::string ratio : {"1e2", "1e4", "1e7", "1e10", "1e14"})
     {
-      Scene        scene(cantilever(ratio));
+      Scene        scene(cantilever_of_length(ratio));
       const double expected = timoshenko(std::stod(ratio));
       const auto  &modes    = scene.modes();
       for (unsigned int i : {0, 1})
@@ -81,7 +81,7 @@ TEST(Digits, SlendernessOfATurningBlade)
   const std::pair<std::string, double> cases[] = {{"1e10", 13.170150483016214}, {"1e14", 13.170150487505728}};
   for (const auto &[ratio, expected] : cases)
     {
-      Scene scene(cantilever(
+      Scene scene(cantilever_of_length(
         ratio, 1, "subsection Loads\n subsection r\n set Type = steady rotation\n set Speed = 12\n end\nend\n"));
       scene.equilibrium();
       const auto flap = frequencies(scene, 2), lag = frequencies(scene, 1);
@@ -99,7 +99,7 @@ TEST(Digits, Sizes)
   const double expected = timoshenko(2e4);
   for (const double L : {1e-9, 1e-6, 1e-3, 1., 1e3})
     {
-      Scene scene(cantilever("2e4", L));
+      Scene scene(cantilever_of_length("2e4", L));
       EXPECT_NEAR(scene.modes().at(0).frequency() * L * L / expected, 1., 1e-10) << L;
       EXPECT_LT(std::abs(scene.modes()[0].damping_ratio()), 1e-12) << L;
     }

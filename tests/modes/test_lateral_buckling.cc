@@ -9,30 +9,20 @@
 // along ±x, ±y: 1.08675749196 (1.088 ... 1.09 in the literature, with the sag), 0.680235302094,
 // 0.650752494162, 3.96917786262.
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
 namespace
 {
-  const std::string file = "prm/benchmarks/lateral_buckling.prm";
-
-  /** A file without what stands between @p from and the subsection Modal, and @p text there. */
-  std::string
-  with(const std::string &name, const std::string &from, const std::string &text)
-  {
-    std::ifstream     in(std::string(SAMARA_SOURCE_DIR) + "/" + name);
-    std::stringstream stream;
-    stream << in.rdbuf();
-    const std::string all = stream.str();
-    return all.substr(0, all.find("subsection " + from)) + text + all.substr(all.find("subsection Modal"));
-  }
+  const std::string lateral_buckling = "prm/benchmarks/lateral_buckling.prm";
 
   /** The beam, with the subsection Bodies left open for more. */
-  const std::string beam = "subsection Bodies\n subsection beam\n set Type = beam\n set Points = 0, 0, 0; 1, 0, 0\n"
-                           " set Section = strip\n set Elements = 8\n end\n";
+  const std::string beam_and_more =
+    "subsection Bodies\n subsection beam\n set Type = beam\n set Points = 0, 0, 0; 1, 0, 0\n"
+    " set Section = strip\n set Elements = 8\n end\n";
 
   const std::string sags = "subsection Loads\n subsection force\n set Type = line load\n set Body = beam\n"
                            " set Force = 0, 0, -P\n end\nend\n";
@@ -43,7 +33,7 @@ namespace
   {
     const std::string tilt = " set Type = universal\n set Axis = 0, 1, 0\n set Second axis = 0, 0, 1\n"
                              " subsection rotation 1\n set Moment = ";
-    return beam +
+    return beam_and_more +
            " subsection slider\n set Type = rigid body\n set Position = 1, 0, 0\n end\nend\n"
            "subsection Joints\n subsection left\n set Body A = ground\n set Body B = beam.start\n" +
            tilt + moment + "\n end\n end\n subsection right\n set Body A = slider.centre\n set Body B = beam.end\n" +
@@ -64,8 +54,8 @@ namespace
 
 TEST(LateralBuckling, Cantilever)
 {
-  EXPECT_NEAR(buckling_load(file, 2, 5), 4.01259934358, 2e-5);
-  EXPECT_NEAR(buckling_load(with(file, "Loads", sags), 8, 15), 12.8537633214, 5e-5);
+  EXPECT_NEAR(buckling_load(lateral_buckling, 2, 5), 4.01259934358, 2e-5);
+  EXPECT_NEAR(buckling_load(with_part(lateral_buckling, "Loads", "Modal", sags), 8, 15), 12.8537633214, 5e-5);
 }
 
 
@@ -105,16 +95,22 @@ subsection Loads
   end
 end
 )";
-  EXPECT_NEAR(buckling_load(with(file, "Bodies", beam + text), 1, 2), M_PI / 2, 1e-5);
+  EXPECT_NEAR(buckling_load(with_part(lateral_buckling, "Bodies", "Modal", beam_and_more + text), 1, 2),
+              M_PI / 2,
+              1e-5);
 }
 
 
 
 TEST(LateralBuckling, BetweenForks)
 {
-  EXPECT_NEAR(buckling_load(with(file, "Bodies", forks("P")), 2, 4), M_PI, 2e-5);
-  EXPECT_NEAR(buckling_load(with(file, "Bodies", forks("0") + middle_force()), 12, 20), 16.9361321505, 1e-4);
-  EXPECT_NEAR(buckling_load(with(file, "Bodies", forks("0") + sags), 22, 32), 28.3149570727, 1e-4);
+  EXPECT_NEAR(buckling_load(with_part(lateral_buckling, "Bodies", "Modal", forks("P")), 2, 4), M_PI, 2e-5);
+  EXPECT_NEAR(buckling_load(with_part(lateral_buckling, "Bodies", "Modal", forks("0") + middle_force()), 12, 20),
+              16.9361321505,
+              1e-4);
+  EXPECT_NEAR(buckling_load(with_part(lateral_buckling, "Bodies", "Modal", forks("0") + sags), 22, 32),
+              28.3149570727,
+              1e-4);
 }
 
 
@@ -140,9 +136,9 @@ TEST(LateralBuckling, RightAngleFrame)
 
 
 
-// The hinged right-angle frame (Argyris et al. 1979): both legs 240 long, bent in their plane by moments ±M at their feet, which
-// turn about z only; one foot slides along x. Reference: 622.20808722 for both signs, solution of the differential
-// equations of half a frame that buckles symmetrically, without the deflection before buckling.
+// The hinged right-angle frame (Argyris et al. 1979): both legs 240 long, bent in their plane by moments ±M at their
+// feet, which turn about z only; one foot slides along x. Reference: 622.20808722 for both signs, solution of the
+// differential equations of half a frame that buckles symmetrically, without the deflection before buckling.
 TEST(LateralBuckling, HingedFrame)
 {
   const std::string foot = " set Body A = ground\n set Axis = 0, 0, 1\n";
@@ -154,7 +150,7 @@ TEST(LateralBuckling, HingedFrame)
                            " subsection right\n set Type = planar\n set Body B = frame.end\n set Axis 1 = 0, 1, 0\n" +
                            foot + " subsection rotation\n set Moment = -Px\n end\n" +
                            " subsection displacement 1\n set Prescribed = 0\n end\n end\nend\n";
-  const std::string model = with("prm/benchmarks/right_angle_frame.prm", "Bodies", text);
+  const std::string model = with_part("prm/benchmarks/right_angle_frame.prm", "Bodies", "Modal", text);
   EXPECT_NEAR(buckling_load(model, 500, 700, "Px"), 622.20808722, 622e-5);
   EXPECT_NEAR(buckling_load(model, -500, -700, "Px"), -622.20808722, 622e-5);
 }

@@ -30,23 +30,14 @@ namespace
     }
   };
 
-  std::string
-  exact(const double value)
-  {
-    std::ostringstream text;
-    text.precision(17);
-    text << value;
-    return text.str();
-  }
-
   /** A rotor of equal blades about z at the height z, on a shaft in the body @p carrier. */
   Parts
-  rotor(const std::string &name,
-        const unsigned int n_blades,
-        const double       z,
-        const std::string &carrier,
-        const double       speed,
-        const bool         is_hinged)
+  rotor_on_shaft(const std::string &name,
+                 const unsigned int n_blades,
+                 const double       z,
+                 const std::string &carrier,
+                 const double       speed,
+                 const bool         is_hinged)
   {
     Parts parts;
     parts.bodies = " subsection " + name + "\n set Type = rigid body\n set Mass = 5\n set Inertia = 0.1, 0.1, 0.2\n" +
@@ -121,8 +112,10 @@ TEST(MovingAxes, RotorsWithNothingInCommonButTheGround)
 {
   for (const bool is_hinged : {false, true})
     {
-      Scene alone(model({rotor("one", 2, 0, "ground", 30, is_hinged)}, 6)),
-        both(model({rotor("one", 2, 0, "ground", 30, is_hinged), rotor("two", 2, 1, "ground", -30, is_hinged)}, 12));
+      Scene alone(model({rotor_on_shaft("one", 2, 0, "ground", 30, is_hinged)}, 6)),
+        both(model({rotor_on_shaft("one", 2, 0, "ground", 30, is_hinged),
+                    rotor_on_shaft("two", 2, 1, "ground", -30, is_hinged)},
+                   12));
       const auto a = frequencies(alone), b = frequencies(both);
       ASSERT_EQ(b.size(), 2 * a.size());
       for (unsigned int i = 0; i < b.size(); ++i)
@@ -140,13 +133,13 @@ TEST(MovingAxes, RotorsOnYieldingMounts)
 {
   for (const unsigned int n_blades : {2, 4})
     {
-      const Parts one = rotor("one", n_blades, 0, "pylon", 30, false);
+      const Parts one = rotor_on_shaft("one", n_blades, 0, "pylon", 30, false);
       Scene       by_joint(model({pylon("1e6, 1e5, 1e5"), one}, 8));
       const auto  a = frequencies(by_joint);
       EXPECT_NE(by_joint.stream.str().find("constant in axes that all turn with <one>\n"), std::string::npos);
       EXPECT_NE(refusal(model({pylon("1e6, 1e5, 2e5"), one}, 8)).find("Coefficients are periodic"), std::string::npos);
 
-      Parts two = rotor("two", 3, 1, "ground", -20, true);
+      Parts two = rotor_on_shaft("two", 3, 1, "ground", -20, true);
       Scene both(model({pylon("1e6, 1e5, 1e5"), one, two}, 14)), other(model({two}, 6));
       auto  b = frequencies(both), c = frequencies(other);
       c.insert(c.end(), a.begin(), a.end());
@@ -161,7 +154,7 @@ TEST(MovingAxes, RotorsOnYieldingMounts)
 // Whoever sets the axes is warned, with the modes that do not last.
 TEST(MovingAxes, AxesThatAreSetAreWarnedAbout)
 {
-  const std::string text = model({pylon("1e6, 1e5, 2e5"), rotor("one", 2, 0, "pylon", 30, false)}, 6);
+  const std::string text = model({pylon("1e6, 1e5, 2e5"), rotor_on_shaft("one", 2, 0, "pylon", 30, false)}, 6);
   for (const std::string entry : {"Axes = fixed", "Axes = turning"})
     {
       Scene scene(text, {"Modal/" + entry});
@@ -175,7 +168,7 @@ TEST(MovingAxes, AxesThatAreSetAreWarnedAbout)
             std::string::npos);
 
   // alone in rigid ground, but seen in fixed axes
-  Scene fixed(model({rotor("one", 2, 0, "ground", 30, false)}, 6), {"Modal/Axes = fixed"});
+  Scene fixed(model({rotor_on_shaft("one", 2, 0, "ground", 30, false)}, 6), {"Modal/Axes = fixed"});
   frequencies(fixed);
   EXPECT_NE(fixed.stream.str().find("modal: warning: the response of <"), std::string::npos);
 }
@@ -212,7 +205,7 @@ TEST(MovingAxes, DiscOnSpringsOfTheGround)
 // after a small blow, at the same rate.
 TEST(MovingAxes, WhirlGrowsInTimeAsModesTell)
 {
-  Parts rotor_and_blow = rotor("one", 2, 0, "pylon", 29.57, true);
+  Parts rotor_and_blow = rotor_on_shaft("one", 2, 0, "pylon", 29.57, true);
   rotor_and_blow.loads += " subsection blow\n set Type = point load\n set At = blade 0 of one.end\n set Axes = body\n"
                           " set Force = 0, 0.002*(t < 0.4 ? 1 - cos(2*pi*t/0.4) : 0), 0\n end\n";
   Scene  scene(model({pylon("1e6, 88300, 88300"), rotor_and_blow}, 4) +

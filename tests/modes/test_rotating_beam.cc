@@ -7,15 +7,15 @@
 // lengthens the beam and moves it outward. Tolerance 3e-5, absolutely 0.01 for the lag mode of a beam hinged on the
 // axis, which is free to turn: a double zero splits by the root of round-off.
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
 namespace
 {
-  struct Row
+  struct RotatingBeam
   {
     bool                  hinged;
     double                delta, eta;
@@ -23,12 +23,12 @@ namespace
     std::array<double, 3> lag;
   };
 
-  const Row rows[] = {
+  const RotatingBeam rotating_beams[] = {
 #include "rotating_beam.inc"
   };
 
   Scene
-  blade(const Row &row, const std::vector<std::string> &more = {})
+  blade(const RotatingBeam &row, const std::vector<std::string> &more = {})
   {
     std::vector<std::string> overrides = {"Constants/delta = " + exact(row.delta), "Constants/eta = " + exact(row.eta)};
     overrides.insert(overrides.end(), more.begin(), more.end());
@@ -41,7 +41,7 @@ namespace
 
 TEST(RotatingBeam, FlapAndLag)
 {
-  for (const auto &row : rows)
+  for (const auto &row : rotating_beams)
     {
       Scene scene = blade(row);
       scene.equilibrium();
@@ -74,7 +74,9 @@ TEST(RotatingBeam, FlapAndLag)
 // Order 2p in flap frequencies 3 and 4 at eta = 4; degrees 3 and 4 come too near to what the reference neglects.
 TEST(RotatingBeam, OrderOfFrequencies)
 {
-  const Row *row = std::find_if(std::begin(rows), std::end(rows), [](const Row &r) { return r.eta == 4; });
+  const RotatingBeam *row = std::find_if(std::begin(rotating_beams),
+                                         std::end(rotating_beams),
+                                         [](const RotatingBeam &r) { return r.eta == 4; });
   for (const unsigned int p : {1, 2})
     {
       std::vector<double> errors[2];

@@ -3,36 +3,37 @@
 // sqrt(EI/(m L⁴)); the positive root whirls with the spin, the negative one against it. Axes that turn with the shaft
 // see |ω − Ω|. What is left of shear is (n π)²/(2 GA) < 5e-7.
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
 namespace
 {
-  const std::string file = "prm/benchmarks/spinning_shaft.prm";
+  const std::string spinning_shaft = "prm/benchmarks/spinning_shaft.prm";
 
-  struct Row
+  struct SpinningShaft
   {
     unsigned int n;
     double       k, Omega, forward, backward;
   };
-  const Row rows[] = {{1, 0.025, 0, 9.839304169, -9.839304169},      {1, 0.025, 5, 9.870005345, -9.808698489},
-                      {1, 0.025, 9.8696, 9.899997629, -9.778982799}, {1, 0.025, 20, 9.962681834, -9.71745441},
-                      {1, 0.025, 40, 10.08758705, -9.597132202},     {1, 0.05, 0, 9.750050941, -9.750050941},
-                      {1, 0.05, 5, 9.871193614, -9.630394972},       {1, 0.05, 9.8696, 9.990605617, -9.515288362},
-                      {1, 0.05, 20, 10.24353507, -9.2803405},        {1, 0.05, 40, 10.76070635, -8.834317216},
-                      {2, 0.025, 0, 39.00020376, -39.00020376},      {2, 0.025, 5, 39.12078893, -38.87999029},
-                      {2, 0.025, 9.8696, 39.2385865, -38.76326925},  {2, 0.025, 20, 39.48477446, -38.52157989},
-                      {2, 0.025, 40, 39.97529061, -38.04890147},     {2, 0.05, 0, 37.66352433, -37.66352433},
-                      {2, 0.05, 5, 38.11535319, -37.21705157},       {2, 0.05, 9.8696, 38.56054566, -36.78737012},
-                      {2, 0.05, 20, 39.50295349, -35.90974699},      {2, 0.05, 40, 41.4277436, -34.24133061},
-                      {3, 0.025, 0, 86.4589061, -86.4589061},        {3, 0.025, 5, 86.72228879, -86.19632332},
-                      {3, 0.025, 9.8696, 86.97957135, -85.94135758}, {3, 0.025, 20, 87.51723614, -85.41337425},
-                      {3, 0.025, 40, 88.58836153, -84.38063775},     {3, 0.05, 0, 80.35166983, -80.35166983},
-                      {3, 0.05, 5, 81.26537472, -79.44823816},       {3, 0.05, 9.8696, 82.16512315, -78.57824095},
-                      {3, 0.05, 20, 84.06808931, -76.79954306},      {3, 0.05, 40, 87.94829966, -73.41120716}};
+  const SpinningShaft spinning_shafts[] = {
+    {1, 0.025, 0, 9.839304169, -9.839304169},      {1, 0.025, 5, 9.870005345, -9.808698489},
+    {1, 0.025, 9.8696, 9.899997629, -9.778982799}, {1, 0.025, 20, 9.962681834, -9.71745441},
+    {1, 0.025, 40, 10.08758705, -9.597132202},     {1, 0.05, 0, 9.750050941, -9.750050941},
+    {1, 0.05, 5, 9.871193614, -9.630394972},       {1, 0.05, 9.8696, 9.990605617, -9.515288362},
+    {1, 0.05, 20, 10.24353507, -9.2803405},        {1, 0.05, 40, 10.76070635, -8.834317216},
+    {2, 0.025, 0, 39.00020376, -39.00020376},      {2, 0.025, 5, 39.12078893, -38.87999029},
+    {2, 0.025, 9.8696, 39.2385865, -38.76326925},  {2, 0.025, 20, 39.48477446, -38.52157989},
+    {2, 0.025, 40, 39.97529061, -38.04890147},     {2, 0.05, 0, 37.66352433, -37.66352433},
+    {2, 0.05, 5, 38.11535319, -37.21705157},       {2, 0.05, 9.8696, 38.56054566, -36.78737012},
+    {2, 0.05, 20, 39.50295349, -35.90974699},      {2, 0.05, 40, 41.4277436, -34.24133061},
+    {3, 0.025, 0, 86.4589061, -86.4589061},        {3, 0.025, 5, 86.72228879, -86.19632332},
+    {3, 0.025, 9.8696, 86.97957135, -85.94135758}, {3, 0.025, 20, 87.51723614, -85.41337425},
+    {3, 0.025, 40, 88.58836153, -84.38063775},     {3, 0.05, 0, 80.35166983, -80.35166983},
+    {3, 0.05, 5, 81.26537472, -79.44823816},       {3, 0.05, 9.8696, 82.16512315, -78.57824095},
+    {3, 0.05, 20, 84.06808931, -76.79954306},      {3, 0.05, 40, 87.94829966, -73.41120716}};
 
   struct Critical
   {
@@ -81,7 +82,7 @@ namespace
   whirls_of(const double k, const double Omega, const std::string &axes)
   {
     Scene scene(
-      file,
+      spinning_shaft,
       {"Constants/k = " + exact(k), "Constants/Omega = " + exact(Omega), "Modal/Axes = " + axes, "Modal/Modes = 16"});
     scene.equilibrium();
     return whirls(scene);
@@ -92,7 +93,7 @@ namespace
 
 TEST(SpinningShaft, WhirlInFixedAxes)
 {
-  for (const auto &row : rows)
+  for (const auto &row : spinning_shafts)
     {
       if (row.Omega == 0)
         continue; // modes of equal frequency without direction; see below
@@ -107,7 +108,7 @@ TEST(SpinningShaft, WhirlInFixedAxes)
 
 TEST(SpinningShaft, WhirlInTurningAxes)
 {
-  for (const auto &row : rows)
+  for (const auto &row : spinning_shafts)
     {
       if (row.Omega == 0)
         continue;
@@ -122,10 +123,10 @@ TEST(SpinningShaft, WhirlInTurningAxes)
 
 TEST(SpinningShaft, PairsAtRest)
 {
-  for (const auto &row : rows)
+  for (const auto &row : spinning_shafts)
     if (row.Omega == 0)
       {
-        Scene        scene(file, {"Constants/k = " + exact(row.k), "Constants/Omega = 0"});
+        Scene        scene(spinning_shaft, {"Constants/k = " + exact(row.k), "Constants/Omega = 0"});
         unsigned int n = 0;
         for (const auto &mode : scene.modes())
           n += std::abs(mode.frequency() / row.forward - 1) < 2e-6;

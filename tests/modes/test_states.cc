@@ -41,7 +41,7 @@ end
 )";
 
   std::string
-  with(const std::vector<std::pair<std::string, std::string>> &texts)
+  rod_with(const std::vector<std::pair<std::string, std::string>> &texts)
   {
     std::string result = rod;
     for (const auto &[place, text] : texts)
@@ -58,7 +58,7 @@ end
 // and by Rayleigh's quotient ω² ≤ that of w = x²: with EI alone 20 EI/μL⁴, with the weight alone 5/3 g/L.
 TEST(StateOfModes, HangingRodNeedsItsTension)
 {
-  const std::string model = with({{"density", "7800"}, {"#loads", weight}});
+  const std::string model = rod_with({{"density", "7800"}, {"#loads", weight}});
   Scene             without(model);
   EXPECT_THROW(without.modes(), NotConverged);
 
@@ -75,7 +75,7 @@ TEST(StateOfModes, HangingRodNeedsItsTension)
 
 TEST(StateOfModes, UnloadedModelsNeedNoStatics)
 {
-  Scene        scene(with({{"density", "7800"}}));
+  Scene        scene(rod_with({{"density", "7800"}}));
   const double expected = std::pow(1.875104068711961, 2) * std::sqrt(2.1e11 * 1e-4 / 4 / 7800) / 400;
   EXPECT_NEAR(scene.modes().at(0).frequency(), expected, 1e-5 * expected);
 }
@@ -119,10 +119,10 @@ TEST(StateOfModes, InertiaForcesAreLoads)
 // modes are asked for. The body has no inertia of rotation.
 TEST(StateOfModes, NoMoreModesThanMasses)
 {
-  Scene scene(
-    with({{"density", "0"},
-          {"#bodies", "subsection bob\n set Type = rigid body\n set Mass = 2\n set Position = 0, 0, -20\n end\n"},
-          {"#joints", "subsection fix\n set Type = rigid\n set Body A = rod.end\n set Body B = bob.centre\n end\n"}}));
+  Scene       scene(rod_with(
+    {{"density", "0"},
+           {"#bodies", "subsection bob\n set Type = rigid body\n set Mass = 2\n set Position = 0, 0, -20\n end\n"},
+           {"#joints", "subsection fix\n set Type = rigid\n set Body A = rod.end\n set Body B = bob.centre\n end\n"}}));
   const auto &modes = scene.modes();
   ASSERT_EQ(modes.size(), 3u);
   const double EA = 2.1e11 * M_PI * 1e-4, bending = std::sqrt(3 * EA * 1e-4 / 4 / (2 * 8000.));
@@ -130,5 +130,5 @@ TEST(StateOfModes, NoMoreModesThanMasses)
   EXPECT_NEAR(modes[1].frequency(), bending, 1e-5 * bending);
   EXPECT_NEAR(modes[2].frequency(), std::sqrt(EA / 40), 1e-9 * std::sqrt(EA / 40));
   EXPECT_NE(scene.stream.str().find("no other motion moves mass"), std::string::npos);
-  EXPECT_THROW(Scene(with({{"density", "0"}})).modes(), NotConverged);
+  EXPECT_THROW(Scene(rod_with({{"density", "0"}})).modes(), NotConverged);
 }

@@ -11,7 +11,7 @@ using namespace samara;
 namespace
 {
   std::string
-  with(std::string text, const std::string &place, const std::string &more)
+  with_inserted(std::string text, const std::string &place, const std::string &more)
   {
     return text.insert(text.find(place) + place.size(), more);
   }
@@ -19,7 +19,7 @@ namespace
   std::string
   with_load(const std::string &rotor, const std::string &load)
   {
-    return with(rotor, "subsection Loads\n", "  subsection load\n" + load + "  end\n");
+    return with_inserted(rotor, "subsection Loads\n", "  subsection load\n" + load + "  end\n");
   }
 
   const std::string gravity = "    set Type = gravity\n    set Acceleration = ";
@@ -27,8 +27,8 @@ namespace
   std::string
   force(const std::string &at, const std::string &components, const std::string &axes)
   {
-    return "    set Type = point load\n    set At = " + at + "\n    set Force = " + components + "\n    set Axes = " + axes +
-           "\n";
+    return "    set Type = point load\n    set At = " + at + "\n    set Force = " + components +
+           "\n    set Axes = " + axes + "\n";
   }
 
   /** What statics warns of, and what modes are refused for. */
@@ -90,7 +90,8 @@ TEST(SteadyLoads, DeadAndFollowingForces)
   expect_steady(with_load(model, force("blade 1.end", "1, 2, 30", "body")));
   expect_steady(with_load(model, force("hub", "0, 0, 100", "inertial")));
   expect_steady(with_load(model, force("blade 1.end", "0, 0, 30", "inertial")));
-  expect_unsteady(with_load(model, force("blade 1.end", "0, 0.1, 0", "inertial")), {"as <load> changes by up to 0.186408 N on <blade 1>"});
+  expect_unsteady(with_load(model, force("blade 1.end", "0, 0.1, 0", "inertial")),
+                  {"as <load> changes by up to 0.186408 N on <blade 1>"});
 }
 
 
@@ -101,14 +102,17 @@ TEST(SteadyLoads, RotorOutOfBalance)
 {
   const auto on_mount = [](const std::string &stiffness, const bool alike) {
     std::string text = rotor("hingeless", Turned::by_joint);
-    text             = with(text, "subsection Bodies\n",
-                "  subsection pylon\n    set Type = rigid body\n    set Mass = 20\n    set Inertia = 1, 1, 1\n  end\n");
+    text             = with_inserted(
+      text,
+      "subsection Bodies\n",
+      "  subsection pylon\n    set Type = rigid body\n    set Mass = 20\n    set Inertia = 1, 1, 1\n  end\n");
     text.replace(text.find("Body A = ground"), 15, "Body A = pylon");
-    text = with(text,
-                "subsection Joints\n",
-                "  subsection mount\n    set Type = flexible joint\n    set Body A = ground\n    set Body B = pylon\n"
-                "    set Stiffness = " +
-                  stiffness + "\n    set Rotational stiffness = 1e6, 1e6, 1e6\n  end\n");
+    text = with_inserted(
+      text,
+      "subsection Joints\n",
+      "  subsection mount\n    set Type = flexible joint\n    set Body A = ground\n    set Body B = pylon\n"
+      "    set Stiffness = " +
+        stiffness + "\n    set Rotational stiffness = 1e6, 1e6, 1e6\n  end\n");
     if (alike)
       {
         const auto soft = text.find("set Section = soft");

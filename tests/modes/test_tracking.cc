@@ -4,11 +4,11 @@
 // below lag 1 and crosses it between Ω = 6 and 8. References: rotating_beam.inc, clamped, delta = 0; lag in units of
 // its own stiffness, ω = 2 μ_lag(Ω/2). 6 digits are kept here.
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
+
+#include "modes.h"
 
 using namespace samara;
 
@@ -19,23 +19,23 @@ namespace
   const double              lag[] =
     {2 * 3.516015, 2 * 3.543236, 2 * 3.621797, 2 * 3.743512, 2 * 3.897723, 2 * 4.073896, 2 * 4.263225};
 
-  struct Row
+  struct TrackedMode
   {
     double speed, branch, frequency;
   };
 
-  std::vector<Row>
+  std::vector<TrackedMode>
   read_fan(const std::string &name)
   {
-    std::ifstream    in(name);
-    std::string      line;
-    std::vector<Row> rows;
+    std::ifstream            in(name);
+    std::string              line;
+    std::vector<TrackedMode> rows;
     std::getline(in, line);
     while (std::getline(in, line))
       {
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream words(line);
-        Row                row;
+        TrackedMode        row;
         words >> row.speed >> row.branch >> row.frequency;
         rows.push_back(row);
       }
@@ -74,7 +74,7 @@ TEST(Tracking, BranchesCross)
     for (const unsigned int branch : {1, 2})
       {
         const double expected = branch == 1 ? flap[i] : lag[i];
-        const auto   row      = std::find_if(fan.begin(), fan.end(), [&](const Row &r) {
+        const auto   row      = std::find_if(fan.begin(), fan.end(), [&](const TrackedMode &r) {
           return r.speed == speeds[i] && r.branch == branch;
         });
         ASSERT_NE(row, fan.end()) << "no branch " << branch << " at speed " << speeds[i];
@@ -84,8 +84,8 @@ TEST(Tracking, BranchesCross)
 
 
 
-// At a crossing two shapes are any two of a plane. Those that continue the branches are found there, so that each goes on
-// through it; without that, one in two crossings changes their numbers.
+// At a crossing two shapes are any two of a plane. Those that continue the branches are found there, so that each goes
+// on through it; without that, one in two crossings changes their numbers.
 TEST(Tracking, EqualFrequenciesOnTheWay)
 {
   const unsigned int n       = 4;

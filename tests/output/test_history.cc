@@ -23,10 +23,10 @@ using namespace samara;
 
 namespace
 {
-  const std::vector<std::pair<std::string, std::string>> columns = {{"t", "s"},
-                                                                    {"shaft 1.middle.displacement y", "m"},
-                                                                    {"force, \"old\"", "N"},
-                                                                    {"load factor", "1"}};
+  const std::vector<std::pair<std::string, std::string>> history_columns = {{"t", "s"},
+                                                                            {"shaft 1.middle.displacement y", "m"},
+                                                                            {"force, \"old\"", "N"},
+                                                                            {"load factor", "1"}};
 
   const std::vector<std::pair<std::string, std::string>> columns_of_two = {{"t", "s"}, {"u", "m"}};
 
@@ -65,7 +65,7 @@ namespace
 TEST(History, CsvHasTheRows)
 {
   const ScratchFolder folder;
-  History             history(folder.path + "/new/folder", "dynamic", columns);
+  History             history(folder.path + "/new/folder", "dynamic", history_columns);
   const std::string   file   = folder.path + "/new/folder/dynamic.csv";
   const std::string   header = "t [s],shaft 1.middle.displacement y [m],\"force, \"\"old\"\" [N]\",load factor\n";
   EXPECT_EQ(content_of(file), header);
@@ -96,18 +96,18 @@ TEST(History, Hdf5HasTheSameNumbersAndUnits)
 {
   const ScratchFolder folder;
   {
-    History history(folder.path, "dynamic", columns);
+    History history(folder.path, "dynamic", history_columns);
     for (const auto &row : rows)
       history.add(row);
   }
-  for (unsigned int c = 0; c < columns.size(); ++c)
+  for (unsigned int c = 0; c < history_columns.size(); ++c)
     {
       std::string               unit;
-      const std::vector<double> values = read_dataset(folder.path + "/dynamic.h5", columns[c].first, unit);
+      const std::vector<double> values = read_dataset(folder.path + "/dynamic.h5", history_columns[c].first, unit);
       ASSERT_EQ(values.size(), rows.size());
       for (unsigned int r = 0; r < rows.size(); ++r)
         EXPECT_LE(std::abs(values[r] - rows[r][c]), 5e-15 * std::abs(rows[r][c]));
-      EXPECT_EQ(unit, columns[c].second);
+      EXPECT_EQ(unit, history_columns[c].second);
     }
 }
 
@@ -189,7 +189,7 @@ TEST(History, WithoutRowsAndWithStrangeNames)
 TEST(History, RowOfTheWrongLengthAndRowAfterTheEnd)
 {
   const ScratchFolder folder;
-  History             history(folder.path, "dynamic", columns);
+  History             history(folder.path, "dynamic", history_columns);
   EXPECT_ANY_THROW(history.add({1, 2}));
   history.finish();
   history.finish();
@@ -204,7 +204,7 @@ TEST(History, FolderThatCannotBeMadeIsNamed)
   const std::string   file = folder.path + "/file";
   std::ofstream(file) << "in the way";
 
-  const std::string complaint = complaint_of([&] { History(file + "/results", "dynamic", columns); });
+  const std::string complaint = complaint_of([&] { History(file + "/results", "dynamic", history_columns); });
   EXPECT_NE(complaint.find("cannot write " + file + "/results"), std::string::npos) << complaint;
 }
 
@@ -217,7 +217,7 @@ TEST(History, FullDiskIsNamed)
   const ScratchFolder folder;
   make_full(folder.path + "/dynamic.csv");
 
-  const std::string complaint = complaint_of([&] { History(folder.path, "dynamic", columns); });
+  const std::string complaint = complaint_of([&] { History(folder.path, "dynamic", history_columns); });
   EXPECT_EQ(complaint, "cannot write " + folder.path + "/dynamic.csv: No space left on device.");
 }
 
@@ -228,13 +228,13 @@ TEST(History, Hdf5ThatCannotBeWrittenIsNamedAndTheDestructorDoesNotThrow)
   const ScratchFolder folder;
   std::filesystem::create_directory(folder.path + "/dynamic.h5");
 
-  const auto        history   = std::make_unique<History>(folder.path, "dynamic", columns);
+  const auto        history   = std::make_unique<History>(folder.path, "dynamic", history_columns);
   const std::string complaint = complaint_of([&] { history->finish(); });
   EXPECT_NE(complaint.find(folder.path + "/dynamic.h5"), std::string::npos) << complaint;
 
   testing::internal::CaptureStderr();
   {
-    History other(folder.path, "dynamic", columns);
+    History other(folder.path, "dynamic", history_columns);
   }
   EXPECT_NE(testing::internal::GetCapturedStderr().find(folder.path + "/dynamic.h5"), std::string::npos);
 }

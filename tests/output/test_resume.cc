@@ -17,7 +17,7 @@ using namespace samara;
 
 namespace
 {
-  const std::vector<std::pair<std::string, std::string>> columns = {{"t", "s"}, {"line\nbreak, comma", "m"}};
+  const std::vector<std::pair<std::string, std::string>> resumed_columns = {{"t", "s"}, {"line\nbreak, comma", "m"}};
 
   constexpr double end = std::numeric_limits<double>::infinity();
 
@@ -69,18 +69,18 @@ TEST(Resume, HistoryIsThatOfAnUninterruptedRun)
 {
   const ScratchFolder folder;
   {
-    History whole(folder.path, "whole", columns);
+    History whole(folder.path, "whole", resumed_columns);
     add_rows(whole, 0, 10000);
   }
   for (const unsigned int checkpoint : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, 4096u, 8999u})
     {
       {
-        History killed(folder.path, "killed", columns);
+        History killed(folder.path, "killed", resumed_columns);
         add_rows(killed, 0, 9000);
       }
       std::ofstream(folder.path + "/killed.csv", std::ios::app) << "1285.7142857";
       {
-        History resumed(folder.path, "killed", columns, time_of(checkpoint));
+        History resumed(folder.path, "killed", resumed_columns, time_of(checkpoint));
         EXPECT_FALSE(std::filesystem::exists(folder.path + "/killed.h5"));
         add_rows(resumed, checkpoint + 1, 10000);
       }
@@ -96,7 +96,7 @@ TEST(Resume, HistoryCutAtAnyByte)
   const ScratchFolder folder;
   const std::string   file = folder.path + "/h.csv";
   {
-    History history(folder.path, "h", columns);
+    History history(folder.path, "h", resumed_columns);
     add_rows(history, 0, 4);
   }
   const std::string whole  = content_of(file);
@@ -104,7 +104,7 @@ TEST(Resume, HistoryCutAtAnyByte)
   for (std::size_t size = 0; size <= whole.size(); ++size)
     {
       std::ofstream(file) << whole.substr(0, size);
-      History(folder.path, "h", columns, end);
+      History(folder.path, "h", resumed_columns, end);
       const std::size_t last_end = std::max(whole.substr(0, size).rfind('\n') + 1, header);
       EXPECT_EQ(content_of(file), whole.substr(0, size < header ? header : last_end)) << size;
     }
@@ -118,17 +118,17 @@ TEST(Resume, HistoryOfAKilledProcess)
   const std::string   file = folder.path + "/h.csv";
   do_and_kill(
     [&] {
-      History history(folder.path, "h", columns);
+      History history(folder.path, "h", resumed_columns);
       add_rows(history, 0, std::numeric_limits<unsigned int>::max());
     },
     std::chrono::milliseconds(300));
   EXPECT_FALSE(std::filesystem::exists(folder.path + "/h.h5"));
   {
-    History resumed(folder.path, "h", columns, time_of(99));
+    History resumed(folder.path, "h", resumed_columns, time_of(99));
     add_rows(resumed, 100, 200);
   }
   {
-    History whole(folder.path, "whole", columns);
+    History whole(folder.path, "whole", resumed_columns);
     add_rows(whole, 0, 200);
   }
   EXPECT_EQ(content_of(file), content_of(folder.path + "/whole.csv"));
@@ -140,7 +140,7 @@ TEST(Resume, HistoryWithoutFileBeginsAfresh)
 {
   const ScratchFolder folder;
   {
-    History history(folder.path + "/new", "h", columns, 1.);
+    History history(folder.path + "/new", "h", resumed_columns, 1.);
     add_rows(history, 8, 9);
   }
   EXPECT_EQ(content_of(folder.path + "/new/h.csv"),
@@ -157,8 +157,8 @@ TEST(Resume, HistoryWithOtherColumnsIsRefusedAndStays)
   std::ofstream(file) << content;
   std::ofstream(folder.path + "/h.h5") << "its twin";
 
-  EXPECT_THROW(History(folder.path, "h", columns, 1.), InputError);
-  EXPECT_EQ(complaint_of([&] { History(folder.path, "h", columns, 1.); }),
+  EXPECT_THROW(History(folder.path, "h", resumed_columns, 1.), InputError);
+  EXPECT_EQ(complaint_of([&] { History(folder.path, "h", resumed_columns, 1.); }),
             file + " has other columns, so that the run cannot be continued in it. Were the probes changed? Remove the "
                    "file, or start without --restart.");
   EXPECT_EQ(content_of(file), content);

@@ -11,10 +11,10 @@ namespace
   const std::string bricard = "prm/benchmarks/peers/bricard.prm", P3 = "bar 2.end";
 
   std::vector<std::string>
-  settings(const std::string &stages,
-           const std::string &radius,
-           const std::string &step,
-           const std::string &joint = "revolute")
+  bricard_settings(const std::string &stages,
+                   const std::string &radius,
+                   const std::string &step,
+                   const std::string &joint = "revolute")
   {
     return {"Joints/P5/Type = " + joint,
             "Dynamic/Stages = " + stages,
@@ -26,7 +26,7 @@ namespace
   const Outcome &
   reference()
   {
-    static const Outcome run = run_motion(bricard, P3, settings("3", "1", "0.005", "cylindrical"));
+    static const Outcome run = run_motion(bricard, P3, bricard_settings("3", "1", "0.005", "cylindrical"));
     return run;
   }
 
@@ -40,44 +40,43 @@ namespace
 
   class Bricard : public testing::TestWithParam<Case>
   {};
+
+
+  TEST_P(Bricard, MovesAsWithoutRedundantRows)
+  {
+    const Case    c   = GetParam();
+    const Outcome run = run_motion(bricard, P3, bricard_settings(c.s, c.radius, c.step));
+    EXPECT_EQ(run.n_redundant, 1u);
+    EXPECT_LT(run.gap, 1e-9);
+    EXPECT_LT(run.balance, 1e-8);
+    EXPECT_EQ(run.n_failed, 0u);
+    EXPECT_LT(run.error(reference()), 1.35 * c.error + 1e-9);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(Redundant,
+                           Bricard,
+                           testing::Values(Case{"1", "1", "0.05", 1.2e-2},
+                                           Case{"1", "1", "0.01", 4.7e-4},
+                                           Case{"1", "1", "0.001", 4.7e-6},
+                                           Case{"1", "0.5", "0.05", 0.19},
+                                           Case{"1", "0", "0.05", 0.41},
+                                           Case{"2", "1", "0.05", 4.1e-6},
+                                           Case{"2", "1", "0.02", 9.8e-8},
+                                           Case{"2", "0.5", "0.05", 4.5e-5},
+                                           Case{"2", "0.5", "0.02", 2.7e-6},
+                                           Case{"2", "0.5", "0.0025", 5.3e-9},
+                                           Case{"2", "0", "0.05", 1.2e-4},
+                                           Case{"3", "1", "0.05", 1.5e-9},
+                                           Case{"3", "0.5", "0.05", 1.6e-8},
+                                           Case{"3", "0", "0.05", 4.5e-8},
+                                           Case{"3", "0", "0.0025", 1.5e-9}));
 } // namespace
-
-
-
-TEST_P(Bricard, MovesAsWithoutRedundantRows)
-{
-  const Case    c   = GetParam();
-  const Outcome run = run_motion(bricard, P3, settings(c.s, c.radius, c.step));
-  EXPECT_EQ(run.n_redundant, 1u);
-  EXPECT_LT(run.gap, 1e-9);
-  EXPECT_LT(run.balance, 1e-8);
-  EXPECT_EQ(run.n_failed, 0u);
-  EXPECT_LT(run.error(reference()), 1.35 * c.error + 1e-9);
-}
-
-INSTANTIATE_TEST_SUITE_P(Redundant,
-                         Bricard,
-                         testing::Values(Case{"1", "1", "0.05", 1.2e-2},
-                                         Case{"1", "1", "0.01", 4.7e-4},
-                                         Case{"1", "1", "0.001", 4.7e-6},
-                                         Case{"1", "0.5", "0.05", 0.19},
-                                         Case{"1", "0", "0.05", 0.41},
-                                         Case{"2", "1", "0.05", 4.1e-6},
-                                         Case{"2", "1", "0.02", 9.8e-8},
-                                         Case{"2", "0.5", "0.05", 4.5e-5},
-                                         Case{"2", "0.5", "0.02", 2.7e-6},
-                                         Case{"2", "0.5", "0.0025", 5.3e-9},
-                                         Case{"2", "0", "0.05", 1.2e-4},
-                                         Case{"3", "1", "0.05", 1.5e-9},
-                                         Case{"3", "0.5", "0.05", 1.6e-8},
-                                         Case{"3", "0", "0.05", 4.5e-8},
-                                         Case{"3", "0", "0.0025", 1.5e-9}));
 
 
 
 TEST(Bricard, AdaptiveSteps)
 {
-  auto overrides = settings("3", "0.5", "0.01");
+  auto overrides = bricard_settings("3", "0.5", "0.01");
   overrides.push_back("Dynamic/Step control = adaptive");
   const Outcome run = run_motion(bricard, P3, overrides);
   EXPECT_LT(run.gap, 1e-9);

@@ -11,7 +11,7 @@ using namespace samara;
 namespace
 {
   std::vector<std::string>
-  settings(const std::string &stages, const std::string &radius, const std::string &step)
+  singular_settings(const std::string &stages, const std::string &radius, const std::string &step)
   {
     return {"Dynamic/Stages = " + stages, "Dynamic/Spectral radius = " + radius, "Dynamic/Step = " + step};
   }
@@ -43,8 +43,9 @@ TEST(Singular, TwoParallelogramsPass)
       {
         if (s == "1" && radius != "1")
           continue; // of first order: its error is not small
-        const Outcome run =
-          run_motion("prm/benchmarks/dynamics/four_bar.prm", "coupler 1", all_revolutes(settings(s, radius, "0.01")));
+        const Outcome run = run_motion("prm/benchmarks/dynamics/four_bar.prm",
+                                       "coupler 1",
+                                       all_revolutes(singular_settings(s, radius, "0.01")));
         EXPECT_EQ(run.n_redundant, 6u);
         EXPECT_LT(run.gap, 1e-9) << s << ' ' << radius;
         EXPECT_LT(run.balance, 1e-8) << s << ' ' << radius;
@@ -63,7 +64,7 @@ TEST(Singular, FortyParallelogramsPassOnce)
 {
   for (const std::string radius : {"0.5", "1"})
     {
-      auto overrides = settings("3", radius, "0.01");
+      auto overrides = singular_settings("3", radius, "0.01");
       overrides.push_back("Dynamic/End time = 1.5");
       const Outcome run = run_motion("prm/benchmarks/peers/n_four_bar.prm", "crank 0.B", overrides);
       EXPECT_EQ(run.n_redundant, 0u);

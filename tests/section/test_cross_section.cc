@@ -62,7 +62,7 @@ namespace
 
 
   Wall
-  layup(const std::vector<double> &degrees)
+  plies_of(const std::vector<double> &degrees)
   {
     Wall plies;
     for (const double angle : degrees)
@@ -74,7 +74,7 @@ namespace
 
   /** Bottom, right, top, left; of the size of those in the files [in]. */
   std::vector<SectionPatch>
-  box(const std::vector<Wall> &walls, const unsigned int n)
+  box_patches(const std::vector<Wall> &walls, const unsigned int n)
   {
     const double x = 0.953 / 2, y = 0.530 / 2;
     return wall_patches({{-x, -y}, {x, -y}, {x, y}, {-x, y}}, walls, {n, 1});
@@ -185,12 +185,12 @@ TEST(CrossSection, CompositeBoxesAgreeWithAllTheirCouplings)
 {
   const std::vector<double> six_15(6, 15.), six_0(6, 0.), cross = {0, 90, 0, 90, 0, 90}, steps = {0, 30, 0, 30, 0, 30};
   const std::vector<std::pair<std::string, std::vector<Wall>>> boxes = {
-    {"boxbeam_CUS_15_6", {layup(six_15), layup(six_15), layup(six_15), layup(six_15)}},
-    {"boxbeam_CUS_0_30_3", {layup(steps), layup(steps), layup(steps), layup(steps)}},
-    {"boxbeam_crossply_0_90", {layup(six_0), layup(cross), layup(six_0), layup(cross)}}};
+    {"boxbeam_CUS_15_6", {plies_of(six_15), plies_of(six_15), plies_of(six_15), plies_of(six_15)}},
+    {"boxbeam_CUS_0_30_3", {plies_of(steps), plies_of(steps), plies_of(steps), plies_of(steps)}},
+    {"boxbeam_crossply_0_90", {plies_of(six_0), plies_of(cross), plies_of(six_0), plies_of(cross)}}};
   for (const auto &[name, plies] : boxes)
     {
-      const SectionMesh mesh(box(plies, 10), 3, 1e-7);
+      const SectionMesh mesh(box_patches(plies, 10), 3, 1e-7);
       const auto        section = section_of(mesh, graphite_epoxy());
       EXPECT_LT(difference(section.stiffness, reference_stiffness(name)), 2e-4) << name;
       EXPECT_LT(section.reaction, 1e-9) << name;
@@ -291,8 +291,8 @@ TEST(CrossSection, StressesOfAnEllipseInTorsionAndShear)
 
 TEST(CrossSection, ForcesAreTheResultantsOfTheStresses)
 {
-  const auto        plies = layup({15, -30, 60});
-  const SectionMesh mesh(box({plies, plies, plies, plies}, 4), 3, 1e-7);
+  const auto        plies = plies_of({15, -30, 60});
+  const SectionMesh mesh(box_patches({plies, plies, plies, plies}, 4), 3, 1e-7);
   const Vector3     curvature(0.2, 0.1, -0.15);
   const auto        section = section_of(mesh, graphite_epoxy(), curvature);
   Vector6           forces;

@@ -30,7 +30,7 @@ subsection Bodies
 end
 )";
 
-  const std::string materials = R"(
+  const std::string materials_with_strengths = R"(
 subsection Materials
   subsection steel
     set Type             = isotropic
@@ -61,9 +61,9 @@ end
 
 
   std::string
-  layup(const std::string &entries)
+  model_with_layup(const std::string &entries)
   {
-    return materials + "subsection Layups\n  subsection skin\n" + entries + "  end\nend\n" + rest;
+    return materials_with_strengths + "subsection Layups\n  subsection skin\n" + entries + "  end\nend\n" + rest;
   }
 
 
@@ -79,7 +79,7 @@ end
 
 TEST(Materials, AreReadWithUnitsAndDefaults)
 {
-  const Scene scene(materials + rest);
+  const Scene scene(materials_with_strengths + rest);
   const auto  find = [&](const std::string &name) {
     return scene.input.model.find<Material>(name, "material").properties();
   };
@@ -140,8 +140,9 @@ TEST(Materials, WithoutEnergyAreRefusedByName)
 
 TEST(Layups, AreTheirPlies)
 {
-  const Scene scene(layup("    set Material = carbon\n    set Angles = [0/±45]s\n    set Ply thickness = 0.125 mm\n"));
-  const auto &skin         = layup_of(scene);
+  const Scene scene(
+    model_with_layup("    set Material = carbon\n    set Angles = [0/±45]s\n    set Ply thickness = 0.125 mm\n"));
+  const auto  &skin        = layup_of(scene);
   const double sequence[6] = {0, 45, -45, -45, 45, 0};
   ASSERT_EQ(skin.plies().size(), 6u);
   for (int i = 0; i < 6; ++i)
@@ -161,7 +162,8 @@ TEST(Layups, AreTheirPlies)
 
 TEST(Layups, MixMaterials)
 {
-  const Scene scene(layup("    set Plies     = carbon, ±30, 0.2 mm; steel, 0, 1 mm\n    set Symmetric = true\n"));
+  const Scene scene(
+    model_with_layup("    set Plies     = carbon, ±30, 0.2 mm; steel, 0, 1 mm\n    set Symmetric = true\n"));
   const auto &plies = layup_of(scene).plies();
   ASSERT_EQ(plies.size(), 6u);
   const char *const names[6]  = {"carbon", "carbon", "steel", "steel", "carbon", "carbon"};
@@ -179,7 +181,7 @@ TEST(Layups, MixMaterials)
 TEST(Layups, SayWhatIsWrong)
 {
   const auto says = [](const std::string &entries, const std::string &wanted) {
-    const std::string text = complaint_of(layup(entries));
+    const std::string text = complaint_of(model_with_layup(entries));
     EXPECT_NE(text.find(wanted), std::string::npos) << entries << text;
     EXPECT_NE(text.find(".prm:"), std::string::npos) << text;
   };

@@ -18,7 +18,7 @@ using namespace samara;
 
 namespace
 {
-  const std::string materials = R"(
+  const std::string metals_and_plies = R"(
 subsection Materials
   subsection metal
     set Type          = isotropic
@@ -72,7 +72,7 @@ end
   std::string
   model(const std::string &section, const std::string &of_beam = "    set Points = 0, 0, 0; 10, 0, 0\n")
   {
-    return materials + "subsection Sections\n  subsection s\n" + section +
+    return metals_and_plies + "subsection Sections\n  subsection s\n" + section +
            "  end\nend\nsubsection Bodies\n  subsection beam\n    set Type = beam\n    set Section = s\n" + of_beam +
            "  end\nend\n";
   }
@@ -80,7 +80,7 @@ end
 
 
   SectionValues
-  section_of(const std::string &section, const Vector3 &curvature = Vector3::Zero())
+  values_of_section(const std::string &section, const Vector3 &curvature = Vector3::Zero())
   {
     const Scene scene(model(section));
     return scene.input.model.find<Section>("s", "section").at(0, curvature);
@@ -88,20 +88,22 @@ end
 
 
 
-  const std::string box = "    set Type     = box\n    set Width 2  = 0.953\n    set Width 3  = 0.530\n    set Elements = 10\n";
+  const std::string box_entries =
+    "    set Type     = box\n    set Width 2  = 0.953\n    set Width 3  = 0.530\n    set Elements = 10\n";
 } // namespace
 
 
 
 TEST(SectionKinds, BoxesAgreeWithAllTheirCouplings)
 {
-  EXPECT_LT(difference(section_of(box + "    set Layup = six_15\n").stiffness, reference_stiffness("boxbeam_CUS_15_6")),
+  EXPECT_LT(difference(values_of_section(box_entries + "    set Layup = six_15\n").stiffness,
+                       reference_stiffness("boxbeam_CUS_15_6")),
             2e-4);
-  EXPECT_LT(difference(section_of(box + "    set Layup = steps\n").stiffness,
+  EXPECT_LT(difference(values_of_section(box_entries + "    set Layup = steps\n").stiffness,
                        reference_stiffness("boxbeam_CUS_0_30_3")),
             2e-4);
-  EXPECT_LT(difference(section_of(box + "    set Layup = six_0\n    set Layup of right = cross\n"
-                                        "    set Layup of left = cross\n")
+  EXPECT_LT(difference(values_of_section(box_entries + "    set Layup = six_0\n    set Layup of right = cross\n"
+                                                       "    set Layup of left = cross\n")
                          .stiffness,
                        reference_stiffness("boxbeam_crossply_0_90")),
             2e-4);
@@ -111,27 +113,28 @@ TEST(SectionKinds, BoxesAgreeWithAllTheirCouplings)
 
 TEST(SectionKinds, SolidShapesAgreeWithTheLists)
 {
-  EXPECT_LT(difference(section_of("    set Type = rectangle\n    set Width 2 = 0.1\n    set Width 3 = 0.1\n"
-                                  "    set Material = metal\n")
+  EXPECT_LT(difference(values_of_section("    set Type = rectangle\n    set Width 2 = 0.1\n    set Width 3 = 0.1\n"
+                                         "    set Material = metal\n")
                          .stiffness,
                        reference_stiffness("becas_S1_square")),
             5e-5);
-  EXPECT_LT(difference(section_of("    set Type = tube\n    set Outer radius = 0.1\n    set Inner radius = 0.09\n"
-                                  "    set Material = metal\n")
+  EXPECT_LT(difference(values_of_section(
+                         "    set Type = tube\n    set Outer radius = 0.1\n    set Inner radius = 0.09\n"
+                         "    set Material = metal\n")
                          .stiffness,
                        reference_stiffness("becas_C1_cylinder")),
             1e-5);
   // two materials side by side are a strip of two plies that is turned: the first ply comes to lie at -2
-  EXPECT_LT(difference(section_of("    set Type = rectangle\n    set Width 2 = 0.1\n    set Layup = hybrid\n"
-                                  "    set Rotation = -90 deg\n    set Elements per ply = 6\n")
+  EXPECT_LT(difference(values_of_section("    set Type = rectangle\n    set Width 2 = 0.1\n    set Layup = hybrid\n"
+                                         "    set Rotation = -90 deg\n    set Elements per ply = 6\n")
                          .stiffness,
                        reference_stiffness("becas_S2_two_materials")),
             3e-4);
   for (const auto &row : reference_rows("sections/isotropic_sections.csv"))
     if (row.at("section") == "ellipse semi-axes x=2 y=1" && row.at("nu") == "0.3")
       {
-        const Matrix6 K = section_of("    set Type = ellipse\n    set Radius 2 = 2\n    set Radius 3 = 1\n"
-                                     "    set Material = metal\n")
+        const Matrix6 K = values_of_section("    set Type = ellipse\n    set Radius 2 = 2\n    set Radius 3 = 1\n"
+                                            "    set Material = metal\n")
                             .stiffness;
         const double G = 100 / 2.4;
         EXPECT_NEAR(K(3, 3) / G / std::stod(row.at("J_exact")), 1, 1e-6);
@@ -143,8 +146,8 @@ TEST(SectionKinds, SolidShapesAgreeWithTheLists)
 // A rod of one material is a disc, whose numbers are known.
 TEST(SectionKinds, RodHasClosedForms)
 {
-  const SectionValues v =
-    section_of("    set Type = tube\n    set Outer radius = 0.2\n    set Material = metal\n    set Elements = 12\n");
+  const SectionValues v = values_of_section(
+    "    set Type = tube\n    set Outer radius = 0.2\n    set Material = metal\n    set Elements = 12\n");
   const double A = M_PI * 0.04, I = M_PI * std::pow(0.2, 4) / 4, G = 100 / 2.4;
   EXPECT_NEAR(v.stiffness(0, 0) / (100 * A), 1, 1e-6);
   EXPECT_NEAR(v.stiffness(3, 3) / (2 * G * I), 1, 1e-6);
@@ -162,20 +165,21 @@ TEST(SectionKinds, IAndCHaveTheirRectangles)
   const std::string I =
     "    set Type = I\n    set Height = 0.2\n    set Lower width = 0.1\n    set Lower thickness = 0.01\n"
     "    set Web thickness = 0.006\n    set Material = metal\n";
-  const Matrix6 K = section_of(I).stiffness;
+  const Matrix6 K = values_of_section(I).stiffness;
   const double  A = 2 * 0.1 * 0.01 + 0.18 * 0.006, I2 = (0.1 * std::pow(0.2, 3) - 0.094 * std::pow(0.18, 3)) / 12,
                I3 = (2 * 0.01 * std::pow(0.1, 3) + 0.18 * std::pow(0.006, 3)) / 12;
   EXPECT_NEAR(K(0, 0) / (100 * A), 1, 1e-9);
   EXPECT_NEAR(K(4, 4) / (100 * I2), 1, 1e-9);
   EXPECT_NEAR(K(5, 5) / (100 * I3), 1, 1e-9);
-  const Matrix6 unequal = section_of(I + "    set Upper width = 0.05\n    set Upper thickness = 0.02\n").stiffness;
+  const Matrix6 unequal =
+    values_of_section(I + "    set Upper width = 0.05\n    set Upper thickness = 0.02\n").stiffness;
   EXPECT_NEAR(unequal(0, 0) / 100, 0.1 * 0.01 + 0.05 * 0.02 + 0.17 * 0.006, 1e-9);
   // E A y₃ of the parts
   EXPECT_NEAR(unequal(0, 4) / 100, 0.1 * 0.01 * -0.095 + 0.05 * 0.02 * 0.09 + 0.17 * 0.006 * (-0.005), 1e-9);
 
-  const SectionValues    C = section_of("    set Type = C\n    set Height = 0.2\n    set Width = 0.1\n"
-                                        "    set Flange thickness = 0.002\n    set Web thickness = 0.002\n"
-                                        "    set Material = metal\n");
+  const SectionValues    C = values_of_section("    set Type = C\n    set Height = 0.2\n    set Width = 0.1\n"
+                                               "    set Flange thickness = 0.002\n    set Web thickness = 0.002\n"
+                                               "    set Material = metal\n");
   const SectionConstants c(C.stiffness.inverse(), C.inertia);
   const double           h = 0.198, b = 0.099; // between the middles of the walls
   EXPECT_NEAR(c.shear_centre(0), 0.001 - 3 * b * b / (h + 6 * b), 2e-4);
@@ -190,9 +194,10 @@ TEST(SectionKinds, IAndCHaveTheirRectangles)
 // The same body, moved and turned, is the same section seen from another reference line.
 TEST(SectionKinds, PositionAndRotationMoveTheBody)
 {
-  const SectionValues own   = section_of(box + "    set Layup = steps\n"),
-                      moved = section_of(
-                        box + "    set Layup = steps\n    set Position = 0.3, -0.2\n    set Rotation = 40 deg\n");
+  const SectionValues own   = values_of_section(box_entries + "    set Layup = steps\n"),
+                      moved = values_of_section(
+                        box_entries +
+                        "    set Layup = steps\n    set Position = 0.3, -0.2\n    set Rotation = 40 deg\n");
   const double  a = 40 * M_PI / 180;
   const Matrix3 R = rotation_of_vector({a, 0, 0});
   // a strain of the new line is one of the old: γ' = Rᵀ(γ + κ × x), κ' = Rᵀκ
@@ -320,10 +325,10 @@ TEST(SectionKinds, SayWhatIsWrong)
   says(rectangle + "    set Width 3 = 1\n    set Layup = hybrid\n", "a layup has its thickness");
   says(rectangle + "    set Layup = hybrid\n    set Material = metal\n", "either <Material> or <Layup>");
   says(rectangle + "    set Layup = hybrit\n", "hybrid");
-  says(box, "needs a <Layup>, or a <Material> and <Thickness>");
-  says(box + "    set Material = metal\n", "<Thickness>");
-  says(box + "    set Material = metal\n    set Thickness = 0.265\n", "too thick");
-  says(box + "    set Layup = six_15\n    set Thickness = 0.1\n", "both given");
+  says(box_entries, "needs a <Layup>, or a <Material> and <Thickness>");
+  says(box_entries + "    set Material = metal\n", "<Thickness>");
+  says(box_entries + "    set Material = metal\n    set Thickness = 0.265\n", "too thick");
+  says(box_entries + "    set Layup = six_15\n    set Thickness = 0.1\n", "both given");
   says("    set Type = tube\n    set Outer radius = 0.02\n    set Layup = six_15\n", "thicker than the tube");
   says("    set Type = tube\n    set Outer radius = 1\n    set Inner radius = 1\n    set Material = metal\n",
        "smaller than");

@@ -35,7 +35,7 @@ namespace
   }
 
   std::string
-  name_of(const unsigned int n, const unsigned int p, const double ratio, const double W)
+  title_of(const unsigned int n, const unsigned int p, const double ratio, const double W)
   {
     std::ostringstream text;
     text << n << " elements, p = " << p << ", GA L^2/EI = " << ratio << ", W = " << W;
@@ -51,7 +51,7 @@ TEST(MixedModes, AtAnyRatioOfStiffnesses)
   for (const auto &[n, p] : meshes)
     for (const double ratio : {1e2, 1e6, 1e10, 1e14})
       for (const double W : {0., 12.})
-        expect_exact(StraightBeam(n, p, ratio, W), guess(ratio, W), name_of(n, p, ratio, W));
+        expect_exact(StraightBeam(n, p, ratio, W), guess(ratio, W), title_of(n, p, ratio, W));
 }
 
 
@@ -60,7 +60,7 @@ TEST(MixedModes, OnFineMeshes)
 {
   for (const unsigned int p : {1, 4})
     for (const double ratio : {1e2, 1e14})
-      expect_exact(StraightBeam(256, p, ratio, 12.), ratio > 1e3 ? 13.17 : 12.6, name_of(256, p, ratio, 12.));
+      expect_exact(StraightBeam(256, p, ratio, 12.), ratio > 1e3 ? 13.17 : 12.6, title_of(256, p, ratio, 12.));
 }
 
 
@@ -190,7 +190,7 @@ TEST(MixedModes, ErrorsNearFlutter)
       // λ² = −13/2 ± √((5/2)² − c²), and its derivative by k₁
       const double root = std::sqrt(6.25 - c * c), lower = std::sqrt(6.5 - root), gap = std::sqrt(6.5 + root) - lower,
                    error = change / (2 * lower) * (0.5 + 1.25 / root);
-      ShiftInvert  op(exact);
+      ShiftInvert op(exact);
       op.set(1., 2.);
       const double estimate = op.judge(mode.lambda, mode.shape, gap).error;
       EXPECT_GT(estimate, 0.5 * error) << distance;

@@ -30,7 +30,7 @@ namespace
 
   /** A bar of 2 kg on a hinge about y at its end, with states and the entries of the hinge's rotation. */
   std::string
-  bar(const std::string &states, const std::string &rotation)
+  hinged_bar(const std::string &states, const std::string &rotation)
   {
     return "subsection States\n" + states + "end\nsubsection Bodies\n" +
            systems::rigid_body("bar", "set Mass = 2\n set Position = 0.5, 0, 0\n set Inertia = 0.1, 0.2, 0.3\n") +
@@ -136,13 +136,13 @@ TEST(FirstOrderStates, EnergyStatement)
 // A body on a hinge is held up by a controller with an integral: at rest the integral balances the weight.
 TEST(FirstOrderStates, StaticsFindWhereRatesVanish)
 {
-  const std::string text = bar(R"(
+  const std::string text = hinged_bar(R"(
   subsection integral
     set Rate = 0.3 - h.rotation
     set Unit = s
   end
 )",
-                               R"(
+                                      R"(
       set Moment = 40 N m * (0.3 - h.rotation) - 2 N m s * h.rotation rate + 60 N m/s * integral
 )") + "subsection Loads\n subsection weight\n set Type = gravity\n end\nend\n";
   Scene             scene(text);
@@ -173,12 +173,12 @@ TEST(FirstOrderStates, OtherIntegratorsSayThatTheyKnowNone)
 // A hinge that is driven by an autopilot with a lag: its angle is what the state says, its rate that of the state.
 TEST(FirstOrderStates, DriveWhatIsPrescribed)
 {
-  const std::string text = bar(R"(
+  const std::string text = hinged_bar(R"(
   subsection autopilot
     set Rate = (1 - autopilot)/(0.2 s)
   end
 )",
-                               R"(
+                                      R"(
       set Prescribed = 0.1 rad * sin(20*t) + 0.3*autopilot
 )");
   const Scene       scene(text);

@@ -13,7 +13,7 @@ namespace
 {
   /** A bar of 2 kg that hangs on a hinge, whose moment is @p factor times a reaction of the hinge. */
   std::string
-  bar(const std::string &factor)
+  bar_with_reported_moment(const std::string &factor)
   {
     return R"(
 subsection Bodies
@@ -56,7 +56,7 @@ TEST(ReportedForces, BalanceWithLawsOfReactions)
 {
   for (const std::string factor : {"0", "0.1", "-0.4", "1.5"})
     {
-      const Scene scene(bar(factor));
+      const Scene scene(bar_with_reported_moment(factor));
       State       state = started(scene.system);
       Projection(scene.system).report(state);
       const auto value = [&](const std::string &probe) { return scene.input.model.probe(probe).value(state); };

@@ -12,12 +12,6 @@ using namespace samara;
 
 namespace
 {
-  double
-  total_energy(const System &system, const State &state)
-  {
-    return energy_of(system, state) + system.potential_energy(state.point());
-  }
-
   /** The largest change of energy and numerical dissipation, by the energy at the start, over @p n steps. */
   double
   drift(const System &system, const Tableau &tableau, const double h, const unsigned int n)

@@ -6,8 +6,9 @@
 
 #include <samara/base/text.h>
 
-#include "../scene.h"
 #include <gtest/gtest.h>
+
+#include "entries.h"
 
 using namespace samara;
 
@@ -30,13 +31,6 @@ namespace
   at(const Scene &scene, const std::string &probe, const StaticAnalysis::SingularPoint &point)
   {
     return scene.input.model.probe(probe).value(point.state);
-  }
-
-  std::vector<std::string>
-  mesh(const std::string &body, const unsigned int degree, const unsigned int elements)
-  {
-    return {"Bodies/" + body + "/Degree = " + std::to_string(degree),
-            "Bodies/" + body + "/Elements = " + std::to_string(elements)};
   }
 
   /** Two bars between (∓1, 0) and the apex (0, 1/2), hinged at all three points, EA = 1, a force −P on the apex. */

@@ -11,7 +11,9 @@ using namespace samara;
 namespace
 {
   Vector3
-  tip(const std::vector<std::string> &overrides, const unsigned int degree = 4, const unsigned int elements = 12)
+  tip_of_bend(const std::vector<std::string> &overrides,
+              const unsigned int              degree   = 4,
+              const unsigned int              elements = 12)
   {
     std::vector<std::string> all = overrides;
     all.push_back("Bodies/bend/Degree = " + std::to_string(degree));
@@ -63,7 +65,7 @@ TEST(Bend45, EveryVariantOfTheReference)
       {
         auto overrides = variant.overrides;
         overrides.push_back(std::string("Constants/P = ") + P);
-        const Vector3 error = tip(overrides) - reference;
+        const Vector3 error = tip_of_bend(overrides) - reference;
         EXPECT_LT(error.norm(), variant.tolerance) << variant.name << ", P = " << P;
       }
 }
@@ -76,8 +78,8 @@ TEST(Bend45, ConvergesWithOrderTwiceTheDegree)
   const unsigned int coarse[]  = {0, 24, 8, 4, 6};
   for (unsigned int p = 1; p <= 4; ++p)
     {
-      const double one = (tip({}, p, coarse[p]) - reference).norm(),
-                   two = (tip({}, p, 2 * coarse[p]) - reference).norm();
+      const double one = (tip_of_bend({}, p, coarse[p]) - reference).norm(),
+                   two = (tip_of_bend({}, p, 2 * coarse[p]) - reference).norm();
       EXPECT_NEAR(std::log2(one / two), 2. * p, 0.3) << "degree " << p;
     }
 }

@@ -3,8 +3,9 @@
 
 #include <samara/analysis/dynamic.h>
 
-#include "../scene.h"
 #include <gtest/gtest.h>
+
+#include "entries.h"
 
 using namespace samara;
 
@@ -14,12 +15,6 @@ namespace
   warns(const Scene &scene)
   {
     return scene.stream.str().find("turns by") != std::string::npos;
-  }
-
-  std::vector<std::string>
-  mesh(const std::string &body, const std::string &degree, const std::string &elements)
-  {
-    return {"Bodies/" + body + "/Degree = " + degree, "Bodies/" + body + "/Elements = " + elements};
   }
 } // namespace
 
@@ -32,7 +27,7 @@ TEST(CoarseMeshes, TheWrongPathOfTheDeepArchIsTold)
     return Vector3(scene.value("arch.middle.displacement x"), scene.value("arch.middle.displacement y"), 0);
   };
   const std::string file = "prm/benchmarks/stability/deep_arch_path.prm";
-  Scene             coarse(file, mesh("arch", "3", "10")), fine(file, mesh("arch", "3", "16"));
+  Scene             coarse(file, mesh("arch", 3, 10)), fine(file, mesh("arch", 3, 16));
   const Vector3     x = crown(coarse), exact(-6.0257, -207.7465, 0);
   EXPECT_GT((x - exact).norm(), 50);
   EXPECT_TRUE(warns(coarse));
@@ -47,7 +42,7 @@ TEST(CoarseMeshes, TheWrongPathOfTheDeepArchIsTold)
 // A rod bent to a circle by a moment: angles of elements are about 2π/n.
 TEST(CoarseMeshes, ByTheAngleOfAnElementOfEachDegree)
 {
-  for (const auto &[degree, coarse, fine] : {std::array<std::string, 3>{{"1", "24", "30"}}, {{"2", "6", "8"}}})
+  for (const auto &[degree, coarse, fine] : {std::array<unsigned int, 3>{{1, 24, 30}}, {{2, 6, 8}}})
     {
       Scene a("prm/benchmarks/roll_up.prm", mesh("beam", degree, coarse)),
         b("prm/benchmarks/roll_up.prm", mesh("beam", degree, fine));

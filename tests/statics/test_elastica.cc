@@ -23,7 +23,10 @@ namespace
                            {15, 0.6352857803621, 0.84771567433227, 1.5018401541772}};
 
   Row
-  tip(const double alpha, const std::string &rigid, const unsigned int degree = 4, const unsigned int elements = 12)
+  tip_of_elastica(const double       alpha,
+                  const std::string &rigid,
+                  const unsigned int degree   = 4,
+                  const unsigned int elements = 12)
   {
     Scene scene("prm/benchmarks/elastica.prm",
                 {"Constants/alpha = " + std::to_string(alpha),
@@ -44,7 +47,7 @@ TEST(Elastica, RowsOfTheReference)
 {
   for (const Row &row : reference)
     {
-      const Row computed = tip(row.alpha, "1e10");
+      const Row computed = tip_of_elastica(row.alpha, "1e10");
       EXPECT_NEAR(computed.shortening / row.shortening, 1., 1e-7) << row.alpha;
       EXPECT_NEAR(computed.deflection / row.deflection, 1., 1e-8) << row.alpha;
       EXPECT_NEAR(computed.rotation / row.rotation, 1., 1e-8) << row.alpha;
@@ -58,7 +61,7 @@ TEST(Elastica, RowsOfTheReference)
 TEST(Elastica, DifferenceIsProportionalToAxialAndShearCompliance)
 {
   const double exact = reference[3].deflection;
-  const double e6 = tip(5, "1e6").deflection - exact, e8 = tip(5, "1e8").deflection - exact;
+  const double e6 = tip_of_elastica(5, "1e6").deflection - exact, e8 = tip_of_elastica(5, "1e8").deflection - exact;
   EXPECT_NEAR(e6 / e8, 100., 0.1);
 }
 
@@ -70,7 +73,7 @@ TEST(Elastica, DiscretisationErrorDoesNotDependOnSlenderness)
     {
       std::vector<double> errors;
       for (const std::string rigid : {"1.2e5", "1.2e7", "1.2e9"})
-        errors.push_back(tip(5, rigid, p, 12 / p).deflection - tip(5, rigid, 4, 48).deflection);
+        errors.push_back(tip_of_elastica(5, rigid, p, 12 / p).deflection - tip_of_elastica(5, rigid, 4, 48).deflection);
       EXPECT_NEAR(errors[1] / errors[0], 1., 1e-2) << "degree " << p;
       EXPECT_NEAR(errors[2] / errors[0], 1., 1e-2) << "degree " << p;
     }

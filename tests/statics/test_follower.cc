@@ -9,8 +9,9 @@
 
 #include <samara/base/text.h>
 
-#include "../scene.h"
 #include <gtest/gtest.h>
+
+#include "entries.h"
 
 using namespace samara;
 
@@ -61,19 +62,13 @@ namespace
     return {-clamp.transpose() * y.col(0), clamp.transpose()};
   }
 
-  std::string
-  text_of(const Vector3 &v)
-  {
-    return number_to_text(v(0)) + ", " + number_to_text(v(1)) + ", " + number_to_text(v(2));
-  }
-
   /** A cantilever from the origin along x there, with axis 2 along y; @p beam says what is particular. */
   std::string
-  model(const std::string &section,
-        const std::string &beam,
-        const std::string &axes,
-        const Vector3     &f,
-        const Vector3     &m)
+  cantilever_with_tip_load(const std::string &section,
+                           const std::string &beam,
+                           const std::string &axes,
+                           const Vector3     &f,
+                           const Vector3     &m)
   {
     return "subsection Sections\n subsection s\n" + section + "\n end\nend\nsubsection Bodies\n subsection beam\n" +
            "set Type = beam\n set Section = s\n set Axis 2 = 0, 1, 0\n set Elements = 16\n set Degree = 4\n" + beam +
@@ -103,11 +98,11 @@ namespace
                const Vector3     &m)
   {
     const End exact = exact_end(rod, f, m);
-    Scene     follower(model(section, beam, "body", f, m));
+    Scene     follower(cantilever_with_tip_load(section, beam, "body", f, m));
     follower.equilibrium();
     EXPECT_LT(error(follower, exact), 1e-9) << name << ", follower load";
 
-    Scene dead(model(section, beam, "inertial", exact.D * f, exact.D * m));
+    Scene dead(cantilever_with_tip_load(section, beam, "inertial", exact.D * f, exact.D * m));
     dead.context.state          = follower.context.state;
     dead.context.is_equilibrium = true;
     dead.equilibrium();
@@ -201,7 +196,7 @@ TEST(EndLoads, ConvergeWithOrderTwiceTheDegree)
 {
   const Vector3      f(0.5, 0.8, -0.6), m(0.7, -0.4, 0.9);
   const End          exact    = exact_end({2., full_stiffness(), straight}, f, m);
-  const std::string  text     = model(full, "set Points = 0, 0, 0; 2, 0, 0", "body", f, m);
+  const std::string  text     = cantilever_with_tip_load(full, "set Points = 0, 0, 0; 2, 0, 0", "body", f, m);
   const unsigned int coarse[] = {0, 24, 6, 4, 3};
   for (unsigned int p = 1; p <= 4; ++p)
     {

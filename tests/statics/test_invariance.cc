@@ -4,22 +4,17 @@
 
 #include <samara/base/text.h>
 
-#include "../scene.h"
 #include <gtest/gtest.h>
+
+#include "entries.h"
 
 using namespace samara;
 
 namespace
 {
-  std::string
-  text_of(const Vector3 &v)
-  {
-    return number_to_text(v(0)) + ", " + number_to_text(v(1)) + ", " + number_to_text(v(2));
-  }
-
   /** The model turned by @p Q and then moved by @p c. */
   std::string
-  model(const Matrix3 &Q, const Vector3 &c)
+  turned_and_moved(const Matrix3 &Q, const Vector3 &c)
   {
     const auto at = [&](const double x, const double y, const double z) { return text_of(Q * Vector3(x, y, z) + c); };
     const auto direction = [&](const double x, const double y, const double z) {
@@ -87,7 +82,7 @@ TEST(Invariance, ModelTurnedAndMoved)
 {
   const Matrix3 Q = some_rotation();
   const Vector3 c(3, -2, 5);
-  Scene         first(model(Matrix3::Identity(), Vector3::Zero()), time_1), second(model(Q, c), time_1);
+  Scene first(turned_and_moved(Matrix3::Identity(), Vector3::Zero()), time_1), second(turned_and_moved(Q, c), time_1);
   first.equilibrium();
   second.equilibrium();
   const auto e = strains(first);
@@ -107,7 +102,7 @@ TEST(Invariance, ModelTurnedAndMoved)
 
 TEST(Invariance, RigidMotionDoesNotStrain)
 {
-  Scene scene(model(Matrix3::Identity(), Vector3::Zero()), time_1);
+  Scene scene(turned_and_moved(Matrix3::Identity(), Vector3::Zero()), time_1);
   State turned = scene.system.reference();
   move(turned, some_rotation(), {3, -2, 5});
   std::vector<double> e;
@@ -129,7 +124,7 @@ TEST(Invariance, RigidMotionDoesNotStrain)
 
 TEST(Invariance, NumberOfLoadSteps)
 {
-  const auto model_text = model(Matrix3::Identity(), Vector3::Zero());
+  const auto model_text = turned_and_moved(Matrix3::Identity(), Vector3::Zero());
   Scene      once(model_text, time_1);
   once.equilibrium();
   for (const unsigned int n : {3, 17, 50})
@@ -146,7 +141,7 @@ TEST(Invariance, NumberOfLoadSteps)
 // The dead loads first and the follower in six steps after them, against all at once.
 TEST(Invariance, OrderOfLoads)
 {
-  const auto model_text = model(Matrix3::Identity(), Vector3::Zero());
+  const auto model_text = turned_and_moved(Matrix3::Identity(), Vector3::Zero());
   Scene      at_once(model_text, time_1);
   at_once.equilibrium();
   Scene dead_only(model_text, {"Static/Time = 0"});

@@ -6,8 +6,9 @@
 
 #include <samara/solvers/linear.h>
 
-#include "../scene.h"
 #include <gtest/gtest.h>
+
+#include "entries.h"
 
 using namespace samara;
 
@@ -52,13 +53,6 @@ namespace
     Scene               scene;
     std::vector<double> y;
   };
-
-  std::vector<std::string>
-  mesh(const std::string &body, const unsigned int degree, const unsigned int elements)
-  {
-    return {"Bodies/" + body + "/Degree = " + std::to_string(degree),
-            "Bodies/" + body + "/Elements = " + std::to_string(elements)};
-  }
 
   /** A clamped polyline with different stiffnesses in all directions and a force at the end of the body @p loaded. */
   std::string

@@ -11,7 +11,7 @@ using namespace samara;
 namespace
 {
   std::string
-  model(const std::string &loads)
+  beam_with_block(const std::string &loads)
   {
     return R"(
 subsection Sections
@@ -90,8 +90,8 @@ subsection Loads
 
 TEST(Reactions, DeadForceAndMomentOnAnArm)
 {
-  Scene        scene(model("subsection p\n set Type = point load\n set At = block.hook\n set Force = 1, -2, 1.5\n"
-                           " set Moment = 0.3, 0.5, -0.8\n end"));
+  Scene scene(beam_with_block("subsection p\n set Type = point load\n set At = block.hook\n set Force = 1, -2, 1.5\n"
+                              " set Moment = 0.3, 0.5, -0.8\n end"));
   const State &state = scene.equilibrium();
   const Frame  hook  = scene.system.model.frame("block.hook");
   expect_balance(scene, wrench({1, -2, 1.5}, hook.position(state.q.data()), {0.3, 0.5, -0.8}));
@@ -101,8 +101,8 @@ TEST(Reactions, DeadForceAndMomentOnAnArm)
 
 TEST(Reactions, FollowerForceAndMoment)
 {
-  Scene         scene(model("subsection p\n set Type = point load\n set At = block.hook\n set Axes = body\n"
-                            " set Force = 1, 0.5, 1.5\n set Moment = 0.3, 0.5, -0.8\n end"));
+  Scene         scene(beam_with_block("subsection p\n set Type = point load\n set At = block.hook\n set Axes = body\n"
+                                      " set Force = 1, 0.5, 1.5\n set Moment = 0.3, 0.5, -0.8\n end"));
   const State  &state = scene.equilibrium();
   const Frame   hook  = scene.system.model.frame("block.hook");
   const Matrix3 D     = hook.triad(state.q.data());
@@ -114,7 +114,7 @@ TEST(Reactions, FollowerForceAndMoment)
 // The weight acts at the centre of mass.
 TEST(Reactions, Gravity)
 {
-  Scene        scene(model("subsection g\n set Type = gravity\n set Acceleration = 2, -6, -9\n end"));
+  Scene        scene(beam_with_block("subsection g\n set Type = gravity\n set Acceleration = 2, -6, -9\n end"));
   const State &state = scene.equilibrium();
   const auto   mass  = scene.system.mass_properties(state);
   EXPECT_NEAR(mass.mass, 0.3 + 0.5 * (std::sqrt(1.36) + std::sqrt(0.85)), 1e-12);
@@ -126,8 +126,8 @@ TEST(Reactions, Gravity)
 // So does a uniform load without the block; its resultant is the load per length times the length.
 TEST(Reactions, UniformLineLoad)
 {
-  std::string text = model("subsection q\n set Type = line load\n set Body = beam\n set Force = 1, 0.5, -2\n"
-                           " set Moment = 0.2, 0.3, 0.1\n end");
+  std::string text = beam_with_block("subsection q\n set Type = line load\n set Body = beam\n set Force = 1, 0.5, -2\n"
+                                     " set Moment = 0.2, 0.3, 0.1\n end");
   text.replace(text.find("set Mass = 0.3"), 14, "set Mass = 0");
   text.replace(text.find("set Inertia = 0.1, 0.1, 0.1"), 27, "");
   Scene        scene(text);
@@ -145,8 +145,8 @@ TEST(Reactions, UniformLineLoad)
 // to the centre of mass.
 TEST(Reactions, CentrifugalForce)
 {
-  Scene         scene(model("subsection r\n set Type = steady rotation\n set Speed = 1.5\n set Axis = 0, 0, 2\n"
-                            " set Through = -1, -2, 0\n end"));
+  Scene scene(beam_with_block("subsection r\n set Type = steady rotation\n set Speed = 1.5\n set Axis = 0, 0, 2\n"
+                              " set Through = -1, -2, 0\n end"));
   const State  &state = scene.equilibrium();
   const auto    mass  = scene.system.mass_properties(state);
   const Vector3 arm(mass.centre(0) + 1, mass.centre(1) + 2, 0);

@@ -15,7 +15,7 @@ namespace
 {
   /** A cantilever of length 2 along x with axis 2 along y; the load acts on a plate at its end, at (2, y, z). */
   std::string
-  model(const std::string &sections, const std::string &load, const std::string &y_z = "0 0")
+  cantilever_with_plate(const std::string &sections, const std::string &load, const std::string &y_z = "0 0")
   {
     return "subsection Sections\n" + sections + "\nend\nsubsection Bodies\n subsection beam\n set Type = beam\n" +
            " set Points = 0, 0, 0; 2, 0, 0\n set Axis 2 = 0, 1, 0\n set Section = s\n set Elements = 4\n end\n" +
@@ -51,17 +51,18 @@ namespace
 // (Much larger forces reach a stability limit: twist about the shear centre, once F d² is of the size of GJ.)
 TEST(Sections, ForceAtTheTensionCentreDoesNotBend)
 {
-  Scene scene(
-    model(constants("s", 1, " set Tension centre = 0.2, -0.3\n set Shear centre = 0.1, 0.4\n set EI23 = 0.5\n"),
-          "Force = 4, 0, 0",
-          "0.2 -0.3"));
+  Scene scene(cantilever_with_plate(
+    constants("s", 1, " set Tension centre = 0.2, -0.3\n set Shear centre = 0.1, 0.4\n set EI23 = 0.5\n"),
+    "Force = 4, 0, 0",
+    "0.2 -0.3"));
   scene.equilibrium();
   EXPECT_NEAR(scene.value("beam.end.displacement x"), 2 * 4. / 100, 1e-13);
   for (const std::string probe : {"displacement y", "displacement z", "rotation x", "rotation y", "rotation z"})
     EXPECT_NEAR(scene.value("beam.end." + probe), 0., 1e-11) << probe;
   // away from it, it bends: by the moment F (y₃ K₂ − y₂ K₃) about the tension centre
-  EXPECT_GT(std::abs(value(model(constants("s", 1, " set Tension centre = 0.2, -0.3\n"), "Force = 0.2, 0, 0"),
-                           "beam.end.rotation y")),
+  EXPECT_GT(std::abs(
+              value(cantilever_with_plate(constants("s", 1, " set Tension centre = 0.2, -0.3\n"), "Force = 0.2, 0, 0"),
+                    "beam.end.rotation y")),
             1.);
 }
 
@@ -73,14 +74,14 @@ TEST(Sections, ForceAtTheShearCentreDoesNotTwist)
 {
   const std::string section = constants("s", 1, " set Tension centre = 0.3, 0\n set Shear centre = 0.3, 0\n");
   const auto        angle   = [&](const std::string &elements) {
-    return value(model(section, "Force = 0, 0, 2", "0.3 0"),
+    return value(cantilever_with_plate(section, "Force = 0, 0, 2", "0.3 0"),
                  "beam.end.angle 1",
                  {"Bodies/beam/Elements = " + elements});
   };
   EXPECT_NEAR(angle("64"), 0., 1e-11);
   EXPECT_NEAR(std::log2(angle("8") / angle("16")), 6., 0.3);
-  EXPECT_LT(value(model(section, "Force = 0, 0, 2", "0.3 0"), "beam.end.rotation y"), -20.);
-  EXPECT_LT(value(model(section, "Force = 0, 0, 2"), "beam.end.angle 1"), -5.);
+  EXPECT_LT(value(cantilever_with_plate(section, "Force = 0, 0, 2", "0.3 0"), "beam.end.rotation y"), -20.);
+  EXPECT_LT(value(cantilever_with_plate(section, "Force = 0, 0, 2"), "beam.end.angle 1"), -5.);
 }
 
 
@@ -97,11 +98,12 @@ TEST(Sections, TaperedTable)
       const auto answers = [&](const unsigned int elements) -> Vector3 {
         const std::vector<std::string> mesh = {"Bodies/beam/Degree = " + std::to_string(p),
                                                "Bodies/beam/Elements = " + std::to_string(elements)};
-        return Vector3(value(model(sections, "Force = 10, 0, 0"), "beam.end.displacement x", mesh) / (0.1 * integral),
-                       value(model(sections, "Moment = 1, 0, 0"), "beam.end.rotation x", mesh) * M_PI / 180 /
-                         (integral / 2),
-                       value(model(sections, "Moment = 0, 1, 0"), "beam.end.rotation y", mesh) * M_PI / 180 /
-                         (integral / 3)) -
+        return Vector3(value(cantilever_with_plate(sections, "Force = 10, 0, 0"), "beam.end.displacement x", mesh) /
+                         (0.1 * integral),
+                       value(cantilever_with_plate(sections, "Moment = 1, 0, 0"), "beam.end.rotation x", mesh) * M_PI /
+                         180 / (integral / 2),
+                       value(cantilever_with_plate(sections, "Moment = 0, 1, 0"), "beam.end.rotation y", mesh) * M_PI /
+                         180 / (integral / 3)) -
                Vector3::Ones();
       };
       const Vector3 one = answers(coarse[p]), two = answers(2 * coarse[p]), fine = answers(32);
@@ -124,8 +126,10 @@ TEST(Sections, TableWithAJump)
     constants("a", 1) + constants("b", 0.25) +
     "subsection s\n set Type = table\n set Stations = a at 0, a at 0.3, b at 0.3, b at 1\n end\n";
   const double integral = 2 * (0.3 + 0.7 * 4);
-  EXPECT_NEAR(value(model(sections, "Force = 10, 0, 0"), "beam.end.displacement x"), 0.1 * integral, 1e-13);
-  EXPECT_NEAR(value(model(sections, "Moment = 0.5, 0, 0"), "beam.end.rotation x") * M_PI / 180,
+  EXPECT_NEAR(value(cantilever_with_plate(sections, "Force = 10, 0, 0"), "beam.end.displacement x"),
+              0.1 * integral,
+              1e-13);
+  EXPECT_NEAR(value(cantilever_with_plate(sections, "Moment = 0.5, 0, 0"), "beam.end.rotation x") * M_PI / 180,
               0.5 * integral / 2,
               1e-5);
 }
@@ -138,7 +142,9 @@ TEST(Sections, TableFromAFile)
   std::ofstream(name)
     << "x, EA, GA2, GA3, GJ, EI2, EI3, mass, y2 tension, y3 tension\n0, 100, 80, 70, 2, 3, 4, 1, 0.2, -0.3\n"
        "1, 25, 20, 17.5, 0.5, 0.75, 1, 0.25, 0.2, -0.3\n";
-  Scene scene(model("subsection s\n set Type = table\n set File = " + name + "\n end", "Force = 5, 0, 0", "0.2 -0.3"),
+  Scene scene(cantilever_with_plate("subsection s\n set Type = table\n set File = " + name + "\n end",
+                                    "Force = 5, 0, 0",
+                                    "0.2 -0.3"),
               {"Bodies/beam/Elements = 48"});
   std::remove(name.c_str());
   scene.equilibrium();
@@ -153,8 +159,9 @@ TEST(Sections, TableFromAFile)
 TEST(Sections, StiffnessOfSimpleShapes)
 {
   const auto stiffness = [](const std::string &entries) {
-    Scene scene(model("subsection s\n set Density = 1\n set E = 260\n set Poisson ratio = 0.3\n " + entries + "\n end",
-                      "Force = 1, 0, 0"));
+    Scene scene(cantilever_with_plate("subsection s\n set Density = 1\n set E = 260\n set Poisson ratio = 0.3\n " +
+                                        entries + "\n end",
+                                      "Force = 1, 0, 0"));
     return scene.system.model.find<Section>("s", "section").at(0, Vector3::Zero()).stiffness;
   };
   const auto expect = [](const Matrix6 &C, const Vector6 &diagonal, const double tolerance) {
@@ -209,10 +216,10 @@ TEST(Sections, StationsInsideOfElementsAreIntegrated)
       for (const std::string degree : {"1", "2", "3", "5"})
         for (const std::string elements : {"1", "2", "3"})
           {
-            const std::vector<std::string> mesh  = {"Bodies/beam/Degree = " + degree,
-                                                    "Bodies/beam/Elements = " + elements};
-            const std::string              force = model(stepped(ratio), "Force = 0, 0, " + std::to_string(F));
-            const std::string              where =
+            const std::vector<std::string> mesh = {"Bodies/beam/Degree = " + degree,
+                                                   "Bodies/beam/Elements = " + elements};
+            const std::string force = cantilever_with_plate(stepped(ratio), "Force = 0, 0, " + std::to_string(F));
+            const std::string where =
               "degree " + degree + ", " + elements + " elements, ratio " + std::to_string(ratio);
             Scene scene(force, mesh);
             scene.equilibrium();
@@ -241,7 +248,7 @@ TEST(Sections, StationsInsideOfElementsAtAnySize)
       for (const std::string elements : {"1", "2"})
         {
           const std::string where = "degree " + degree + ", " + elements + " elements, ratio " + std::to_string(ratio);
-          Scene             scene(model(stepped(ratio, 2), "Force = 1e-3, 0, 0"),
+          Scene             scene(cantilever_with_plate(stepped(ratio, 2), "Force = 1e-3, 0, 0"),
                       {"Bodies/beam/Degree = " + degree, "Bodies/beam/Elements = " + elements});
           scene.equilibrium();
           EXPECT_NEAR(scene.value("beam.end.displacement x") / (L * F / 100 * (0.76 + 0.24 / ratio)), 1, 1e-10)
@@ -267,7 +274,7 @@ TEST(Sections, ExtremeStationsStayPositive)
     "a at 0.96, a at 1\nend\n";
   for (const std::string degree : {"1", "2", "3", "4", "5", "6"})
     {
-      Scene scene(model(sections, "Force = 1e-3, 0, 0"),
+      Scene scene(cantilever_with_plate(sections, "Force = 1e-3, 0, 0"),
                   {"Bodies/beam/Degree = " + degree, "Bodies/beam/Elements = 1"});
       scene.equilibrium();
       EXPECT_NEAR(scene.value("beam.end.displacement x") / (2e-3 / 100 * (0.99 + 0.01 * 4000)), 1, 1e-10) << degree;

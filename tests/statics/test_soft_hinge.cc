@@ -16,7 +16,7 @@ namespace
 {
   /** A body a metre from a hinge about z, on which a force of @p A N acts that is turned by @p phi from the arm. */
   std::string
-  model(const std::string &rotation, const double A, const double phi, const unsigned int n_steps)
+  hinged_body(const std::string &rotation, const double A, const double phi, const unsigned int n_steps)
   {
     return "set Analyses = static\nsubsection Bodies\n subsection b\n set Type = rigid body\n set Mass = 1\n"
            " set Inertia = .1, .1, .1\n set Position = 1, 0, 0\n end\nend\n"
@@ -58,7 +58,7 @@ TEST(SoftHinge, LoadStepsDoNotJump)
                                   {0.0011079, 17.8267, 3.1401227}})
     for (const unsigned int n : {1, 4, 64, 256})
       {
-        Scene scene(model("set Spring = " + number_to_text(k), A, phi, n));
+        Scene scene(hinged_body("set Spring = " + number_to_text(k), A, phi, n));
         EXPECT_NEAR(scene.equilibrium().coordinates[0], exact(k, A, phi), 1e-8)
           << "phi " << phi << ", " << n << " steps";
       }
@@ -69,7 +69,7 @@ TEST(SoftHinge, LoadStepsDoNotJump)
 // What is prescribed cannot go astray: many turns in one step.
 TEST(SoftHinge, PrescribedTurnsNeedNoSteps)
 {
-  Scene scene(model("set Prescribed = 20", 1, 1, 1));
+  Scene scene(hinged_body("set Prescribed = 20", 1, 1, 1));
   EXPECT_NEAR(scene.equilibrium().coordinates[0], 20, 1e-9);
   EXPECT_EQ(scene.analysis<StaticAnalysis>().n_steps, 1u);
 }
@@ -79,6 +79,6 @@ TEST(SoftHinge, PrescribedTurnsNeedNoSteps)
 // A spring that is unstressed far away acts at once: a jump at the start is none from a path to another.
 TEST(SoftHinge, SpringsWoundAtTheStart)
 {
-  Scene scene(model("set Spring = 10\n set Rest = 2.5", 1e-9, 1, 1));
+  Scene scene(hinged_body("set Spring = 10\n set Rest = 2.5", 1e-9, 1, 1));
   EXPECT_NEAR(scene.equilibrium().coordinates[0], 2.5, 1e-8);
 }

@@ -336,6 +336,12 @@ namespace samara
   }
 
   inline double
+  total_energy(const System &system, const State &state)
+  {
+    return energy_of(system, state) + potential_of(system, state);
+  }
+
+  inline double
   largest_gap(const System &system, const State &state)
   {
     std::vector<double> r(system.size() + 6, 0.);

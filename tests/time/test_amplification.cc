@@ -19,7 +19,7 @@ namespace
 
   /** The slide is along no axis of the body, and the centre of mass is off the node. */
   std::string
-  oscillator(const std::string &damper)
+  damped_oscillator(const std::string &damper)
   {
     using namespace systems;
     return model(
@@ -32,7 +32,7 @@ namespace
 
   /** Displaced by x, with the velocity v. */
   State
-  displaced(const System &system, const double x, const double v)
+  displaced_and_moving(const System &system, const double x, const double v)
   {
     const Vector3 axis  = Vector3(1, 2, 2) / 3.;
     State         state = system.reference();
@@ -52,11 +52,11 @@ namespace
     for (const int j : {0, 1})
       {
         StageIntegrator integrator(system, tableau, 1e-14);
-        State           state = displaced(system, j == 0 ? amplitude : 0., j == 1 ? amplitude : 0.);
+        State           state = displaced_and_moving(system, j == 0 ? amplitude : 0., j == 1 ? amplitude : 0.);
         EXPECT_TRUE(integrator.step(state, h).converged);
         map.col(j) << state.coordinates[0] / amplitude, state.rates[0] / amplitude;
         // the body goes with it
-        const State expected = displaced(system, state.coordinates[0], state.rates[0]);
+        const State expected = displaced_and_moving(system, state.coordinates[0], state.rates[0]);
         EXPECT_LT(distance(state.q, expected.q), 1e-12);
       }
     return map;
@@ -115,7 +115,7 @@ namespace
 
 TEST(Amplification, IsThePadeFamily)
 {
-  const Scene scene(oscillator("0"));
+  const Scene scene(damped_oscillator("0"));
   for_all_members([&](const Tableau &tableau) {
     for (const double z : twenty_values())
       {
@@ -145,7 +145,7 @@ TEST(Amplification, OfADampedOscillator)
 {
   for (const double c : {8., 80.})
     {
-      const Scene     scene(oscillator(std::to_string(c)));
+      const Scene     scene(damped_oscillator(std::to_string(c)));
       Eigen::Matrix2d A;
       A << 0, 1, -omega * omega, -c / mass;
       for_all_members([&](const Tableau &tableau) {

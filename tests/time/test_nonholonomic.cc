@@ -14,11 +14,11 @@ namespace
 
   /** A solid ball, J = 2/5 m R², on the plane through the origin normal to the axis 3, (−s, 0, c). */
   std::string
-  ball(const std::string &table,
-       const std::string &joints,
-       const std::string &on,
-       const std::string &motion,
-       double             slope)
+  ball_on_slope(const std::string &table,
+                const std::string &joints,
+                const std::string &on,
+                const std::string &motion,
+                double             slope)
   {
     std::ostringstream text;
     text.precision(17);
@@ -72,7 +72,7 @@ namespace
 TEST(Nonholonomic, BallRollsDownAPlane)
 {
   const double slope = 0.4;
-  Scene        scene(ball("", "", "ground", "", slope), {"Loads/weight/Acceleration = 0, 0, -9.81"});
+  Scene        scene(ball_on_slope("", "", "ground", "", slope), {"Loads/weight/Acceleration = 0, 0, -9.81"});
   const State  start = start_of({"", "", 0, 0}, scene.system);
   const double T = 1, a = 5. / 7 * g * std::sin(slope);
   const auto   error = [&](const State &end) {
@@ -104,7 +104,7 @@ TEST(Nonholonomic, BallOnATurntable)
                                   "set Body A = ground\n set Body B = table.centre\n" +
                                     motion("rotation", " set Prescribed = 3*t\n"));
   // v = Ω × x + ω × R n at (0, 1): with ω = (1, 2, 4), v = (−3 + 0.6, −0.3)
-  Scene         scene(ball(table, drive, "table.centre", moving("-2.4, -0.3, 0", "1, 2, 4"), 0));
+  Scene         scene(ball_on_slope(table, drive, "table.centre", moving("-2.4, -0.3, 0", "1, 2, 4"), 0));
   const State   start = start_of({"", "", 0, 0}, scene.system);
   const double  T = 0.5, rate         = 2. / 7 * 3;
   const Vector3 v0(-2.4, -0.3, 0), x0 = start.position(2);

@@ -30,12 +30,6 @@ namespace
             0,
             0};
   }
-
-  double
-  total_energy(const System &system, const State &state)
-  {
-    return energy_of(system, state) + potential_of(system, state);
-  }
 } // namespace
 
 

@@ -15,8 +15,6 @@ using namespace samara::systems;
 
 namespace
 {
-  const double g = 9.81;
-
   const std::string downwards = "  subsection weight\n set Type = gravity\n set Acceleration = 0, 0, -9.81\n end\n";
 
   /** 2 kg on a vertical slide 0.5 m above a stop of 2e3 N/m. */
@@ -31,14 +29,8 @@ namespace
                  downwards);
   }
 
-  double
-  total_energy(const System &system, const State &state)
-  {
-    return energy_of(system, state) + potential_of(system, state);
-  }
-
   /** What a stepper did up to some time. */
-  struct Course
+  struct StepperCourse
   {
     State               state;
     std::vector<double> ends, sizes, touches; ///< times and sizes of steps, times of touches
@@ -46,10 +38,10 @@ namespace
     unsigned int        n_failed = 0, n_rejected = 0;
   };
 
-  Course
+  StepperCourse
   course(const System &system, const State &start, Stepper &stepper, const double end)
   {
-    Course result;
+    StepperCourse result;
     result.state = start;
     while (result.state.time < end)
       {
@@ -76,7 +68,7 @@ namespace
     return result;
   }
 
-  Course
+  StepperCourse
   course(const System  &system,
          const State   &start,
          const Tableau &tableau,
@@ -91,9 +83,9 @@ namespace
 
   /** At rest in the reference configuration, or with the velocities the text gives. */
   State
-  start_of(const System &system)
+  start_without_kick(const System &system)
   {
-    return samara::start_of({"", "", 0, 0}, system);
+    return start_of({"", "", 0, 0}, system);
   }
 } // namespace
 
@@ -104,13 +96,13 @@ namespace
 TEST(Stops, BouncesOnAStop)
 {
   const Scene  scene(bouncing());
-  const double fall = std::sqrt(2 * 0.5 / g), v = g * fall, w = std::sqrt(2e3 / 2),
+  const double g = 9.81, fall = std::sqrt(2 * 0.5 / g), v = g * fall, w = std::sqrt(2e3 / 2),
                contact = 2 / w * (M_PI - std::atan(w * v / g)), period = 2 * fall + contact;
   const unsigned int n      = 5;
   double             coarse = 0;
   for (const double h : {0.004, 0.001})
     {
-      const Course c = course(scene.system, scene.system.reference(), Tableau(3, 1.), h, n * period);
+      const StepperCourse c = course(scene.system, scene.system.reference(), Tableau(3, 1.), h, n * period);
       ASSERT_EQ(c.touches.size(), 2 * n);
       EXPECT_EQ(c.n_failed, 0u);
       double error = 0;
@@ -141,7 +133,7 @@ TEST(Stops, EnergyOfAllMembers)
         for (const double h : {0.002, 0.013, 0.1})
           {
             SCOPED_TRACE("h = " + std::to_string(h));
-            const Course c = course(scene.system, scene.system.reference(), tableau, h, 3.);
+            const StepperCourse c = course(scene.system, scene.system.reference(), tableau, h, 3.);
             EXPECT_LT(c.balance, 1e-12);
             EXPECT_GE(c.touches.size(), 1u);
             EXPECT_NEAR(total_energy(scene.system, c.state) + c.viscous_loss + c.dissipated,
@@ -166,7 +158,7 @@ TEST(Stops, TwoStops)
             motion("rotation", " set Lower stop = -0.1\n set Upper stop = 2.5\n set Stop stiffness = 500\n")),
     downwards));
   for_all_members([&](const Tableau &tableau) {
-    const Course c = course(scene.system, start_of(scene.system), tableau, 0.01, 5.);
+    const StepperCourse c = course(scene.system, start_without_kick(scene.system), tableau, 0.01, 5.);
     EXPECT_LT(c.balance, 1e-12);
     EXPECT_GE(c.touches.size(), 4u);
   });
@@ -179,11 +171,11 @@ TEST(Stops, TwoAtATime)
 {
   const std::string slide = motion("displacement", " set Lower stop = -0.5\n set Stop stiffness = 2e3\n"),
                     body  = "set Mass = 2\n set Inertia = 1, 1, 1\n";
-  const Scene  scene(model(rigid_body("a", body) + rigid_body("b", body),
+  const Scene         scene(model(rigid_body("a", body) + rigid_body("b", body),
                           joint("A", "prismatic", "set Body A = ground\n set Body B = a.centre\n" + slide) +
                             joint("B", "prismatic", "set Body A = ground\n set Body B = b.centre\n" + slide),
                           downwards));
-  const Course c = course(scene.system, scene.system.reference(), Tableau(2, 1.), 0.01, 6.);
+  const StepperCourse c = course(scene.system, scene.system.reference(), Tableau(2, 1.), 0.01, 6.);
   EXPECT_LT(c.balance, 1e-12);
   EXPECT_NEAR(total_energy(scene.system, c.state), 0, 1e-10 * c.largest_energy);
   EXPECT_NEAR(c.state.coordinates[0], c.state.coordinates[1], 1e-9);
@@ -211,7 +203,7 @@ namespace
   }
 
   double
-  distance(const State &state, const std::complex<double> expected)
+  distance_from(const State &state, const std::complex<double> expected)
   {
     return std::abs(std::complex<double>(state.rates[0] / 5, state.coordinates[0]) - expected);
   }
@@ -235,11 +227,11 @@ TEST(Corners, AreHitAndKeepTheOrder)
   const State start    = scene.system.reference();
   for_all_members([&](const Tableau &tableau) {
     // what is left to a corner varies: sizes far apart show the orders nevertheless
-    const double       h      = tableau.s == 1 ? (tableau.alpha > 0 ? 0.002 : 0.01) : tableau.s == 2 ? 0.02 : 0.08;
-    const unsigned int factor = tableau.s == 3 ? 4 : 8;
-    const Course       coarse = course(scene.system, start, tableau, h, 1.5),
-                 fine         = course(scene.system, start, tableau, h / factor, 1.5);
-    for (const Course &c : {coarse, fine})
+    const double        h      = tableau.s == 1 ? (tableau.alpha > 0 ? 0.002 : 0.01) : tableau.s == 2 ? 0.02 : 0.08;
+    const unsigned int  factor = tableau.s == 3 ? 4 : 8;
+    const StepperCourse coarse = course(scene.system, start, tableau, h, 1.5),
+                        fine   = course(scene.system, start, tableau, h / factor, 1.5);
+    for (const StepperCourse &c : {coarse, fine})
       for (const double t : corners)
         {
           const auto is_there = [&](const double end) { return std::abs(end - t) < 1e-13; };
@@ -249,7 +241,7 @@ TEST(Corners, AreHitAndKeepTheOrder)
     // no step is longer than it was asked to be, and after a corner they have their size again
     EXPECT_LE(*std::max_element(fine.sizes.begin(), fine.sizes.end()), h / factor * (1 + 1e-6));
     EXPECT_LE(fine.sizes.size(), 1.5 / h * factor + 7);
-    const double error = distance(coarse.state, expected), finer = distance(fine.state, expected);
+    const double error = distance_from(coarse.state, expected), finer = distance_from(fine.state, expected);
     EXPECT_NEAR(std::log(error / finer) / std::log(factor),
                 tableau.alpha > 0 ? 2. * tableau.s - 1 : 2. * tableau.s,
                 0.15)
@@ -258,7 +250,7 @@ TEST(Corners, AreHitAndKeepTheOrder)
     const State over = run(scene.system, start, tableau, h / factor, std::lround(1.5 * factor / h)).state;
     if (tableau.s > 1)
       {
-        EXPECT_GT(distance(over, expected), 100 * finer);
+        EXPECT_GT(distance_from(over, expected), 100 * finer);
       }
   });
 }
@@ -274,11 +266,11 @@ TEST(Corners, OfAShortBlowAreHitByAdaptiveSteps)
   StepController::Settings settings;
   settings.tolerance    = 1e-4;
   settings.largest_step = 0.5;
-  Stepper      stepper(scene.system, integrator, 0.1, settings);
-  const Course c = course(scene.system, scene.system.reference(), stepper, 3.);
+  Stepper             stepper(scene.system, integrator, 0.1, settings);
+  const StepperCourse c = course(scene.system, scene.system.reference(), stepper, 3.);
   for (const double t : {2.5, 2.5001})
     EXPECT_NE(std::find(c.ends.begin(), c.ends.end(), t), c.ends.end()) << t;
-  EXPECT_LT(distance(c.state, response(force, {2.5, 2.5001, 3.}, 3.)), 1e-2 * 0.3);
+  EXPECT_LT(distance_from(c.state, response(force, {2.5, 2.5001, 3.}, 3.)), 1e-2 * 0.3);
 }
 
 
@@ -286,12 +278,12 @@ TEST(Corners, OfAShortBlowAreHitByAdaptiveSteps)
 // A prescribed motion has corners, too: those of its rate, where the drive gives a blow.
 TEST(Corners, OfPrescribedMotions)
 {
-  const Scene  scene(model(rigid_body("a", "set Mass = 2\n set Inertia = 1, 2, 3\n"),
+  const Scene         scene(model(rigid_body("a", "set Mass = 2\n set Inertia = 1, 2, 3\n"),
                           joint("j",
                                 "revolute",
                                 "set Body A = ground\n set Body B = a.centre\n" +
                                   motion("rotation", " set Prescribed = table: 0.1 0; 0.33 1; 0.7 1\n"))));
-  const Course c = course(scene.system, scene.system.reference(), Tableau(3, 0.5), 0.05, 1.);
+  const StepperCourse c = course(scene.system, scene.system.reference(), Tableau(3, 0.5), 0.05, 1.);
   for (const double t : {0.1, 0.33, 0.7})
     EXPECT_NE(std::find(c.ends.begin(), c.ends.end(), t), c.ends.end()) << t;
   EXPECT_NEAR(c.state.coordinates[0], 1, 1e-12);
@@ -317,9 +309,9 @@ namespace
   void
   expect_recovery(const Tableau &tableau, const double step = 0.2)
   {
-    const Scene   scene(braked);
-    const System &system = scene.system;
-    const Course  c      = course(system, start_of(system), tableau, step, 4., 1e-10);
+    const Scene         scene(braked);
+    const System       &system = scene.system;
+    const StepperCourse c      = course(system, start_without_kick(system), tableau, step, 4., 1e-10);
     EXPECT_GT(c.n_failed, 0u);
     EXPECT_EQ(c.state.time, 4.);
     EXPECT_LT(*std::min_element(c.sizes.begin(), c.sizes.end()), 0.55 * step);
@@ -356,7 +348,7 @@ TEST(Stepper, GivesUpAtTheSmallestStep)
 {
   const Scene     scene(braked);
   const System   &system = scene.system;
-  const State     start  = start_of(system);
+  const State     start  = start_without_kick(system);
   State           state  = start;
   StageIntegrator integrator(system, Tableau(2, 0.5));
   Stepper         stepper(system, integrator, 1., 0.4);
@@ -397,12 +389,12 @@ TEST(Stepper, RejectsAndRecovers)
         settings.tolerance = 1e-6;
         settings.duration  = end;
         settings.length    = 0.2;
-        Stepper      stepper(system, integrator, 1., settings);
-        const Course c = course(system, start, stepper, end);
+        Stepper             stepper(system, integrator, 1., settings);
+        const StepperCourse c = course(system, start, stepper, end);
         EXPECT_GT(c.n_rejected, 0u);
         EXPECT_EQ(c.state.time, end);
         EXPECT_LT(c.balance, 1e-12);
-        const double error = distance(c.state, 0.) / 0.4;
+        const double error = distance_from(c.state, 0.) / 0.4;
         EXPECT_GT(error, 0.2e-6);
         EXPECT_LT(error, 2e-6);
       }
@@ -424,5 +416,5 @@ TEST(Stepper, EndsWhereItIsTold)
       EXPECT_EQ(state.time, end);
       EXPECT_NEAR(stepper.next_step, 0.03, 1e-15);
     }
-  EXPECT_LT(distance(state, response([](const double t) { return std::sin(3 * t); }, {0, 1}, 1.)), 1e-9);
+  EXPECT_LT(distance_from(state, response([](const double t) { return std::sin(3 * t); }, {0, 1}, 1.)), 1e-9);
 }

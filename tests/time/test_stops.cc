@@ -192,7 +192,7 @@ namespace
   }
 
   std::string
-  ball(const std::string &name, const double x, const std::string &entries = "")
+  ball_on_line(const std::string &name, const double x, const std::string &entries = "")
   {
     return rigid_body(name,
                       "set Mass = 1\n set Inertia = 1, 1, 1\n set Position = " + number(x) + ", 0, 0\n" + entries);
@@ -206,7 +206,7 @@ namespace
     for (unsigned int i = 0; i < 5; ++i)
       {
         const std::string me = "b" + std::to_string(i);
-        bodies += ball(me, 1. + i, i == 0 ? moving("1, 0, 0", "0, 0, 0") : "");
+        bodies += ball_on_line(me, 1. + i, i == 0 ? moving("1, 0, 0", "0, 0, 0") : "");
         joints += joint("j" + std::to_string(i),
                         "prismatic",
                         "set Body A = " + (i == 0 ? "ground" : "b" + std::to_string(i - 1) + ".centre") +
@@ -282,17 +282,17 @@ namespace
   }
 
   /** What a stepper did up to some time, energies relative to the largest. */
-  struct Motion
+  struct StoppedMotion
   {
     State        state;
     double       drift = 0, up = 0, viscous_loss = 0, dissipated = 0, largest = 0, least_step = 1e300;
     unsigned int n_steps = 0, n_failed = 0, n_rejected = 0, n_touches = 0, n_iterations = 0;
   };
 
-  Motion
+  StoppedMotion
   run_to(const System &system, Integrator &integrator, Stepper &stepper, const double end)
   {
-    Motion run;
+    StoppedMotion run;
     run.state           = start_of({"", "", 0, 0}, system);
     const auto   total  = [&]() { return energy_of(system, run.state) + potential_of(system, run.state); };
     const double start  = total();
@@ -319,7 +319,7 @@ namespace
     return run;
   }
 
-  Motion
+  StoppedMotion
   run_to(const System &system, const Tableau &tableau, const double h, const double end, const double tolerance = 1e-13)
   {
     StageIntegrator integrator(system, tableau, tolerance);
@@ -356,8 +356,8 @@ TEST(Stops, KeepTheEnergyWhateverTheirStiffness)
         for (const auto &[s, rho] : {std::make_pair(2, 1.), std::make_pair(2, 0.5), std::make_pair(3, 1.)})
           {
             SCOPED_TRACE(c.name + ", k = " + number(k) + ", s = " + std::to_string(s) + ", rho = " + number(rho));
-            const Motion r     = run_to(scene.system, Tableau(s, rho), c.h, c.end);
-            const double bound = k < 1e7 ? 1e-11 : k < 1e10 ? 2e-11 : 2e-9;
+            const StoppedMotion r     = run_to(scene.system, Tableau(s, rho), c.h, c.end);
+            const double        bound = k < 1e7 ? 1e-11 : k < 1e10 ? 2e-11 : 2e-9;
             EXPECT_LT(r.drift, bound);
             EXPECT_LT(r.up, bound);
             EXPECT_GT(r.n_touches, 0u);
@@ -374,7 +374,7 @@ TEST(Stops, KeepTheEnergyWhateverTheirStiffness)
 TEST(Stops, Restitution)
 {
   const double k = 1e6, T = M_PI * std::sqrt(1 / k), gap = 1e-3;
-  const Scene  scene(model(ball("a", 1, moving("-1, 0, 0", "0, 0, 0")),
+  const Scene  scene(model(ball_on_line("a", 1, moving("-1, 0, 0", "0, 0, 0")),
                           joint("j",
                                 "prismatic",
                                 "set Body A = ground\n set Body B = a.centre\n set Axis = 1, 0, 0\n" +
@@ -384,9 +384,9 @@ TEST(Stops, Restitution)
     for (unsigned int i = 0; i < 24; ++i)
       {
         // so that the touch is at any fraction of a step
-        const double h = gap / (std::floor(gap / (part * T)) + 1 + i / 24.);
-        const Motion r = run_to(scene.system, Tableau(s, rho), h, h * std::ceil((gap + 2 * T) / h + 2));
-        smallest       = std::min(smallest, r.state.rates[0]);
+        const double        h = gap / (std::floor(gap / (part * T)) + 1 + i / 24.);
+        const StoppedMotion r = run_to(scene.system, Tableau(s, rho), h, h * std::ceil((gap + 2 * T) / h + 2));
+        smallest              = std::min(smallest, r.state.rates[0]);
         EXPECT_EQ(r.n_failed, 0u);
         if (rho == 1)
           {
@@ -412,10 +412,10 @@ TEST(Stops, ComeToRest)
     for (const unsigned int s : {2, 3})
       {
         SCOPED_TRACE("n = " + std::to_string(n) + ", s = " + std::to_string(s));
-        const double k = 1e5;
-        const Scene  scene(block(k, n, 200));
-        const Motion r     = run_to(scene.system, Tableau(s, 0.5), 4e-3, 6.);
-        double       speed = 0;
+        const double        k = 1e5;
+        const Scene         scene(block(k, n, 200));
+        const StoppedMotion r     = run_to(scene.system, Tableau(s, 0.5), 4e-3, 6.);
+        double              speed = 0;
         for (const double v : r.state.y)
           speed = std::max(speed, std::abs(v));
         EXPECT_LT(speed, 1e-9);
@@ -430,8 +430,8 @@ TEST(Stops, ComeToRest)
 // Adaptive steps see contacts by their work defect: errors follow the tolerance, also without dissipation.
 TEST(Stops, AdaptiveStepsResolveContacts)
 {
-  const Scene  scene(pendulum(1e5));
-  const Motion exact = run_to(scene.system, Tableau(3, 1.), 2e-5, 0.4);
+  const Scene         scene(pendulum(1e5));
+  const StoppedMotion exact = run_to(scene.system, Tableau(3, 1.), 2e-5, 0.4);
   for (const unsigned int s : {2, 3})
     for (const double rho : {1., 0.5})
       {
@@ -443,9 +443,9 @@ TEST(Stops, AdaptiveStepsResolveContacts)
             StepController::Settings settings;
             settings.tolerance    = tolerance;
             settings.largest_step = 0.02;
-            Stepper      stepper(scene.system, integrator, 8e-3, settings);
-            const Motion r     = run_to(scene.system, integrator, stepper, 0.4);
-            const double error = std::hypot(position(r.state, 2, 0) - position(exact.state, 2, 0),
+            Stepper             stepper(scene.system, integrator, 8e-3, settings);
+            const StoppedMotion r     = run_to(scene.system, integrator, stepper, 0.4);
+            const double        error = std::hypot(position(r.state, 2, 0) - position(exact.state, 2, 0),
                                             position(r.state, 2, 2) - position(exact.state, 2, 2));
             EXPECT_LT(error, 100 * tolerance);
             EXPECT_LT(error, before);

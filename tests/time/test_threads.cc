@@ -13,16 +13,6 @@ using namespace samara;
 
 namespace
 {
-  class Threads : public testing::Test
-  {
-  protected:
-    void
-    TearDown() override
-    {
-      set_threads(1);
-    }
-  };
-
   /** 2000 quadratic elements, so that all loops are worth threads, bent, viscous and hinged, that begin to fall. */
   const std::string long_beams = R"(
 subsection Sections
@@ -73,7 +63,7 @@ end
 
   /** After two steps. */
   State
-  thrown(const unsigned int stages, const unsigned int n_threads)
+  begun_to_fall(const unsigned int stages, const unsigned int n_threads)
   {
     set_threads(n_threads);
     const Scene     scene(long_beams);
@@ -87,12 +77,24 @@ end
 
 
 
+class Threads : public testing::Test
+{
+protected:
+  void
+  TearDown() override
+  {
+    set_threads(1);
+  }
+};
+
+
+
 TEST_F(Threads, DoNotChangeAnything)
 {
   for (const unsigned int stages : {1, 2, 3})
     {
       SCOPED_TRACE(stages);
-      const State one = thrown(stages, 1), three = thrown(stages, 3);
+      const State one = begun_to_fall(stages, 1), three = begun_to_fall(stages, 3);
       EXPECT_EQ(one.q, three.q);
       EXPECT_EQ(one.y, three.y);
       EXPECT_EQ(one.stress, three.stress);
