@@ -40,30 +40,44 @@ namespace samara
             throw InputError(with_place(error.complaints, analysis.parameters.where()));
           }
       };
-      const auto run_once = [&]() {
-        for (const auto &analysis : input.analyses)
-          run_one(*analysis);
-      };
       if (context.restart)
         {
-          // the state is in the checkpoint: what was done before it is not repeated
-          for (const auto &analysis : input.analyses)
-            if (analysis->can_restart())
-              return run_one(*analysis);
-          throw InputError(input.where("Analyses") + ": --restart: there is no dynamic analysis among the <Analyses>");
+          // the state is in the checkpoint: what was done before it is not repeated, and its results are there
+          auto next = std::find_if(input.analyses.begin(), input.analyses.end(), [](const auto &analysis) {
+            return analysis->can_restart();
+          });
+          if (next == input.analyses.end())
+            throw InputError(input.where("Analyses") +
+                             ": --restart: there is no dynamic analysis among the <Analyses>");
+          run_one(**next);
+          for (context.restart = false; ++next != input.analyses.end();)
+            {
+              (*next)->start(context);
+              run_one(**next);
+              (*next)->finish(context);
+            }
+          return;
         }
       for (const auto &analysis : input.analyses)
         analysis->start(context);
       if (context.sweep.empty())
-        run_once();
-      for (const double speed : context.sweep)
+        for (const auto &analysis : input.analyses)
+          {
+            run_one(*analysis);
+            analysis->finish(context); // a run that is killed later keeps the results of this one
+          }
+      else
         {
-          context.speeds = context.speeds_at(speed);
-          context.log.line("speed " + short_text(speed) + " rad/s");
-          run_once();
+          for (const double speed : context.sweep)
+            {
+              context.speeds = context.speeds_at(speed);
+              context.log.line("speed " + short_text(speed) + " rad/s");
+              for (const auto &analysis : input.analyses)
+                run_one(*analysis);
+            }
+          for (const auto &analysis : input.analyses)
+            analysis->finish(context);
         }
-      for (const auto &analysis : input.analyses)
-        analysis->finish(context);
     }
 
 

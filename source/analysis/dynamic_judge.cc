@@ -90,8 +90,11 @@ namespace samara
   std::string
   DynamicAnalysis::resolution(const Integrator &integrator) const
   {
-    if (integrator.family() == nullptr || !(report.largest_energy > energy_floor))
+    if (!(report.largest_energy > energy_floor))
       return "";
+    if (integrator.family() == nullptr)
+      return " by construction: what the scheme loses or gains counts as its dissipation, " +
+             number_to_text("%.3g", budget.dissipated) + " J";
     const DissipationRelation relation(*integrator.family());
     const double              Y    = relation.inverse(report.indicator / report.largest_energy);
     std::string               text = "\n  a step turns a body by up to " + number_to_text("%.2g", report.turn) +
@@ -124,6 +127,20 @@ namespace samara
                             ">: they grow, oscillate or decay within a step, and what they do there is wrong by a "
                             "third or more. Take a smaller <Step>" +
                             (spectral_radius < 1 ? "" : ", or <Spectral radius> below 1 for what decays quickly"));
+    // the energy of a good scheme oscillates a little, that of one beyond its limit of stability grows
+    constexpr double allowed_gain = 1e-3;
+    if (budget.dissipated < -allowed_gain * report.largest_energy)
+      context.log.warning("",
+                          "the integrator has made " + number_to_text("%.3g", -budget.dissipated) + " J of energy, " +
+                            number_to_text("%.2g", -100 * budget.dissipated / report.largest_energy) +
+                            " % of the largest, out of nothing: the motion is not to be trusted. Take a smaller "
+                            "<Step>, or the integrator of the family, which cannot");
+    if (report.work_defect > 0.1 * report.largest_energy)
+      context.log.warning("",
+                          "contacts with stops are not resolved: within one step they would take or give " +
+                            number_to_text("%.2g", report.work_defect / report.largest_energy) +
+                            " of the largest energy. Energy is kept nevertheless, but where the motion goes after a "
+                            "contact is arbitrary. Take a smaller <Step>");
     if (report.does_close)
       return;
     const std::string text =

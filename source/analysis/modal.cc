@@ -48,9 +48,12 @@ namespace samara
   ModalAnalysis::run(Context &context)
   {
     const System &system = context.system;
+    OtherMotion   other;
     if (!context.is_equilibrium)
       {
+        const std::vector<double> twists = context.state.y;
         set_steady_motion(system, context.state, context.speeds);
+        other = other_motion(system, context.state, twists);
         system.stresses(context.state, context.state.stress);
       }
     require_finite_state(system, context.state);
@@ -73,6 +76,7 @@ namespace samara
         if (!seen.spins().empty())
           linearization = Linearization(system, state, seen.spins());
         find(context, linearization);
+        check_other_motion(context, other);
         check_axes(context, seen);
       }
     catch (const SingularMatrix &singular)
@@ -106,6 +110,42 @@ namespace samara
       "parts do not turn steadily: " + why_not_steady(context.system, turning, context.speeds, motion);
     refuse_unsteady(context, why);
     return false;
+  }
+
+
+
+  ModalAnalysis::OtherMotion
+  ModalAnalysis::other_motion(const System &system, const State &steady, const std::vector<double> &twists)
+  {
+    OtherMotion result;
+    // nothing has moved yet: velocities at the start belong to a dynamic analysis
+    if (std::all_of(twists.begin(), twists.end(), [](const double v) { return v == 0.; }))
+      return result;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        const auto spin_of = [&](const std::vector<double> &y) {
+          return Eigen::Map<const Vector6>(&y[6 * node]).tail<3>();
+        };
+        const double difference = (spin_of(twists) - spin_of(steady.y)).norm();
+        if (difference > result.spin)
+          result = {difference, system.layout.name_of(system.layout.of_node(node))};
+      }
+    return result;
+  }
+
+
+
+  void
+  ModalAnalysis::check_other_motion(const Context &context, const OtherMotion &other) const
+  {
+    constexpr double allowed = 1e-3; // of a mode's frequency: what gyroscopic terms of that spin change
+    for (const auto &mode : modes)
+      if (mode.frequency() > 0 && other.spin > allowed * mode.frequency())
+        return refuse_unsteady(context,
+                               "the state before moves otherwise than steadily, " + other.place + " turns with " +
+                                 short_text(other.spin) +
+                                 " rad/s more or less than the rotations of the model say; modes of such a motion, "
+                                 "with its gyroscopic terms, are not those of the state at rest");
   }
 
 
@@ -157,7 +197,7 @@ namespace samara
   void
   ModalAnalysis::check_mass(const System &system, const Linearization &linearization) const
   {
-    const auto &values = linearization.M.values;
+    const auto &values      = linearization.M.values;
     const bool  is_massless = std::all_of(values.begin(), values.end(), [](const double m) { return m == 0.; });
     if (is_massless && system.layout.n_states == 0)
       throw NotConverged(

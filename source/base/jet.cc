@@ -130,14 +130,14 @@ namespace samara
         [](Arguments a, N) { return std::isnan(a->value) ? 0 : f(a->value); });
     }
 
-    /** Which of many is before all others in an order. */
+    /** Which of many is before all others in an order; what is no number is before all. */
     template <typename Before>
     unsigned int
     foremost(const Arguments x, const unsigned int n)
     {
       unsigned int best = 0;
-      for (unsigned int i = 1; i < n; ++i)
-        if (Before()(x[i].value, x[best].value))
+      for (unsigned int i = 1; i < n && !std::isnan(x[best].value); ++i)
+        if (std::isnan(x[i].value) || Before()(x[i].value, x[best].value))
           best = i;
       return best;
     }
@@ -158,6 +158,9 @@ namespace samara
     Jet
     saturated(const Arguments a, N)
     {
+      for (unsigned int i = 0; i < 3; ++i)
+        if (std::isnan(a[i].value))
+          return a[i];
       return a[0].value > a[2].value || a[1].value > a[2].value ? a[2] : a[0].value < a[1].value ? a[1] : a[0];
     }
 

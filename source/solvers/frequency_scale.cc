@@ -102,8 +102,8 @@ namespace samara
             result.is_blurred = true;
         }
       std::sort(sizes.begin(), sizes.end());
-      // frequencies far below all others are near to a stability limit, or of pendulums: no measure of the model; or the
-      // six free motions of one body, each there twice, that round-off has moved away from zero
+      // frequencies far below all others are near to a stability limit, or of pendulums: no measure of the model; or
+      // the six free motions of one body, each there twice, that round-off has moved away from zero
       const std::size_t most  = std::max<std::size_t>(sizes.size() / 2, 12);
       unsigned int      first = 0;
       for (unsigned int i = 0; i + 1 < sizes.size() && i < most && first == 0; ++i)

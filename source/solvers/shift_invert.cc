@@ -36,7 +36,7 @@ namespace samara
             {
               const int other = A.pattern->position(j, i);
               largest         = std::max(largest, std::abs(A.values[k]));
-              difference = std::max(difference, std::abs(A.values[k] - sign * (other < 0 ? 0. : A.values[other])));
+              difference      = std::max(difference, std::abs(A.values[k] - sign * (other < 0 ? 0. : A.values[other])));
             }
       return difference <= 1e-9 * largest + round_off;
     }
@@ -185,8 +185,8 @@ namespace samara
   Eigen::VectorXcd
   ShiftInvert::left_vector(const std::complex<double> &lambda, const Eigen::VectorXcd &x, const double gap) const
   {
-    using Complex                  = std::complex<double>;
-    const auto             slope_of = [&](const Eigen::VectorXcd &y) { return std::abs(slope(lambda, y, x.head(n))); };
+    using Complex                    = std::complex<double>;
+    const auto             slope_of  = [&](const Eigen::VectorXcd &y) { return std::abs(slope(lambda, y, x.head(n))); };
     const Eigen::VectorXcd conjugate = x.conjugate();
     const Eigen::VectorXcd near      = slope_of(conjugate) >= slope_of(x) ? conjugate : x;
     if (is_symmetric || (is_conservative && std::abs(lambda.real()) < 1e-8 * std::abs(lambda)))
@@ -247,7 +247,7 @@ namespace samara
       result.work += std::abs(q(i) * motion.strains.B.row_times(i, zeta.data()));
     Eigen::VectorXcd Mz = Eigen::VectorXcd::Zero(n);
     M.add_product(std::complex<double>(1.), zeta.data(), Mz.data());
-    result.mass = std::abs(zeta.dot(Mz));
+    result.mass                 = std::abs(zeta.dot(Mz));
     const Eigen::VectorXcd left = left_vector(lambda, x, gap);
     result.error                = left.cwiseAbs().dot(r.cwiseAbs()) / std::abs(slope(lambda, left, zeta));
     return result;

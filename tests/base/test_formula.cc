@@ -133,6 +133,23 @@ namespace
 
 
 
+  // What is no number is not hidden by what it is compared with.
+  TEST(Formula, KeepsWhatIsNoNumber)
+  {
+    for (const std::string text : {"max(x, 0/0)",
+                                   "max(0/0, x)",
+                                   "min(1, x, 0/0)",
+                                   "min(0/0, 1, x)",
+                                   "saturate(0/0, 0, x)",
+                                   "saturate(x, 0/0, 1)",
+                                   "saturate(x, 0, 0/0)",
+                                   "deadband(0/0, x)",
+                                   "deadband(x, 0/0)"})
+      EXPECT_TRUE(std::isnan(Formula(text, "x")(0.5).value)) << text;
+  }
+
+
+
   TEST(Formula, RefusesWhatItCannotRead)
   {
     for (const char *text : {"",

@@ -1,6 +1,8 @@
 // Modes belong to an equilibrium: a state whose loads nothing balances is refused, an unloaded one needs no statics.
 // And they belong to what has mass: there are no more of them than masses.
 
+#include <samara/analysis/dynamic.h>
+
 #include <gtest/gtest.h>
 
 #include "modes.h"
@@ -131,4 +133,71 @@ TEST(StateOfModes, NoMoreModesThanMasses)
   EXPECT_NEAR(modes[2].frequency(), std::sqrt(EA / 40), 1e-9 * std::sqrt(EA / 40));
   EXPECT_NE(scene.stream.str().find("no other motion moves mass"), std::string::npos);
   EXPECT_THROW(Scene(rod_with({{"density", "0"}})).modes(), NotConverged);
+}
+
+
+
+namespace
+{
+  /** A disc on a gimbal with springs of 10 N m/rad, both about axes through its centre. */
+  const std::string gyroscope = R"(
+set Analyses = dynamic, modal
+subsection Bodies
+  subsection gimbal
+    set Type    = rigid body
+    set Mass    = 0.1
+    set Inertia = 0.001, 0.001, 0.001
+  end
+  subsection disc
+    set Type             = rigid body
+    set Mass             = 1
+    set Inertia          = 0.1, 0.1, 0.2
+    set Angular velocity = 0, 0, 100
+  end
+end
+subsection Joints
+  subsection hinges
+    set Type        = universal
+    set Body A      = ground
+    set Body B      = gimbal
+    set Axis        = 1, 0, 0
+    set Second axis = 0, 1, 0
+    subsection rotation 1
+      set Spring = 10
+    end
+    subsection rotation 2
+      set Spring = 10
+    end
+  end
+  subsection bearing
+    set Type   = revolute
+    set Body A = gimbal
+    set Body B = disc
+  end
+end
+subsection Dynamic
+  set Step     = 0.01
+  set End time = 0.02
+end
+)";
+} // namespace
+
+
+
+// What a motion has left turning has gyroscopic terms that no steady motion of the model knows of: modes at rest are
+// not its modes.
+TEST(StateOfModes, MotionsThatNoRotationDescribesAreRefused)
+{
+  for (const std::string unsteady : {"refuse", "allow"})
+    {
+      Scene scene(gyroscope, {"Modal/Unsteady motion = " + unsteady});
+      scene.analysis<DynamicAnalysis>().run(scene.context);
+      if (unsteady == "allow")
+        EXPECT_NO_THROW(scene.modes());
+      else
+        EXPECT_THROW(scene.modes(), InputError);
+    }
+  Scene at_rest(gyroscope, {"Bodies/disc/Angular velocity = 0, 0, 1e-5"});
+  at_rest.analysis<DynamicAnalysis>().run(at_rest.context);
+  EXPECT_NO_THROW(at_rest.modes());
 }
