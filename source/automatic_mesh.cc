@@ -103,7 +103,7 @@ namespace samara
     {
     public:
       Solution(const Catalogue                &catalogue,
-               const std::string              &file,
+               const InputFile                &file,
                const std::vector<std::string> &overrides,
                const bool                      with_modes)
         : input(catalogue, file, overrides)
@@ -111,6 +111,7 @@ namespace samara
         , log(stream)
         , context{system, log, "", {}, false, system.reference(), {}, {}}
       {
+        input.use_settings();
         system.drop(check_model(system).redundant_multipliers);
         context.state = system.reference();
         for (const auto &rotation : input.model.rotations)
@@ -337,7 +338,7 @@ namespace samara
 
   std::vector<std::string>
   find_meshes(const Catalogue         &catalogue,
-              const std::string       &file,
+              const InputFile         &file,
               std::vector<std::string> overrides,
               Log                     &log,
               std::vector<MeshPass>   *passes)

@@ -21,6 +21,10 @@
 #include <samara/section_report.h>
 #include <samara/states/controller.h>
 #include <samara/states/first_order.h>
+#include <samara/time/rival_alpha.h>
+#include <samara/time/rival_bdf.h>
+#include <samara/time/rival_energy_decaying.h>
+#include <samara/time/stage_integrator.h>
 
 namespace samara
 {
@@ -109,9 +113,17 @@ namespace samara
               {"Surfaces", "surface", surfaces, "lifting line"},
               {"Loads", "load", loads}}; // loads know what of the inertia has weight
 
+    integrators = std::make_shared<Integrators>();
+    integrators->add<StageIntegrator>("family", "the energy preserving and decaying schemes of this program");
+    integrators->add<GeneralisedAlpha>("generalised alpha", "on the nodal frames, of index 3");
+    integrators->add<TrapezoidalRule>("trapezoidal", "the trapezoidal rule, Newmark's method without dissipation");
+    integrators->add<EnergyDecaying>("energy decaying", "the textbook scheme, in inertial velocities");
+    integrators->add<BdfIndex2>("BDF index 2", "SUNDIALS' formulas of variable order and inner step, stabilised");
+    integrators->add<BdfIndex1>("BDF index 1", "the same with constraints on accelerations");
+
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
-    analyses.add<DynamicAnalysis>("dynamic", "motion in time");
+    analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
     analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");
   }
 } // namespace samara

@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/base/threads.h>
+#include <samara/cosserat/section.h>
 #include <samara/input.h>
 #include <samara/solvers/linear.h>
 
@@ -22,10 +23,13 @@ namespace samara
 
 
   void
-  Input::add_parameters(Parameters &prm)
+  Input::add_parameters(Parameters &prm, const Catalogue &catalogue)
   {
     prm.add("Title", title, "One line that says what the model is.");
-    prm.add("Analyses", analysis_names, "What to do, in this order; each starts from the state before: static, modal, dynamic, section.");
+    prm.add("Analyses",
+            analysis_names,
+            "What to do, in this order; each starts from the state before: " + join(catalogue.analyses.kinds(), ", ") +
+              ".");
     prm.add("Rotor speeds",
             rotor_speeds,
             "Speeds of the first steady rotation for which all analyses are done; others in proportion [rad/s].");
@@ -175,7 +179,7 @@ namespace samara
       for (const auto &entry : constants->entries)
         quantities.add_constant(entry.name, entry.value, entry.where, complaints);
 
-    add_parameters(root);
+    add_parameters(root, catalogue);
     root.ignore_subsection("Constants");
     for (const auto &group : catalogue.groups)
       root.ignore_subsection(group.subsection);
@@ -186,8 +190,6 @@ namespace samara
     root.parse(outline, quantities, complaints);
     add_probes_of(subsystems);
     says_redundant = !redundant.empty();
-    use_library(library_by_name(linear_solver));
-    set_threads(threads);
 
     for (const auto &group : catalogue.groups)
       for (const auto &scope : subsystems.scopes())
@@ -206,9 +208,18 @@ namespace samara
     if (!complaints.empty())
       find_more_mistakes(complaints);
     subsystems.without_twins(complaints).throw_if_any();
-    if (model.nodes.size() == 1 && !has_sections_alone())
+    if (model.nodes.size() == 1 && !is_without_bodies())
       throw InputError((outline.section("Bodies") != nullptr ? outline.section("Bodies")->where : outline.where) +
                        ": the model has no body; add one to subsection <Bodies>.");
+  }
+
+
+
+  void
+  Input::use_settings() const
+  {
+    use_library(library_by_name(linear_solver));
+    set_threads(threads);
   }
 
 

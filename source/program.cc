@@ -1,16 +1,14 @@
 #include <samara/analysis/check.h>
-#include <samara/analysis/dynamic.h>
 #include <samara/analysis/near_redundancy.h>
-#include <samara/analysis/static.h>
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
 #include <samara/base/text.h>
 #include <samara/base/threads.h>
+#include <samara/cosserat/section.h>
 #include <samara/input.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
-#include <samara/section_report.h>
 #include <samara/study.h>
 
 #include <algorithm>
@@ -114,31 +112,21 @@ namespace samara
 
 
 
-    /** What the run took, for programs to read: steps and iterations of the motion, or else of the equilibrium. */
+    /** What the run took, for programs to read: steps and iterations of the last analysis that counts any. */
     void
     write_summary(const Input &input, const Context &context, const double seconds, const double processor_seconds)
     {
-      double steps = std::nan(""), iterations = std::nan(""), factorizations = std::nan("");
+      Analysis::Effort effort = {std::nan(""), std::nan(""), std::nan("")};
       for (const auto &analysis : input.analyses)
-        if (const auto *const dynamic = dynamic_cast<DynamicAnalysis *>(analysis.get()))
-          {
-            steps          = dynamic->report.n_steps;
-            iterations     = dynamic->report.n_iterations;
-            factorizations = dynamic->report.n_factorizations;
-          }
-        else if (const auto *const statics = dynamic_cast<StaticAnalysis *>(analysis.get()))
-          {
-            steps      = statics->n_steps;
-            iterations = statics->n_iterations;
-          }
+        effort = analysis->effort().value_or(effort);
       Table table({"unknowns", "time [s]", "processor time [s]", "steps", "iterations", "factorizations"});
       using Cell = Table::Cell;
       table.add_row({context.system.size(),
                      seconds,
                      processor_seconds,
-                     Cell::optional(steps),
-                     Cell::optional(iterations),
-                     Cell::optional(factorizations)});
+                     Cell::optional(effort.steps),
+                     Cell::optional(effort.iterations),
+                     Cell::optional(effort.factorizations)});
       table.write(context.folder + "/summary.csv");
     }
 
@@ -162,7 +150,7 @@ namespace samara
 
     /** A model without bodies: nothing moves, and there is nothing to assemble. */
     void
-    run_sections(const Options &options, const Input &input, Log &log)
+    run_without_bodies(const Options &options, const Input &input, Log &log)
     {
       input.make_probes();
       if (options.check)
@@ -176,13 +164,14 @@ namespace samara
       std::ofstream used = open_file(folder + "/used.prm");
       input.print(used);
       flush(used, folder + "/used.prm");
-      dynamic_cast<const SectionReport &>(*input.analyses.at(0)).report(input.model, folder, input.pictures, log);
+      for (const auto &analysis : input.analyses)
+        analysis->run_without_bodies(input.model, folder, input.pictures, log);
       log.line("results are in " + folder);
     }
 
 
 
-    /** Whether a beam may have a mesh that is to be found; then the model is read once more for each attempt. */
+    /** Whether a beam may have a mesh that is to be found; then a model is made of the file for each attempt. */
     bool
     has_automatic_meshes(const Outline &outline, const std::vector<std::string> &overrides)
     {
@@ -230,10 +219,11 @@ namespace samara
     // a mere check solves nothing, and sees the first mesh of automatic elements
     const bool is_automatic = !options.check && has_automatic_meshes(file.outline, options.overrides);
     const auto overrides =
-      is_automatic ? find_meshes(Catalogue(), options.model, options.overrides, log) : options.overrides;
+      is_automatic ? find_meshes(Catalogue(), file, options.overrides, log) : options.overrides;
     Input input(Catalogue(), std::move(file), overrides);
-    if (input.has_sections_alone())
-      return run_sections(options, input, log);
+    input.use_settings();
+    if (input.is_without_bodies())
+      return run_without_bodies(options, input, log);
     const auto owner  = input.assemble();
     System    &system = *owner;
     check_size(input, system);

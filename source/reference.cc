@@ -8,7 +8,6 @@
 
 #include <cctype>
 #include <map>
-#include <type_traits>
 
 namespace samara
 {
@@ -86,20 +85,15 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
 
 
 
-    /** A template, so that it is compiled only for an Input that can be made without a file. */
-    template <typename AnyInput>
     void
-    print_model(std::ostream &out)
+    print_model(std::ostream &out, const Catalogue &catalogue)
     {
+      Input      input;
+      Parameters parameters;
+      input.add_parameters(parameters, catalogue);
       out << "## The model\n\nOutside of all named objects:\n\n";
-      if constexpr (std::is_default_constructible_v<AnyInput>)
-        {
-          AnyInput   input;
-          Parameters parameters;
-          input.add_parameters(parameters);
-          parameters.document(out);
-          out << '\n';
-        }
+      parameters.document(out);
+      out << '\n';
     }
 
 
@@ -160,7 +154,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
     print_everything(std::ostream &out, const Catalogue &catalogue)
     {
       print_language(out);
-      print_model<Input>(out);
+      print_model(out, catalogue);
       for (const auto &group : catalogue.groups)
         {
           out << "## " << group.subsection << "\n\nEach " << group.noun << " is a subsection with a name of its own in "

@@ -281,6 +281,16 @@ namespace samara
 
 
   void
+  SectionReport::run_without_bodies(const Model &model, const std::string &folder, const bool pictures, Log &log)
+  {
+    if (!places.empty())
+      throw InputError(parameters.where("Stresses at") + ": there is no beam in the model where stresses could be");
+    report(model, folder, pictures, log);
+  }
+
+
+
+  void
   SectionReport::report_stresses(const Context &context) const
   {
     Table table({"place",

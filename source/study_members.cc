@@ -1,8 +1,5 @@
 // The runs of a study: the overrides of each, their folders, and whether they can be run.
 
-#include <samara/analysis/dynamic.h>
-#include <samara/analysis/modal.h>
-#include <samara/analysis/static.h>
 #include <samara/base/text.h>
 #include <samara/input.h>
 #include <samara/study.h>
@@ -115,19 +112,6 @@ namespace samara
       char hexadecimal[17];
       std::snprintf(hexadecimal, sizeof hexadecimal, "%016llx", static_cast<unsigned long long>(hash));
       return hexadecimal;
-    }
-
-
-
-    bool
-    has_analysis(const Input &input, const std::string &kind)
-    {
-      for (const auto &analysis : input.analyses)
-        if ((kind == "static" && dynamic_cast<StaticAnalysis *>(analysis.get()) != nullptr) ||
-            (kind == "modal" && dynamic_cast<ModalAnalysis *>(analysis.get()) != nullptr) ||
-            (kind == "dynamic" && dynamic_cast<DynamicAnalysis *>(analysis.get()) != nullptr))
-          return true;
-      return false;
     }
 
 
@@ -308,7 +292,7 @@ namespace samara
         Input      input(Catalogue(), member.model, texts);
         const auto system = input.assemble();
         input.make_probes();
-        if (texts.size() == member.overrides.size() && !has_analysis(input, quantity.analysis()))
+        if (texts.size() == member.overrides.size() && !input.has_analysis(quantity.analysis()))
           return {settings.where("Quantity") + ": <Quantity>: there is no " + quantity.analysis() +
                   " analysis among the <Analyses> of " + member.model};
       }

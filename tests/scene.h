@@ -38,12 +38,20 @@ namespace samara
     };
     std::unique_ptr<TemporaryFile> file;
 
+    /** With the settings of the input in use, as in a run. */
+    static Model &
+    model_of(Input &input)
+    {
+      input.use_settings();
+      return input.model;
+    }
+
   public:
     /** @p source is the text of an input file, or the name of one that is shipped, "prm/benchmarks/roll_up.prm". */
     explicit Scene(const std::string &source, const std::vector<std::string> &overrides = {})
       : file(source.find('\n') == std::string::npos ? nullptr : new TemporaryFile(source))
       , input(Catalogue(), file ? file->name : std::string(SAMARA_SOURCE_DIR) + "/" + source, overrides)
-      , system(input.model)
+      , system(model_of(input))
       , log(stream)
       , context{system, log, "", {}, false, without_redundant(), {}, {}}
     {
@@ -75,8 +83,14 @@ namespace samara
       for (const auto &a : input.analyses)
         if (auto *const wanted = dynamic_cast<Kind *>(a.get()))
           return *wanted;
-      input.analyses.push_back(std::make_unique<Kind>());
-      return static_cast<Kind &>(*input.analyses.back());
+      const auto known = Catalogue().analyses;
+      for (const auto &kind : known.kinds())
+        if (auto made = known.make(kind); dynamic_cast<Kind *>(made.get()) != nullptr)
+          {
+            input.analyses.push_back(std::move(made));
+            return static_cast<Kind &>(*input.analyses.back());
+          }
+      throw std::logic_error("the catalogue has no such analysis");
     }
 
     /** Static equilibrium from the present state; throws NotConverged. */

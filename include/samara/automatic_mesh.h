@@ -2,7 +2,7 @@
 #define samara_automatic_mesh_h
 
 #include <samara/base/log.h>
-#include <samara/catalogue.h>
+#include <samara/input.h>
 
 #include <string>
 #include <vector>
@@ -34,7 +34,7 @@ namespace samara
    * Without such beams the overrides are returned as they are, and nothing is solved. @throws NotConverged, InputError
    */
   std::vector<std::string> find_meshes(const Catalogue         &catalogue,
-                                       const std::string       &file,
+                                       const InputFile         &file,
                                        std::vector<std::string> overrides,
                                        Log                     &log,
                                        std::vector<MeshPass>   *passes = nullptr);

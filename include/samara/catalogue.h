@@ -4,6 +4,7 @@
 #include <samara/analysis/analysis.h>
 #include <samara/base/registry.h>
 #include <samara/model/item.h>
+#include <samara/time/integrators.h>
 
 namespace samara
 {
@@ -21,7 +22,10 @@ namespace samara
     Catalogue();
 
     std::vector<Group> groups;
-    Registry<Analysis> analyses;
+
+    /** Shared with the analyses, which know what is added later, too. */
+    std::shared_ptr<Integrators> integrators;
+    Registry<Analysis>           analyses;
   };
 } // namespace samara
 

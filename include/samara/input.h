@@ -52,12 +52,16 @@ namespace samara
       return std::find(analysis_names.begin(), analysis_names.end(), kind) != analysis_names.end();
     }
 
-    /** Whether there are no bodies, and sections are to be reported. */
+    /** Whether there are no bodies, and none of the analyses needs any. */
     bool
-    has_sections_alone() const
+    is_without_bodies() const
     {
-      return model.nodes.size() == 1 && analysis_names == std::vector<std::string>{"section"};
+      return model.nodes.size() == 1 && !analyses.empty() &&
+             std::none_of(analyses.begin(), analyses.end(), [](const auto &a) { return a->needs_bodies(); });
     }
+
+    /** Make the linear solver and the number of threads that the file asks for those of this process. */
+    void use_settings() const;
 
     /** The system; if it cannot be made, wrong probes are complained about, too. @throws InputError */
     std::unique_ptr<System> assemble();
@@ -80,7 +84,7 @@ namespace samara
     std::shared_ptr<const std::string> used() const;
 
     /** Declare the entries that stand outside of named objects; for reading and for the documentation. */
-    void add_parameters(Parameters &prm);
+    void add_parameters(Parameters &prm, const Catalogue &catalogue);
 
   private:
     Parameters               root;

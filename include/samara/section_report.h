@@ -20,13 +20,19 @@ namespace samara
     void add_parameters(Parameters &prm) override;
     void run(Context &context) override;
 
-    /** Without stresses of beams. */
-    void report(const Model &model, const std::string &folder, bool pictures, Log &log) const;
+    bool
+    needs_bodies() const override
+    {
+      return false;
+    }
+    /** @throws InputError if stresses are wanted, which beams have. */
+    void run_without_bodies(const Model &model, const std::string &folder, bool pictures, Log &log) override;
 
   private:
     std::vector<std::string> names, places;
 
     std::vector<const Section *> wanted(const Model &model) const;
+    void                         report(const Model &model, const std::string &folder, bool pictures, Log &log) const;
     void                         report_stresses(const Context &context) const;
   };
 

@@ -1,12 +1,27 @@
 // The entries of a dynamic analysis, and which of them do not fit each other.
 
 #include <samara/analysis/dynamic.h>
+#include <samara/base/text.h>
 
 namespace samara
 {
   namespace
   {
     constexpr double most_steps = 1e10; ///< of a run: nobody waits for more
+  }
+
+
+
+  DynamicAnalysis::DynamicAnalysis(const std::shared_ptr<const Integrators> &integrators)
+    : integrators(integrators)
+  {}
+
+
+
+  bool
+  DynamicAnalysis::is_family() const
+  {
+    return integrators->abilities_of(integrator).is_family;
   }
 
 
@@ -42,13 +57,10 @@ namespace samara
       Double(0));
     prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
     prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
-    prm.add(
-      "Integrator",
-      integrator,
-      "family: the energy preserving and decaying schemes of this program; or one of the others, for comparison and "
-      "with fixed steps: generalised alpha on the nodal frames, the trapezoidal rule, the energy decaying scheme in "
-      "inertial velocities, or backward differentiation formulas of variable order and inner step (SUNDIALS).",
-      Selection("family|generalised alpha|trapezoidal|energy decaying|BDF index 2|BDF index 1"));
+    prm.add("Integrator",
+            integrator,
+            integrators->what_they_are() + ". All but the family are here for comparison, with fixed steps.",
+            Selection(join(integrators->names(), "|")));
     prm.add(
       "Stages",
       n_stages,
@@ -112,7 +124,7 @@ namespace samara
                      "a dynamic analysis starts at one speed; leave out <Rotor speeds>, or the analysis");
     if (control != "adaptive")
       return;
-    if (integrator != "family")
+    if (!is_family())
       complain("Integrator",
                "<Step control = adaptive> judges steps by neighbours in the integrator family; take fixed "
                "steps with the integrator <" +

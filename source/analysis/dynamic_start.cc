@@ -60,7 +60,7 @@ namespace samara
     system.add_initial_velocities(state);
 
     // other rows are redundant when rotations are no longer held
-    if (integrator == "family" && !system.released_multipliers().empty())
+    if (is_family() && !system.released_multipliers().empty())
       state.left_out = RedundantRows(system).find(state);
 
     // the constraints at the start: positions must obey them, velocities are made to

@@ -26,10 +26,10 @@ namespace samara
 
 
 
-  GeneralisedAlpha::GeneralisedAlpha(const System        &system,
-                                     const Coefficients  &coefficients,
-                                     const bool           corrected_start,
-                                     const RivalSettings &settings)
+  GeneralisedAlpha::GeneralisedAlpha(const System             &system,
+                                     const Coefficients       &coefficients,
+                                     const bool                corrected_start,
+                                     const IntegratorSettings &settings)
     : system(system)
     , c(coefficients)
     , corrected_start(corrected_start)
@@ -45,6 +45,18 @@ namespace samara
   {
     system.mass(M);
   }
+
+
+
+  GeneralisedAlpha::GeneralisedAlpha(const System &system, const IntegratorSettings &settings)
+    : GeneralisedAlpha(system, of_spectral_radius(settings.spectral_radius), true, settings)
+  {}
+
+
+
+  TrapezoidalRule::TrapezoidalRule(const System &system, const IntegratorSettings &settings)
+    : GeneralisedAlpha(system, trapezoidal(), false, settings)
+  {}
 
 
 

@@ -121,7 +121,7 @@ namespace samara
 
 
 
-  Bdf::Bdf(const System &system, const Form form, const RivalSettings &settings)
+  Bdf::Bdf(const System &system, const Form form, const IntegratorSettings &settings)
     : system(system)
     , form(form)
     , settings(settings)

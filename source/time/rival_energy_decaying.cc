@@ -6,7 +6,7 @@
 
 namespace samara
 {
-  EnergyDecaying::EnergyDecaying(const System &system, const RivalSettings &settings)
+  EnergyDecaying::EnergyDecaying(const System &system, const IntegratorSettings &settings)
     : system(system)
     , settings(settings)
     , alpha((1 - settings.spectral_radius) / (1 + settings.spectral_radius))

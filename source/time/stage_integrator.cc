@@ -14,6 +14,43 @@ namespace samara
 
     /** What a factorisation with its matrices costs, in iterations. */
     constexpr double iterations_of_a_factorization = 4;
+
+    /**
+     * @name Newton's policy
+     * Corrections are of velocities, relative to the largest; rates are from one correction to the next.
+     * @{
+     */
+    /** Rates above which an attempt is given up: with factors of earlier steps, which new ones soon pay for; with new
+     * ones, of which a better configuration may be found; and with the last, where whatever converges is welcome. */
+    constexpr double slow_with_old_factors = 0.3, slow_with_new_factors = 0.5, slow_with_last_factors = 0.95;
+
+    /** Corrections after which the stages are near enough for the next factors to begin with them; so near that other
+     * factors would be the same; and so large that the start was wrong. */
+    constexpr double near = 0.1, as_near_as_can_be = 0.01, far = 10, lost = 1e3;
+
+    /** Of a rate that is not known yet, and at most: the sum of all corrections to come is last · rate/(1 − rate). */
+    constexpr double first_rate = 0.5, largest_rate = 0.9;
+
+    /** A correction that is no smaller than this part of the smallest does not count as progress. */
+    constexpr double progress = 0.8;
+
+    /** Corrections below which three without progress are round-off, and below which it does not matter that they
+     * shrink slowly. */
+    constexpr double size_of_round_off = 1e-9, size_of_slowness = 1e-8;
+
+    /** Iterations that a slow attempt may still need: about what another factorisation costs. */
+    constexpr double most_iterations_to_come = iterations_of_a_factorization;
+
+    /** Part of the largest force by which it may change in the last correction, and how fast such changes must shrink
+     * for the factors to be kept: where nothing moves, forces alone show that factors are old. */
+    constexpr double change_of_force_that_counts = 1e-3, slow_change_of_force = slow_with_old_factors;
+
+    /** The kinetic energy is at most as many times all that may have become it. */
+    constexpr double sources_of_energy = 10;
+
+    /** Part of the model by which something at rest may seem to move in a step. */
+    constexpr double motion_at_rest = 1e-3;
+    /** @} */
   } // namespace
 
 
@@ -115,8 +152,8 @@ namespace samara
     bool converged = false;
     if (is_step(factored_step, h))
       {
-        converged = iterate(state, h, 0.3, result);
-        if (!converged && !(result.last_correction < 0.1))
+        converged = iterate(state, h, slow_with_old_factors, result);
+        if (!converged && !(result.last_correction < near))
           predict(state, h); // not even near
       }
     for (unsigned int i = 0; !converged && i < max_factorizations_per_step; ++i)
@@ -131,9 +168,10 @@ namespace samara
           {
             break; // gone astray
           }
-        const bool is_last = i + 1 == max_factorizations_per_step || (i > 0 && result.last_correction < 0.01);
-        converged          = iterate(state, h, is_last ? 0.95 : 0.5, result);
-        if (!converged && (is_last || !(result.last_correction < 10)))
+        const bool is_last =
+          i + 1 == max_factorizations_per_step || (i > 0 && result.last_correction < as_near_as_can_be);
+        converged = iterate(state, h, is_last ? slow_with_last_factors : slow_with_new_factors, result);
+        if (!converged && (is_last || !(result.last_correction < far)))
           {
             if (previous_step == 0)
               break;
@@ -147,7 +185,8 @@ namespace samara
     n_iterations += result.iterations;
     judge_factors(result.iterations);
     // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
-    if (change_of_force > 1e-3 && change_of_force > 0.3 * previous_change_of_force)
+    if (change_of_force > change_of_force_that_counts &&
+        change_of_force > slow_change_of_force * previous_change_of_force)
       factored_step = 0;
     if (converged)
       {
@@ -232,11 +271,12 @@ namespace samara
   bool
   StageIntegrator::has_sources(const StepResult &result, const double h) const
   {
-    const double sources = 10 * (energy_scale + std::abs(result.work_of_loads) + std::abs(result.work_of_drives));
+    const double sources =
+      sources_of_energy * (energy_scale + std::abs(result.work_of_loads) + std::abs(result.work_of_drives));
     if (kinetic_energy < sources)
       return true;
     // what moves by a thousandth of the model a step is round-off of something at rest
-    return kinetic_energy < sources + energy_of_moving(1e-3 * length / h);
+    return kinetic_energy < sources + energy_of_moving(motion_at_rest * length / h);
   }
 
 
@@ -281,14 +321,14 @@ namespace samara
         // linear convergence: what is still missing is about last · rate/(1 − rate); at round-off it no longer shrinks
         if (iteration > 0)
           {
-            const double rate  = std::min(iteration > 1 ? last_rate : 0.5, 0.9);
+            const double rate  = std::min(iteration > 1 ? last_rate : first_rate, largest_rate);
             const double error = energy_error(h), scale = std::max(energy_scale, kinetic_energy);
             if (last * rate / (1 - rate) < tolerance && error < tolerance * energy_that_counts() &&
                 largest_gap(h) < std::max(1e-9, 10 * tolerance) * length)
               return true;
             // What is left may be more than what was before, if factors are old: then it grows, slowly, from round-off.
             // Small corrections alone say little: near singular positions, reactions go astray while nothing moves.
-            if (n_stagnant > 2 && last < 1e-9)
+            if (n_stagnant > 2 && last < size_of_round_off)
               {
                 const double work = is_fresh ? 1e-10 : 1e-12, gap = is_fresh ? 1e-9 : 1e-12;
                 return error < work * scale + energy_of_moving(1e-8 * length / h) && largest_gap(h) < gap * length;
@@ -299,22 +339,22 @@ namespace samara
         result.last_correction = size;
         if (!std::isfinite(size))
           find_infinite(result);
-        if (!std::isfinite(size) || size > 1e3)
+        if (!std::isfinite(size) || size > lost)
           return false;
         correct_stresses();
         // the worse of two rates, as they may alternate
         const double this_rate = last > 0 ? size / last : 0;
         const double rate      = std::max(this_rate, last_rate);
         last_rate              = iteration > 0 ? this_rate : 0;
-        if (size > 1e-9)
+        if (size > size_of_round_off)
           smallest = std::max(smallest, size); // a first correction may be none by accident
-        n_stagnant = size < 0.8 * smallest ? 0 : n_stagnant + 1;
+        n_stagnant = size < progress * smallest ? 0 : n_stagnant + 1;
         smallest   = std::min(smallest, size);
         last       = size;
-        if (iteration > 1 && rate > slow && size > 1e-8)
+        if (iteration > 1 && rate > slow && size > size_of_slowness)
           {
             // too slow with this factorisation, unless little is missing
-            if (std::log(tolerance / size) / std::log(std::min(rate, 0.99)) > 4)
+            if (std::log(tolerance / size) / std::log(std::min(rate, 0.99)) > most_iterations_to_come)
               return false;
           }
       }

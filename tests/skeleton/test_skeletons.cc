@@ -1,114 +1,13 @@
-// The skeletons that are there to be copied: a joint (slotted pin) and an element (strut). They are not in the
+// The skeletons of a joint (slotted pin) and of an element (strut) that are there to be copied. They are not in the
 // catalogue; the tests add them to one of their own. What a new kind should be tested for: tangents, a closed form, and
 // each mistake that it refuses.
 
-#include <samara/analysis/modal.h>
-#include <samara/analysis/static.h>
-#include <samara/cosserat/skeleton.h>
-#include <samara/input.h>
-#include <samara/joints/skeleton.h>
-
-#include "../base/temporary_folder.h"
-#include "../complex_step.h"
-#include <gtest/gtest.h>
-
-#include <sstream>
+#include "scene.h"
 
 using namespace samara;
 
 namespace
 {
-  /** This is all a new kind needs to be known: the line that would stand in source/catalogue.cc. */
-  Catalogue
-  catalogue_with_skeletons()
-  {
-    Catalogue catalogue;
-    for (auto &group : catalogue.groups)
-      if (group.subsection == "Joints")
-        {
-          group.kinds.add<SlottedPin>("slotted pin", "a pin that slides in a slot and turns");
-          group.kinds.add<Strut>("strut", "elastic line between two points");
-        }
-    return catalogue;
-  }
-
-  const std::string two_blocks = R"(
-subsection Bodies
-  subsection a
-    set Type = rigid body
-    set Mass = 3
-    set Inertia = 0.3, 0.4, 0.5
-    set Rotation = 0.2, -0.1, 0.4
-    set Frames = ear at 0.2 0.1 0.3
-  end
-  subsection b
-    set Type = rigid body
-    set Mass = 2
-    set Inertia = 0.1, 0.1, 0.1
-    set Position = 1, 0.2, -0.3
-    set Frames = ear at 0.9 0.5 0.1
-  end
-end
-)";
-
-  struct SmallScene
-  {
-    explicit SmallScene(const std::string &text)
-      : input(catalogue_with_skeletons(), folder.write("model.prm", text))
-      , system(input.model)
-      , log(stream)
-      , context{system, log, "", {}, false, system.reference(), {}, {}}
-    {}
-
-    TemporaryFolder    folder;
-    Input              input;
-    System             system;
-    std::ostringstream stream;
-    Log                log;
-    Context            context;
-
-    double
-    value(const std::string &probe) const
-    {
-      return input.model.probe(probe).value(context.state);
-    }
-
-    void
-    find_equilibrium()
-    {
-      StaticAnalysis analysis;
-      analysis.start(context);
-      analysis.run(context);
-    }
-  };
-
-  /** What the program says to a model. */
-  std::string
-  complaint(const std::string &text)
-  {
-    try
-      {
-        SmallScene scene(text);
-        return "";
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-  }
-
-  std::string
-  joint(const std::string &name, const std::string &entries)
-  {
-    return "subsection Joints\n subsection " + name + "\n" + entries + "\n end\nend\n";
-  }
-
-  bool
-  contains(const std::string &text, const std::string &piece)
-  {
-    return text.find(piece) != std::string::npos;
-  }
-
   const std::string slot = "set Type = slotted pin\n set Body A = a.ear\n set Body B = b.ear\n set Axis = 1, 2, 3\n"
                            " set Gap = allowed\n";
   const std::string line = "set Type = strut\n set Point A = a.ear\n set Point B = b.ear\n set EA = 7\n";
@@ -235,7 +134,7 @@ end
   scene.context.state.factor = 0;
   modal.run(scene.context);
   scene.context.state.factor = 1;
-  const double omega = std::sqrt(EA / L / (m + 0.5 * mass_per_length * L));
+  const double omega         = std::sqrt(EA / L / (m + 0.5 * mass_per_length * L));
   ASSERT_GE(modal.modes.size(), 1u);
   EXPECT_NEAR(modal.modes[0].frequency(), omega, 1e-9 * omega);
   EXPECT_NEAR(modal.modes[0].damping_ratio(), 0.5 * omega * 0.001, 1e-9);

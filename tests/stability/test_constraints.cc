@@ -94,7 +94,7 @@ TEST(InconsistentVelocities, WhatIntegratorsDoWithThem)
   const auto   after = [&](const std::string &name, const double rho, const unsigned int s = 0) {
     State start = system.reference();
     system.add_initial_velocities(start);
-    RivalSettings settings;
+    IntegratorSettings settings;
     settings.spectral_radius  = rho;
     settings.newton_tolerance = 1e-12;
     const std::unique_ptr<Integrator> integrator =

@@ -1,9 +1,9 @@
 #ifndef samara_tests_stability_trial_h
 #define samara_tests_stability_trial_h
 
-#include <samara/time/rivals.h>
 
 #include "../dynamics/motion.h"
+#include "../rivals.h"
 #include "../time/systems.h"
 
 namespace samara

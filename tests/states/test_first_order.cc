@@ -1,9 +1,9 @@
 // States of first order: orders of the family, stiff lags, statics, and what they may not do.
 
 #include <samara/time/projection.h>
-#include <samara/time/rivals.h>
 #include <samara/time/stage_integrator.h>
 
+#include "../rivals.h"
 #include <gtest/gtest.h>
 
 #include "scenes.h"

@@ -25,7 +25,7 @@ namespace
   {
     std::ostringstream stream;
     Log                log(stream);
-    return find_meshes(Catalogue(), std::string(SAMARA_SOURCE_DIR) + "/" + model, overrides, log, passes);
+    return find_meshes(Catalogue(), InputFile(std::string(SAMARA_SOURCE_DIR) + "/" + model), overrides, log, passes);
   }
 
   Texts
@@ -182,7 +182,7 @@ TEST(AutomaticMesh, DoesNotRefineAtJumps)
   std::ostringstream    stream;
   Log                   log(stream);
   std::vector<MeshPass> passes;
-  find_meshes(Catalogue(), file, {}, log, &passes);
+  find_meshes(Catalogue(), InputFile(file), {}, log, &passes);
   std::remove(file.c_str());
   EXPECT_EQ(passes.size(), 1u);
   EXPECT_EQ(passes[0].n_unknowns, 6 * 2 * 8u);

@@ -1,7 +1,8 @@
 #ifndef samara_tests_time_rival_trial_h
 #define samara_tests_time_rival_trial_h
 
-#include <samara/time/rivals.h>
+
+#include "../rivals.h"
 
 #include <cmath>
 
@@ -35,10 +36,10 @@ namespace samara
             0.7};
   }
 
-  inline RivalSettings
+  inline IntegratorSettings
   settings(const double rho, const double tolerance = 1e-4)
   {
-    RivalSettings s;
+    IntegratorSettings s;
     s.spectral_radius  = rho;
     s.newton_tolerance = 1e-12;
     s.tolerance        = tolerance;
@@ -68,7 +69,7 @@ namespace samara
     }
 
     Errors
-    errors(const std::string &rival, const RivalSettings &s, const unsigned int n) const
+    errors(const std::string &rival, const IntegratorSettings &s, const unsigned int n) const
     {
       const auto   integrator = make_rival(rival, scene.system, s);
       const Record r          = run(scene.system, start, *integrator, what.T / n, n);

@@ -3,9 +3,9 @@
 // References: the family with three stages, whose errors are below 1e-10 here; orders of theory (doc/theory/rivals.md).
 
 #include <samara/time/rival_bdf.h>
-#include <samara/time/rivals.h>
 
 #include "../dynamics/motion.h"
+#include "../rivals.h"
 
 #include "rival_trial.h"
 
@@ -209,7 +209,7 @@ TEST(Rivals, StepsCanBeTakenBack)
       EXPECT_NEAR(b.time, 7 * h, 1e-15);
       EXPECT_LT(distance(b.q, tried.q), 1e-3);
     }
-  EXPECT_THROW(make_rival("midpoint", system, {}), std::invalid_argument);
+  EXPECT_THROW(make_rival("midpoint", system, {}), InputError);
 }
 
 

@@ -4,6 +4,7 @@
 #include <samara/base/log.h>
 #include <samara/model/system.h>
 
+#include <optional>
 #include <set>
 
 namespace samara
@@ -66,6 +67,32 @@ namespace samara
     {}
     /** At the context's speeds. */
     virtual void run(Context &context) = 0;
+
+    /** Whether it wants something that moves. Otherwise it can do with a model that has no bodies. */
+    virtual bool
+    needs_bodies() const
+    {
+      return true;
+    }
+    /** In place of run() for a model without bodies, of which there is no system. */
+    virtual void
+    run_without_bodies(const Model &, const std::string & /*folder*/, bool /*pictures*/, Log &)
+    {
+      AssertThrow(false, dealii::ExcMessage("This analysis needs bodies."));
+    }
+
+    /** What the last run took; not a number what is not counted. */
+    struct Effort
+    {
+      double steps, iterations, factorizations;
+    };
+    /** Nothing from analyses that go no steps, or have not run. */
+    virtual std::optional<Effort>
+    effort() const
+    {
+      return {};
+    }
+
     /** After the last one. */
     virtual void
     finish(Context &)

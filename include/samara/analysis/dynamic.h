@@ -6,10 +6,10 @@
 #include <samara/output/checkpoint.h>
 #include <samara/output/history.h>
 #include <samara/output/pictures.h>
+#include <samara/time/integrators.h>
 #include <samara/time/projection.h>
 #include <samara/time/stepper.h>
 
-#include <chrono>
 #include <memory>
 
 namespace samara
@@ -30,6 +30,9 @@ namespace samara
   class DynamicAnalysis : public Analysis
   {
   public:
+    /** @p integrators: those that its entry <Integrator> can name. */
+    explicit DynamicAnalysis(const std::shared_ptr<const Integrators> &integrators);
+
     void add_parameters(Parameters &prm) override;
     void check(const std::vector<double> &rotor_speeds, Complaints &complaints) const override;
     void run(Context &context) override;
@@ -38,6 +41,12 @@ namespace samara
     can_restart() const override
     {
       return true;
+    }
+
+    std::optional<Effort>
+    effort() const override
+    {
+      return Effort{double(report.n_steps), double(report.n_iterations), double(report.n_factorizations)};
     }
 
     /** What the run took. */
@@ -110,6 +119,9 @@ namespace samara
 
   private:
     struct Output;
+    class Run;
+    const std::shared_ptr<const Integrators> integrators;
+
     double energy_floor     = 0; ///< of a motion by a millionth of the model in the run [J]
     double n_judged         = 0; ///< steps so far
     double first_strain     = 0; ///< energy at the start [J]
@@ -129,6 +141,10 @@ namespace samara
     CoarseMeshes  meshes;
 
     std::unique_ptr<Integrator> make_integrator(const System &system, double tolerance) const;
+    /** Up to round-off of the whole time. */
+    bool is_end(double time) const;
+    /** Whether it is the family of this program. */
+    bool                        is_family() const;
     Machinery                   make_machinery(const System &system) const;
     Machinery                   make_machinery(const System &system, const Checkpoint &memory, bool with_steps) const;
     void                        prepare(Context &context, State &state) const;

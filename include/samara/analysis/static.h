@@ -7,6 +7,7 @@
 #include <samara/solvers/arc_length.h>
 
 #include <ctime>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -29,6 +30,14 @@ namespace samara
     void start(Context &context) override;
     void run(Context &context) override;
     void finish(Context &context) override;
+
+    std::optional<Effort>
+    effort() const override
+    {
+      if (n_steps == 0)
+        return {};
+      return Effort{double(n_steps), double(n_iterations), std::numeric_limits<double>::quiet_NaN()};
+    }
 
     unsigned int n_steps = 0, n_iterations = 0; ///< of the last run
 

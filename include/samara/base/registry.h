@@ -36,12 +36,12 @@ namespace samara
       items.push_back({kind, what_it_is, factory});
     }
 
-    /** Add the class @p T, which has a default constructor. */
-    template <typename T>
+    /** Add the class @p T; each is made of copies of the @p arguments, as a shared pointer to what it has to know. */
+    template <typename T, typename... Arguments>
     void
-    add(const std::string &kind, const std::string &what_it_is)
+    add(const std::string &kind, const std::string &what_it_is, const Arguments &...arguments)
     {
-      add(kind, what_it_is, []() { return std::make_unique<T>(); });
+      add(kind, what_it_is, Factory([=]() { return std::make_unique<T>(arguments...); }));
     }
 
     bool

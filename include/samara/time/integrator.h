@@ -36,11 +36,36 @@ namespace samara
 
 
 
+  /** What users say of an integrator, for all kinds; each takes what it knows. */
+  struct IntegratorSettings
+  {
+    double       spectral_radius  = 0.5;   ///< at infinite frequency
+    double       newton_tolerance = 1e-10; ///< change of velocities, relative to the largest
+    unsigned int max_iterations   = 50;    ///< with one factorisation
+    double       tolerance        = 1e-4;  ///< relative, of positions, triads and velocities; of BDF
+    unsigned int n_stages         = 3;     ///< of the family
+  };
+
+
+
+  /** What not every kind of integrator can do. */
+  struct IntegratorAbilities
+  {
+    bool states       = false; ///< solves states of first order
+    bool virtual_mass = false; ///< knows inertia that is no part of the bodies, as that of the air
+    bool is_family    = false; ///< Integrator::family(): steps of chosen size, rows left out, restarts to the last bit
+  };
+
+
+
   /** What advances the state of a system in time, over the assembled system only. */
   class Integrator
   {
   public:
     virtual ~Integrator() = default;
+
+    /** Of this kind; one that can do more has a member of its own by this name. */
+    static constexpr IntegratorAbilities abilities{};
 
     /** Advance @p state by @p h; it is unchanged if the result says not converged. */
     virtual StepResult step(State &state, double h) = 0;
@@ -69,6 +94,20 @@ namespace samara
     bool wants_estimates = false;
 
     unsigned int n_steps = 0, n_iterations = 0, n_factorizations = 0; ///< for reports
+
+    /** What was more than plain steps, so far, for reports. */
+    struct Remarks
+    {
+      unsigned int n_exact_steps        = 0; ///< repeated with the exact matrix of all stages
+      unsigned int n_exchanges          = 0; ///< of redundant rows that are left out
+      double       largest_gap_left_out = 0; ///< of such a row, as a length [m]
+      unsigned int worst_left_out       = 0; ///< its multiplier
+    };
+    virtual Remarks
+    remarks() const
+    {
+      return {};
+    }
   };
 } // namespace samara
 

@@ -3,7 +3,6 @@
 
 #include <samara/time/projection.h>
 #include <samara/time/rival_parts.h>
-#include <samara/time/rivals.h>
 
 namespace samara
 {
@@ -38,20 +37,23 @@ namespace samara
     static Coefficients trapezoidal();
 
     /** @p corrected_start: as above; otherwise a = ẏ and the velocities as they are. */
-    GeneralisedAlpha(const System        &system,
-                     const Coefficients  &coefficients,
-                     bool                 corrected_start,
-                     const RivalSettings &settings);
+    GeneralisedAlpha(const System             &system,
+                     const Coefficients       &coefficients,
+                     bool                      corrected_start,
+                     const IntegratorSettings &settings);
+
+    /** Of this spectral radius, with the corrected start. */
+    GeneralisedAlpha(const System &system, const IntegratorSettings &settings);
 
     StepResult step(State &state, double h) override;
     void       forget_history() override;
     void       step_back() override;
 
   private:
-    const System       &system;
-    const Coefficients  c;
-    const bool          corrected_start;
-    const RivalSettings settings;
+    const System            &system;
+    const Coefficients       c;
+    const bool               corrected_start;
+    const IntegratorSettings settings;
 
     rivals::Measure               measure;
     Projection                    projection;
@@ -86,6 +88,15 @@ namespace samara
 
     std::vector<double> velocities(const State &state) const;
     void                set_velocities(State &state, const std::vector<double> &v) const;
+  };
+
+
+
+  /** The same with GeneralisedAlpha::trapezoidal(), started with velocities as they are. */
+  class TrapezoidalRule : public GeneralisedAlpha
+  {
+  public:
+    TrapezoidalRule(const System &system, const IntegratorSettings &settings);
   };
 } // namespace samara
 

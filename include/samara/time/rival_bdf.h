@@ -3,7 +3,6 @@
 
 #include <samara/time/projection.h>
 #include <samara/time/rival_parts.h>
-#include <samara/time/rivals.h>
 
 namespace samara
 {
@@ -34,7 +33,7 @@ namespace samara
     };
 
     /** @throws std::runtime_error if IDA cannot be set up. */
-    Bdf(const System &system, Form form, const RivalSettings &settings);
+    Bdf(const System &system, Form form, const IntegratorSettings &settings);
     ~Bdf() override;
     Bdf(const Bdf &)            = delete;
     Bdf &operator=(const Bdf &) = delete;
@@ -48,17 +47,17 @@ namespace samara
   private:
     struct Ida; ///< the objects of SUNDIALS
 
-    const System        &system;
-    const Form           form;
-    const RivalSettings  settings;
-    std::unique_ptr<Ida> ida;
-    rivals::Measure      measure;
-    Projection           projection;
-    rivals::PairMatrix   matrix;
-    SparseMatrix         M, C, K, before, after;
-    std::vector<bool>    is_active, is_nonholonomic;
-    bool                 is_running = false;
-    double               last_time  = 0; ///< not beyond it: before a corner
+    const System            &system;
+    const Form               form;
+    const IntegratorSettings settings;
+    std::unique_ptr<Ida>     ida;
+    rivals::Measure          measure;
+    Projection               projection;
+    rivals::PairMatrix       matrix;
+    SparseMatrix             M, C, K, before, after;
+    std::vector<bool>        is_active, is_nonholonomic;
+    bool                     is_running = false;
+    double                   last_time  = 0; ///< not beyond it: before a corner
 
     /** @name Places in IDA's vector @{ */
     const unsigned int n_poses; ///< x and p of all nodes
@@ -87,6 +86,26 @@ namespace samara
     State after_time(const State &state, double dt) const;
     /** Gᵀμ */
     std::vector<double> constraint_forces(const State &state, const double *mu) const;
+  };
+
+
+
+  /** With positions and velocities that obey the constraints. */
+  class BdfIndex2 : public Bdf
+  {
+  public:
+    BdfIndex2(const System &system, const IntegratorSettings &settings)
+      : Bdf(system, Form::stabilised_index_2, settings)
+    {}
+  };
+
+  /** With the constraints of accelerations alone. */
+  class BdfIndex1 : public Bdf
+  {
+  public:
+    BdfIndex1(const System &system, const IntegratorSettings &settings)
+      : Bdf(system, Form::index_1, settings)
+    {}
   };
 } // namespace samara
 

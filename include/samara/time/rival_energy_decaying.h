@@ -2,7 +2,6 @@
 #define samara_time_rival_energy_decaying_h
 
 #include <samara/time/rival_parts.h>
-#include <samara/time/rivals.h>
 
 namespace samara
 {
@@ -25,7 +24,7 @@ namespace samara
   public:
     /** @throws std::invalid_argument if a node's inertia is not that of a body: the mass must be the same in all
      * directions. */
-    EnergyDecaying(const System &system, const RivalSettings &settings);
+    EnergyDecaying(const System &system, const IntegratorSettings &settings);
 
     StepResult step(State &state, double h) override;
     void       forget_history() override;
@@ -34,9 +33,9 @@ namespace samara
     double jump_energy = 0;
 
   private:
-    const System       &system;
-    const RivalSettings settings;
-    const double        alpha;
+    const System            &system;
+    const IntegratorSettings settings;
+    const double             alpha;
 
     /** Inertia of a node about its mass centre, at @p centre in the node's frame. */
     struct NodalMass
@@ -68,8 +67,8 @@ namespace samara
     std::vector<double>  e_start;
     std::vector<Matrix3> middle; ///< orthonormal triads in the middle of the step
 
-    State                                       frozen;         ///< where the matrix was made, without multipliers
-    std::unique_ptr<LinearStrains>              frozen_strains; ///< where the matrix was made
+    State                          frozen;         ///< where the matrix was made, without multipliers
+    std::unique_ptr<LinearStrains> frozen_strains; ///< where the matrix was made
 
     void   predict(const State &state, double h);
     void   means(const State &state, double h);

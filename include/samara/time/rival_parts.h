@@ -6,7 +6,13 @@
 
 namespace samara
 {
-  /** What the rivals have in common. */
+  /**
+   * What the integrators of others have in common, which are here for comparison (doc/theory/rivals.md).
+   *
+   * Their accounts of energy: work of loads with a potential is what the potential loses; that of others, the work of
+   * drives and the viscous loss are quadratures of the powers at the ends of the steps (of IDA's own steps for BDF).
+   * `dissipated` is the energy that is missing then. It may be negative: they may gain energy.
+   */
   namespace rivals
   {
     /** Turn and shift a node by the screw motion exp(z), z in the node's own frame [m, rad]. */

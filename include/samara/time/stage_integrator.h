@@ -49,6 +49,15 @@ namespace samara
                     double         tolerance      = 1e-10,
                     unsigned int   max_iterations = 50);
 
+    StageIntegrator(const System &system, const IntegratorSettings &settings)
+      : StageIntegrator(system,
+                        Tableau(settings.n_stages, settings.spectral_radius),
+                        settings.newton_tolerance,
+                        settings.max_iterations)
+    {}
+
+    static constexpr IntegratorAbilities abilities = {true, true, true};
+
     StepResult step(State &state, double h) override;
     void       forget_history() override;
     void       step_back() override;
@@ -66,6 +75,12 @@ namespace samara
     family() const override
     {
       return &tableau;
+    }
+
+    Remarks
+    remarks() const override
+    {
+      return {n_exact_steps, n_exchanges(), largest_gap_left_out, worst_left_out};
     }
 
     const Tableau tableau;

@@ -1,0 +1,381 @@
+// A run of the dynamic analysis, from its start or a checkpoint to its end: steps, what is counted of them, and files.
+
+#include <samara/analysis/dynamic_parts.h>
+#include <samara/base/errors.h>
+#include <samara/base/interrupt.h>
+#include <samara/base/text.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+
+namespace samara
+{
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    double
+    seconds_since(const Clock::time_point &t)
+    {
+      return std::chrono::duration<double>(Clock::now() - t).count();
+    }
+
+
+
+    /** Of all bodies [rad/s]. */
+    double
+    largest_spin(const State &state)
+    {
+      double square = 0;
+      for (unsigned int i = 6; i < state.y.size(); i += 6)
+        square = std::max(square, Eigen::Map<const Vector3>(&state.y[i + 3]).squaredNorm());
+      return std::sqrt(square);
+    }
+  } // namespace
+
+
+
+  /** What lasts as long as a run does; what it finds stands in the analysis. */
+  class DynamicAnalysis::Run
+  {
+  public:
+    /** Where it begins. @throws InputError */
+    Run(DynamicAnalysis &analysis, Context &context);
+
+    /** To the end. @throws NotConverged, Interrupted, CannotWrite; everything up to there is written. */
+    void go();
+
+  private:
+    DynamicAnalysis        &analysis;
+    Context                &context;
+    const System           &system;
+    const Clock::time_point clock_start     = Clock::now();
+    const std::clock_t      processor_start = std::clock();
+    const bool              is_adaptive;
+
+    bool       with_steps = true; ///< of the checkpoint, if the run goes on from one
+    Checkpoint last;              ///< to be written next, or written
+    State      state;
+    Machinery  machinery;
+    Output     output;
+    const bool can_be_exact; ///< when it is continued: the numbers are those of a run without a break
+
+    const double      begin; ///< [s]
+    Report            before_machinery;
+    unsigned int      n_since_fresh = 0, n_factorizations = 0;
+    bool              is_saved;
+    Clock::time_point last_progress = clock_start, last_checkpoint = clock_start;
+    State             before; ///< where the step began, for the second estimate
+
+    State  first_state();
+    void   open_account();
+    void   step();
+    void   count(const Advance &advance, double from);
+    double second_estimate(double from);
+    void   write_step(const Advance &advance, double from, double second);
+    void   show_progress();
+    void   begin_afresh();
+    void   save();
+    void   close();
+    void   stop_if(bool is_interrupted);
+  };
+
+
+
+  DynamicAnalysis::Run::Run(DynamicAnalysis &analysis, Context &context)
+    : analysis(analysis)
+    , context(context)
+    , system(context.system)
+    , is_adaptive(analysis.control == "adaptive")
+    , state(first_state())
+    , machinery(context.restart ? analysis.make_machinery(system, last, with_steps) : analysis.make_machinery(system))
+    , output(context, analysis, state.time, context.restart ? &last : nullptr)
+    , can_be_exact(machinery.integrator->family() != nullptr)
+    , begin(state.time)
+    , is_saved(context.restart)
+  {
+    open_account();
+    before_machinery = analysis.report;
+    n_factorizations = analysis.report.n_factorizations;
+    if (context.restart)
+      return;
+    if (!context.folder.empty())
+      std::filesystem::remove(checkpoint_file(context)); // of an earlier run
+    analysis.record(context, state, *machinery.projection, output);
+    last = analysis.remember(context, state, machinery, output);
+  }
+
+
+
+  State
+  DynamicAnalysis::Run::first_state()
+  {
+    if (context.restart)
+      {
+        last = analysis.restore(context, with_steps);
+        return last.state;
+      }
+    State start = context.state;
+    analysis.prepare(context, start);
+    return start;
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::open_account()
+  {
+    Budget    &budget = analysis.budget;
+    const auto energy = system.energy(state);
+    budget.kinetic    = energy.kinetic;
+    budget.strain     = energy.strain;
+    budget.potential  = system.potential_energy(state.point());
+    if (!context.restart)
+      {
+        budget.start = budget.kinetic + budget.strain + budget.potential;
+        analysis.set_energy_floor(system);
+      }
+    else if (!can_be_exact)
+      context.log.line("restart: the integrator <" + analysis.integrator +
+                       "> begins afresh here; results are those of an uninterrupted run within its error");
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::go()
+  {
+    const InterruptGuard interrupt;
+    try
+      {
+        while (!analysis.is_end(state.time))
+          {
+            stop_if(interrupt.was_interrupted());
+            step();
+            show_progress();
+            begin_afresh();
+            if (seconds_since(last_checkpoint) > analysis.seconds_between_checkpoints && (!is_saved || !can_be_exact))
+              {
+                save();
+                is_saved        = true;
+                last_checkpoint = Clock::now();
+              }
+          }
+      }
+    catch (const NotConverged &problem)
+      {
+        close();
+        throw NotConverged(
+          std::string("dynamic analysis: ") + problem.what() +
+          "\n  everything up to there is written; try a smaller <Step>, <Step control = adaptive>, more damping "
+          "(<Spectral radius = 0>), or look whether the mechanism locks there");
+      }
+    catch (const CannotWrite &problem)
+      {
+        std::string text = problem.what();
+        text += " What was written until t = " + number_to_text("%.6g", state.time) + " s is kept";
+        if (std::filesystem::exists(checkpoint_file(context)))
+          text += "; make room, and samara --restart goes on from the last checkpoint";
+        throw CannotWrite(text + ".");
+      }
+    close();
+    analysis.collect(context, *machinery.integrator);
+    analysis.summarize(context, *machinery.integrator);
+    analysis.conclude(context);
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::stop_if(const bool is_interrupted)
+  {
+    if (!is_interrupted)
+      return;
+    close();
+    throw Interrupted("interrupted at t = " + number_to_text("%.6g", state.time) +
+                      " s; everything up to there is written, and samara --restart goes on");
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::step()
+  {
+    // fixed steps keep to their grid, whatever happens in between
+    const double goal = is_adaptive ?
+                          analysis.end_time :
+                          std::min(analysis.end_time, analysis.start_time + (analysis.n_grid + 1) * analysis.step);
+    if (analysis.second_estimate)
+      before = state;
+    const double  from    = state.time;
+    const Advance advance = machinery.stepper->advance(state, goal);
+    count(advance, from);
+    write_step(advance, from, second_estimate(from));
+    if (!is_adaptive && state.time < goal - 1e-9 * analysis.step)
+      return;
+    ++analysis.n_grid;
+    ++analysis.n_rows;
+    if (std::lround(analysis.n_rows) % analysis.output_every == 0 || analysis.is_end(state.time))
+      analysis.record(context, state, *machinery.projection, output);
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::count(const Advance &advance, const double from)
+  {
+    const Budget &budget      = analysis.budget;
+    const double  before_step = budget.balance();
+    analysis.account(context, state, advance.step);
+    if (!std::isfinite(budget.kinetic + budget.strain + budget.potential))
+      require_finite_state(system, state);
+    analysis.judge(context, advance, from, before_step);
+    if (machinery.redundant)
+      require_rows_left_out(*machinery.redundant, state);
+
+    Report           &report     = analysis.report;
+    const Integrator &integrator = *machinery.integrator;
+    report.n_steps               = before_machinery.n_steps + integrator.n_steps;
+    report.n_iterations          = before_machinery.n_iterations + integrator.n_iterations;
+    report.n_factorizations      = before_machinery.n_factorizations + integrator.n_factorizations;
+    report.n_rejected += advance.n_rejected;
+    report.n_failed += advance.n_failed;
+    report.n_touches += advance.step.touches.size();
+    analysis.contacts.add(advance.step, from, state.time);
+    if (machinery.stepper->controller)
+      {
+        report.error += machinery.stepper->estimate;
+        report.length = machinery.stepper->controller->size;
+      }
+    report.turn = std::max(report.turn, advance.h * largest_spin(state));
+  }
+
+
+
+  double
+  DynamicAnalysis::Run::second_estimate(const double from)
+  {
+    if (!analysis.second_estimate)
+      return std::nan("");
+    machinery.halves->forget_history();
+    return analysis.half_steps(context, before, state, state.time - from, *machinery.halves);
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::write_step(const Advance &advance, const double from, const double second)
+  {
+    const Report &report = analysis.report;
+    if (output.steps != nullptr)
+      output.steps->add({state.time,
+                         state.time - from,
+                         double(advance.step.iterations),
+                         double(report.n_factorizations - n_factorizations),
+                         double(advance.n_rejected + advance.n_failed),
+                         report.length > 0 ? machinery.stepper->estimate / report.length : 0.,
+                         second},
+                        1);
+    n_factorizations = report.n_factorizations;
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::show_progress()
+  {
+    if (!(seconds_since(last_progress) > (context.log.is_terminal() ? 0.3 : 10.)))
+      return;
+    const Report &report  = analysis.report;
+    const Budget &budget  = analysis.budget;
+    const double  seconds = seconds_since(clock_start), done = state.time - begin;
+    context.log.progress(
+      "t " + number_to_text("%.6g", state.time) + " s of " + number_to_text("%g", analysis.end_time) + ", step " +
+      number_to_text("%.3g", is_adaptive ? machinery.stepper->next_step : analysis.step) + " s, " +
+      number_to_text("%.1f", double(report.n_iterations) / std::max(1u, report.n_steps)) +
+      " iterations a step, energy " + number_to_text("%.6g", budget.kinetic + budget.strain + budget.potential) +
+      " J, " + number_to_text("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
+      number_to_text("%.0f", done > 0 ? seconds / done * (analysis.end_time - state.time) : 0.) + " s");
+    last_progress = Clock::now();
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::begin_afresh()
+  {
+    // not where the end changes rows, or adaptive steps before it: a run may be continued beyond
+    const double ahead       = is_adaptive ? 4 * machinery.stepper->next_step : 1e-9 * analysis.step;
+    const bool   is_near_end = state.time + ahead > analysis.end_time;
+    if (++n_since_fresh < analysis.steps_between_fresh_starts(system) || !can_be_exact || is_near_end)
+      return;
+    analysis.collect(context, *machinery.integrator);
+    last             = analysis.remember(context, state, machinery, output);
+    machinery        = analysis.make_machinery(system, last, true);
+    before_machinery = analysis.report;
+    n_since_fresh    = 0;
+    is_saved         = false;
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::save()
+  {
+    // a shorter run is done again sooner than a disk answers
+    const bool wait = seconds_since(clock_start) > 1;
+    output.flush(wait);
+    if (!can_be_exact)
+      last = analysis.remember(context, state, machinery, output);
+    if (!context.folder.empty())
+      write_checkpoint(checkpoint_file(context), last, wait);
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::close()
+  {
+    if (context.log.is_terminal())
+      context.log.line("");
+    save();
+    for (const auto &[name, table] : output.tables())
+      if (table != nullptr)
+        table->finish();
+    if (!context.folder.empty() && !system.layout.stops.empty() && can_be_exact)
+      analysis.contacts.write(context.folder + "/dynamic_stops.csv", system.layout);
+    analysis.report.seconds           = seconds_since(clock_start);
+    analysis.report.processor_seconds = double(std::clock() - processor_start) / CLOCKS_PER_SEC;
+    context.state                     = state;
+    context.is_equilibrium            = false;
+  }
+
+
+
+  void
+  DynamicAnalysis::run(Context &context)
+  {
+    Complaints complaints;
+    check(context.sweep, complaints);
+    complaints.throw_if_any();
+    if (control == "adaptive" && context.system.layout.n_states > 0)
+      context.log.warning(
+        "dynamic",
+        "adaptive steps are chosen by what moves, and so is the error that is told: states of first order do not "
+        "count. Let the <Largest step> be small beside what they follow");
+    report     = {};
+    budget     = {};
+    contacts   = {};
+    meshes     = {};
+    n_rows     = 0;
+    n_judged   = 0;
+    n_grid     = 0;
+    n_recorded = 0;
+
+    round_off_of_sum = 0;
+    Run(*this, context).go();
+  }
+} // namespace samara
