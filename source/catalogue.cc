@@ -10,10 +10,14 @@
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
 #include <samara/joints/distributing.h>
+#include <samara/joints/fixed_springs.h>
 #include <samara/joints/flexible_joint.h>
 #include <samara/joints/lower_pairs.h>
 #include <samara/joints/other_joints.h>
+#include <samara/joints/partial_joints.h>
+#include <samara/joints/point_on_curve.h>
 #include <samara/joints/rolling.h>
+#include <samara/joints/rolling_disc.h>
 #include <samara/joints/support.h>
 #include <samara/loads/loads.h>
 #include <samara/loads/surface_loads.h>
@@ -62,14 +66,21 @@ namespace samara
     joints.add<Planar>("planar", "sliding on the plane normal to axis 3");
     joints.add<Spherical>("spherical", "ball joint");
     joints.add<Universal>("universal", "two hinges at a right angle");
+    joints.add<SkewUniversal>("skew universal", "two hinges at any angle");
+    joints.add<ConstantVelocity>("constant velocity", "shafts that bend and turn with the same speed");
+    joints.add<InLine>("in line", "a point on a line, free to turn");
+    joints.add<InPlane>("in plane", "a point on a plane, free to turn");
+    joints.add<PointOnCurve>("point on curve", "a point on a curve, free to turn");
     joints.add<Rigid>("rigid", "weld, however far apart");
     joints.add<Spring>("spring", "spring, damper or actuator between two points");
     joints.add<Distance>("distance", "massless rod between two points");
     joints.add<Gear>("gear", "ratio between the rotations of two joints");
     joints.add<FlexibleJoint>("flexible joint", "six springs and dampers");
+    joints.add<FixedSprings>("springs in fixed axes", "three springs and dampers that do not turn with the bodies");
     joints.add<RollingBall>("rolling ball", "ball that rolls on a plane without slipping");
     joints.add<Support>("support", "holds points and edges of shells on the ground");
     joints.add<Distributing>("distributing", "attaches a body to the mean motion of edges of shells");
+    joints.add<RollingDisc>("rolling disc", "wheel that rolls and tilts on a plane without slipping");
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
 
     Registry<Item> loads;

@@ -197,10 +197,10 @@ namespace samara
 
     for (const auto &l : joint.locked)
       {
-        g[row] += l.function.value(pair) - l.value;
+        g[row] += l.measure(pair) - l.value;
         if constexpr (with_forces)
           if (lambda[row] != Number(0)) // most of a joint's rows may be left out
-            forces.add(l.function, pair, lambda[row]);
+            l.add_forces(pair, lambda[row], forces);
         ++row;
       }
     for (unsigned int i = 0; i < used.size(); ++i, ++row)
@@ -279,8 +279,14 @@ namespace samara
 
     for (const auto &l : joint.locked)
       {
+        Vector12 g = gradient(l.function, pair);
+        if (l.less)
+          {
+            g -= gradient(*l.less, pair);
+            twists.add(*l.less, -*lambda);
+          }
         twists.add(l.function, *lambda++);
-        block.add_border(row++, gradient(l.function, pair), K);
+        block.add_border(row++, g, K);
       }
     for (unsigned int i = 12; i < 12 + used.size(); ++i, ++lambda, ++row)
       {
@@ -339,7 +345,7 @@ namespace samara
     const auto              &used = joint.used;
     double                  *g    = rates + joint.first_multiplier;
     for (const auto &l : joint.locked)
-      *g++ = l.function.rate(pair, change);
+      *g++ = l.function.rate(pair, change) - (l.less ? l.less->rate(pair, change) : 0.);
     for (const auto *m : used)
       {
         const auto of = m->derivatives(pair, point.coordinates[m->coordinate]);

@@ -271,6 +271,15 @@ namespace samara
 
 
 
+  void
+  Joint::lock_twist()
+  {
+    locked.push_back({{PairFunction::cosine, 0, 1}, "rotation 3", 0., 2, 1.});
+    locked.back().less = PairFunction{PairFunction::cosine, 1, 0};
+  }
+
+
+
   FreeMotion &
   Joint::free_displacement(const unsigned int i, const std::string &name)
   {

@@ -103,7 +103,7 @@ namespace samara
         rates.back().line    = RelativeRate::axis;
         rates.back().node    = frame_a.node;
         rates.back().along   = e;
-        rates.back().through = frame_a.position(q);
+        rates.back().through = frame_b.position(q);
       }
   }
 

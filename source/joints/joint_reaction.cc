@@ -118,8 +118,8 @@ namespace samara
         if (!is_moment && joint.no_slip[i].axis == axis)
           return summands.push_back({static_cast<unsigned int>(joint.rows.size() - joint.no_slip.size()) + i, -1.});
       const auto is_rotation = [](const Locked &l) { return l.function.kind == PairFunction::cosine; };
-      const auto n_rotations = std::count_if(locked.begin(), locked.end(), is_rotation);
-      if (!is_moment || n_rotations == 1)
+      const bool is_sum = std::any_of(locked.begin(), locked.end(), [](const Locked &l) { return l.less.has_value(); });
+      if (!is_moment || (!is_sum && std::count_if(locked.begin(), locked.end(), is_rotation) == 1))
         {
           for (unsigned int i = 0; i < locked.size(); ++i)
             if (locked[i].axis == axis && is_rotation(locked[i]) == is_moment)
@@ -127,12 +127,19 @@ namespace samara
           return;
         }
       // Σ λ E_axisᴬ·(E_iᴬ × E_jᴮ), and E_axis × E_i is an axis of A again
+      const auto add = [&](const unsigned int row, const PairFunction &f, const double factor) {
+        if (f.i != axis)
+          summands.push_back({row,
+                              next_axis(axis) == f.i ? factor : -factor,
+                              true,
+                              {PairFunction::cosine, 3 - f.i - axis, f.j}});
+      };
       for (unsigned int k = 0; k < locked.size(); ++k)
-        if (is_rotation(locked[k]) && locked[k].function.i != axis)
+        if (is_rotation(locked[k]))
           {
-            const unsigned int i = locked[k].function.i;
-            summands.push_back(
-              {k, next_axis(axis) == i ? 1. : -1., true, {PairFunction::cosine, 3 - i - axis, locked[k].function.j}});
+            add(k, locked[k].function, 1.);
+            if (locked[k].less)
+              add(k, *locked[k].less, -1.);
           }
     }
 
@@ -170,7 +177,7 @@ namespace samara
   {
     const auto acts_there = [&](const auto &of_one) { return of_one.axis == axis; };
     const auto is_locked  = [&](const Locked &l) {
-      return (l.function.kind == PairFunction::cosine) == is_moment && acts_there(l);
+      return (l.function.kind == PairFunction::cosine) == is_moment && (acts_there(l) || l.less);
     };
     bool exists = std::any_of(locked.begin(), locked.end(), is_locked) ||
                   (!is_moment && std::any_of(no_slip.begin(), no_slip.end(), acts_there));

@@ -25,7 +25,7 @@ namespace samara
             "Direction of the axis on body A (joint axis 1) in the reference configuration, inertial components [1].");
     prm.add("Second axis",
             second_axis,
-            "Direction of the axis on body B (joint axis 2), at a right angle to the first [1].");
+            "Direction of the axis on body B (joint axis 2), " + angle_of_axes() + " [1].");
     prm.turns("Axis", Turning::direction);
     prm.turns("Second axis", Turning::direction);
     add_motions(prm);

@@ -73,12 +73,19 @@ TEST_F(Catalogued, AllKinds)
                                    "planar",
                                    "spherical",
                                    "universal",
+                                   "skew universal",
+                                   "constant velocity",
+                                   "in line",
+                                   "in plane",
+                                   "point on curve",
+                                   "springs in fixed axes",
                                    "rigid",
                                    "spring",
                                    "distance",
                                    "gear",
                                    "flexible joint",
                                    "rolling ball",
+                                   "rolling disc",
                                    "knife edge",
                                    "support",
                                    "distributing",
@@ -127,6 +134,33 @@ TEST_F(Catalogued, OtherJoints)
               "it.force 1",
               joined(ends, {gap, {{"Axis", "1, 0, 0.5"}, {"Second axis", "0, 1, 0.4"}}}),
               {"rotation 1", "rotation 2"});
+  check_joint("skew universal",
+              "    set Axis = 1, 0, 0\n    set Second axis = 1, 1, 0",
+              "it.force 1",
+              joined(ends, {gap, {{"Axis", "1, 0, 0.5"}, {"Second axis", "0, 1, 0.4"}}}),
+              {"rotation 1", "rotation 2"});
+  check_joint("constant velocity",
+              tilted,
+              "it.force 1",
+              joined(ends, {gap, axis, axis_1, {{"Second axis", "1, 2, 0"}}}));
+  check_joint("in line", tilted, "it.force 1", joined(ends, {gap, axis, axis_1}), {"displacement"});
+  check_joint("in plane",
+              tilted,
+              "it.force 3, it.displacement 1",
+              joined(ends, {gap, axis, axis_1}),
+              {"displacement 1", "displacement 2"});
+  check_joint("springs in fixed axes",
+              tilted + "\n    set Stiffness = 10, 20, 30",
+              "it.force 1",
+              joined({{"Body A", "ground"}, {"Body B", "ground"}},
+                     {axis, {{"Axis 2", "0.3, 1, 0.2"}, {"Stiffness", "10, 25, 30"}, {"Damping", "1, 2, 3"}}}));
+  check_joint("point on curve",
+              "    set Expressions = 1 + s, 0.4 + s^2, 0.2 + s\n    set Axis = 1, 2, -1",
+              "it.force 1",
+              joined({{"Body A", "ground"},
+                      {"Body B", "ground", {}, true},
+                      {"Expressions", "1 + s, 0.4 + s^2, 0.2 - s"}},
+                     {axis, axis_1}));
   check_joint("rigid",
               "    set Reaction = true",
               "it.moment 1",
@@ -152,6 +186,17 @@ TEST_F(Catalogued, OtherJoints)
                      {axis,
                       axis_1,
                       {{"Radius", "0.3"}, {"Position", "1.1 - 0.4/sqrt(6), 0.4 - 0.8/sqrt(6), 0.3 + 0.4/sqrt(6)"}}}));
+  check_joint("rolling disc",
+              tilted + "\n    set Radius = 0.4\n    set Axle = 2, -1, 0.3",
+              "it.force 1, it.tilt, it.displacement 1",
+              joined({{"Body A", "ground"}, {"Body B", "ground"}},
+                     {axis,
+                      axis_1,
+                      {{"Radius", "0.3"},
+                       {"Axle", "2, -1, 1"},
+                       {"Position",
+                        "1 - 0.4*sqrt(1 - 0.09/30.54)/sqrt(6), 0.4 - 0.8*sqrt(1 - 0.09/30.54)/sqrt(6), "
+                        "0.2 + 0.4*sqrt(1 - 0.09/30.54)/sqrt(6)"}}}));
   check_joint("knife edge", tilted, "it.force 1", joined(ends, {axis}));
   check("gear", models::gear, "Joints/it", {{"Joint A", "on c"}, {"Joint B", "on c.rotation"}, {"Ratio", "-1.5"}});
 }

@@ -34,6 +34,10 @@ namespace
             {"planar", {axis, 3, {{b, none}, {c, none}, {none, a}}}},
             {"spherical", {"", 3, {{none, a}, {none, b}, {none, c}}}},
             {"universal", {axis + "set Second axis = 2, 1, 2\n", 2, {{none, a}, {none, b}}}},
+            {"skew universal", {axis + "set Second axis = 3, 3, 0\n", 2, {{none, a}, {none, a + b}}}},
+            {"constant velocity", {axis, 2, {{none, b}, {none, c}}}},
+            {"in line", {axis, 4, {{a, none}, {none, a}, {none, b}, {none, c}}}},
+            {"in plane", {axis, 5, {{b, none}, {c, none}, {none, a}, {none, b}, {none, c}}}},
             {"rigid", {"set Reaction = true\n", 0, {}}},
             {"flexible joint",
              {axis + "set Axis 2 = 2, 1, 2\nset Stiffness = 7, 0, 5\nset Rotational stiffness = 0, 3, 0\n",
@@ -69,6 +73,9 @@ subsection Joints
                                                                    {"cylindrical", {"displacement", "rotation"}},
                                                                    {"planar",
                                                                     {"displacement 1", "displacement 2", "rotation"}},
+                                                                   {"in line", {"displacement"}},
+                                                                   {"in plane", {"displacement 1", "displacement 2"}},
+                                                                   {"skew universal", {"rotation 1", "rotation 2"}},
                                                                    {"universal", {"rotation 1", "rotation 2"}}};
     if (used && names.count(kind) > 0)
       for (const auto &name : names.at(kind))

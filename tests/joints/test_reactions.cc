@@ -116,6 +116,24 @@ TEST(Reactions, Universal)
 
 
 
+// The same where the axes are not at a right angle.
+TEST(Reactions, SkewUniversal)
+{
+  Scene         scene(model("skew universal",
+                    "set Axis = 1, 2, -2\nset Second axis = 3, 3, 0\n" + prescribed("rotation 1", "0.8") +
+                      prescribed("rotation 2", "-1.1")));
+  const State  &state  = scene.equilibrium();
+  const Vector3 moment = -(M + (state.position(1) - J).cross(F));
+  const Vector3 second = Eigen::AngleAxisd(0.8, a) * (a + b).normalized(), normal = a.cross(second).normalized();
+  EXPECT_NEAR(scene.value("j.moment 1"), moment.dot(a), 1e-8);
+  EXPECT_NEAR(scene.value("j.moment 2"), moment.dot(second), 1e-8);
+  EXPECT_NEAR(scene.value("j.moment 3"), moment.dot(normal), 1e-8);
+  EXPECT_NEAR(scene.value("j.force 1"), -F.dot(a), 1e-8);
+  EXPECT_NEAR(scene.value("j.force 2"), -F.dot(b), 1e-8);
+}
+
+
+
 // Without an unknown of its own a free motion has no reaction, and no probe.
 TEST(Reactions, NoneWhereFree)
 {

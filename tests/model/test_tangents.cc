@@ -114,14 +114,31 @@ end
                                                                      {"distance", {}},
                                                                      {"spring", {"length"}},
                                                                      {"flexible joint", {}},
+                                                                     {"in line", {"displacement"}},
+                                                                     {"in plane", {"displacement 1", "displacement 2"}},
+                                                                     {"constant velocity", {}},
+                                                                     {"skew universal", {"rotation 1", "rotation 2"}},
+                                                                     {"point on curve", {}},
+                                                                     {"springs in fixed axes", {}},
+                                                                     {"rolling disc", {}},
                                                                      {"rolling ball", {}},
                                                                      {"knife edge", {}}};
     for (const auto &[kind, free] : motions)
       {
         std::string text = "subsection Joints\n subsection j\n set Type = " + kind +
                            "\n set Body A = block.centre\n set Body B = rod.start\n";
-        if (kind != "distance" && kind != "spring" && kind != "rigid")
-          text += kind == "universal" ? "set Axis = 1, 0, 0\n set Second axis = 0, 1, 0\n" : "set Axis = 1, 2, -1\n";
+        if (kind == "point on curve")
+          text += "set Expressions = 1 + sin(s) - s^2, 0.4 + 0.3*s, 0.2 + exp(s)/2 - 0.5\n";
+        else if (kind != "distance" && kind != "spring" && kind != "rigid")
+          text += kind == "universal"      ? "set Axis = 1, 0, 0\n set Second axis = 0, 1, 0\n" :
+                  kind == "skew universal" ? "set Axis = 1, 0, 0\n set Second axis = 1, 1, 0.3\n" :
+                                             "set Axis = 1, 2, -1\n";
+        if (kind == "rolling disc")
+          text += "set Radius = 0.4\n set Axle = 1, 0.3, 0.9\n";
+        if (kind == "springs in fixed axes")
+          text += "set Stiffness = 3, 4, 5\n set Damping = 0.2, 0.1, 0.4\n";
+        if (kind == "constant velocity")
+          text += "set Second axis = 1, 1, 1\n";
         if (kind == "screw")
           text += "set Pitch = 0.3\n";
         if (kind == "rigid")

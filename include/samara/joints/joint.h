@@ -219,6 +219,24 @@ namespace samara
       double       value = 0;  ///< that it keeps
       unsigned int axis  = 0;  ///< joint axis of its force or moment
       double       sign  = -1; ///< of the force or moment of A on B when the multiplier is positive
+
+      /** A second function that is taken from the first one; their moment is about no single axis. */
+      std::optional<PairFunction> less = {};
+
+      template <typename Number>
+      Number
+      measure(const PairValues<Number> &pair) const
+      {
+        return less ? Number(function.value(pair) - less->value(pair)) : function.value(pair);
+      }
+      template <typename Number>
+      void
+      add_forces(const PairValues<Number> &pair, const Number &multiplier, PairForces<Number> &forces) const
+      {
+        forces.add(function, pair, multiplier);
+        if (less)
+          forces.add(*less, pair, Number(-multiplier));
+      }
     };
     struct NoSlip
     {
@@ -233,6 +251,8 @@ namespace samara
     void lock_displacement(unsigned int axis);
     /** Keep E_iᴬ normal to E_jᴮ. */
     void        lock_rotation(unsigned int i, unsigned int j);
+    /** Keep E₁ᴬ·E₂ᴮ and E₂ᴬ·E₁ᴮ the same: no twist about E₃, however that bends. */
+    void        lock_twist();
     FreeMotion &free_displacement(unsigned int axis, const std::string &name = "displacement");
     FreeMotion &free_rotation_about_3(const std::string &name = "rotation");
     /** @} */
@@ -256,7 +276,7 @@ namespace samara
     /** @name For add_relative_rates() @{ */
     /** The tilts of the line between the two frames, against A and against B: what a rod with balls at its ends has. */
     void add_tilts(const double *q, std::vector<RelativeRate> &rates) const;
-    /** The three rotations of a ball joint. */
+    /** The three rotations of a ball joint, about axes of A through the origin of B. */
     void add_turns(const double *q, std::vector<RelativeRate> &rates) const;
     /** @} */
 

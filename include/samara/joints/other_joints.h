@@ -17,7 +17,13 @@ namespace samara
   protected:
     Matrix3 axes() const override;
 
-  private:
+    /** What the documentation says of the angle between the axes. */
+    virtual std::string
+    angle_of_axes() const
+    {
+      return "at a right angle to the first";
+    }
+
     Vector3 second_axis = Vector3::UnitY();
   };
 
