@@ -93,3 +93,29 @@ TEST(Reports, OnePositionAfterTheOther)
       EXPECT_LT(distance(used.accelerations, fresh.accelerations), 1e-9);
     }
 }
+
+
+
+// Steps whose corrections shrink as they should are not evaluated once more to say so, and are as good: the energy of
+// each is accounted for within the tolerance of Newton's method, and they end where steps end that are evaluated.
+TEST(Reports, NoEvaluationOnlyToConfirm)
+{
+  constexpr double       tolerance = 1e-8;
+  constexpr unsigned int n         = 20;
+  unsigned int           n_steps = 0, n_confirmed = 0;
+  for_all_systems([&](const MovingSystem &what, const System &system, const State &start) {
+    SCOPED_TRACE(what.name);
+    for_all_members([&](const Tableau &tableau) {
+      StageIntegrator integrator(system, tableau, tolerance), exact(system, tableau, 1e-13);
+      const Record    r = run(system, start, integrator, what.h, n), e = run(system, start, exact, what.h, n);
+      ASSERT_EQ(r.n_steps, n);
+      ASSERT_EQ(e.n_steps, n);
+      EXPECT_LT(r.balance, 2 * tolerance);
+      EXPECT_LT(distance(r.state.q, e.state.q), 100 * tolerance);
+      EXPECT_LT(distance(r.state.y, e.state.y), 1000 * tolerance);
+      n_steps += n;
+      n_confirmed += integrator.n_evaluations - std::min(integrator.n_evaluations, integrator.n_iterations);
+    });
+  });
+  EXPECT_LT(n_confirmed, 0.7 * n_steps);
+}
