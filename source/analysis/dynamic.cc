@@ -36,33 +36,14 @@ namespace samara
       meshes.check(context, state, "dynamic, t = " + short_text(state.time) + " s");
     if (context.probes.empty() && !is_picture && !observer)
       return;
-    State reported = state;
-    try
-      {
-        projection.report(reported);
-        if (context.least_norm && !reported.left_out.empty())
-          {
-            if (!output.redundant)
-              output.redundant = std::make_unique<RedundantRows>(context.system);
-            output.redundant->make_least(reported);
-          }
-      }
-    catch (const SingularMatrix &problem)
-      {
-        if (!output.is_massless)
-          context.log.warning(
-            "",
-            "t = " + short_text(state.time) + " s: accelerations are not determined" +
-              (problem.unknown >= 0 ? " at " + context.system.layout.name_of(problem.unknown) : std::string()) +
-              ", because it has no mass or constraints depend on each other in this position: velocities, "
-              "accelerations and joint forces are those of the integrator, of lower order");
-        output.is_massless = true;
-      }
+    const State &reported = output.report(context, state, projection, is_picture || observer);
     if (observer)
       observer(reported);
     if (output.history != nullptr && !context.probes.empty())
       {
-        std::vector<double> row(1, state.time);
+        std::vector<double> row;
+        row.reserve(1 + context.probes.size());
+        row.push_back(state.time);
         for (const auto &probe : context.probes)
           row.push_back(probe.value(reported));
         output.history->add(row);
@@ -72,6 +53,42 @@ namespace samara
         output.pictures->add(context.system.draw(reported), state.time);
         output.next_picture += (end_time - start_time) / n_pictures;
       }
+  }
+
+
+
+  const State &
+  DynamicAnalysis::Output::report(const Context &context,
+                                  const State   &state,
+                                  Projection    &projection,
+                                  const bool     with_all)
+  {
+    const bool with_forces = with_all || needs.forces;
+    if (!with_forces && !needs.velocities)
+      return state;
+    reported = state;
+    try
+      {
+        projection.report(reported, with_forces);
+        if (with_forces && context.least_norm && !reported.left_out.empty())
+          {
+            if (!redundant)
+              redundant = std::make_unique<RedundantRows>(context.system);
+            redundant->make_least(reported);
+          }
+      }
+    catch (const SingularMatrix &problem)
+      {
+        if (!is_massless)
+          context.log.warning(
+            "",
+            "t = " + short_text(state.time) + " s: accelerations are not determined" +
+              (problem.unknown >= 0 ? " at " + context.system.layout.name_of(problem.unknown) : std::string()) +
+              ", because it has no mass or constraints depend on each other in this position: velocities, "
+              "accelerations and joint forces are those of the integrator, of lower order");
+        is_massless = true;
+      }
+    return reported;
   }
 
 

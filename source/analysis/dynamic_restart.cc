@@ -21,8 +21,9 @@ namespace samara
                                   const DynamicAnalysis  &analysis,
                                   const double            start,
                                   const Checkpoint *const last)
+    : next_picture(start)
+    , needs(context.probes)
   {
-    next_picture = start;
     if (context.folder.empty())
       return;
     const std::optional<double> after  = last != nullptr ? std::optional<double>(start) : std::nullopt;

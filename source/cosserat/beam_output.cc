@@ -43,7 +43,9 @@ namespace samara
     sample.D.setZero();
     for (unsigned int a = 0; a < t.n_nodes; ++a)
       {
-        const double  N = fe.shape_value(a, xi);
+        const double N = fe.shape_value(a, xi);
+        if (N == 0.)
+          continue; // at another node
         const Vector6 y = elements[i].frames[a].twist(state.y.data());
         sample.x += N * nodes[a].x;
         sample.D += N * nodes[a].D;

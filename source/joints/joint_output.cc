@@ -2,6 +2,7 @@
 
 #include <samara/joints/joint.h>
 #include <samara/model/drawing.h>
+#include <samara/model/probe_needs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,13 +29,13 @@ namespace samara
   {
     for (const auto &motion : free)
       if (path == motion.name)
-        return Probe{path, motion.is_angle() ? "deg" : "m", [&](const State &state) {
+        return Probe{path, motion.is_angle() ? "deg" : "m", OfPlaces{[&](const State &state) {
                        return angle_or_gap(motion, state) * (motion.is_angle() ? 180. / M_PI : 1.);
-                     }};
+                     }}};
       else if (path == motion.name + " rate" && motion.coordinate >= 0)
-        return Probe{path, motion.is_angle() ? "rad/s" : "m/s", [&](const State &state) {
-                       return state.rates[motion.coordinate];
-                     }};
+        return Probe{path,
+                     motion.is_angle() ? "rad/s" : "m/s",
+                     OfVelocities{{[&](const State &state) { return state.rates[motion.coordinate]; }}}};
     for (const bool is_moment : {false, true})
       for (unsigned int i = 0; i < 3; ++i)
         if (path == (is_moment ? "moment " : "force ") + std::to_string(i + 1))

@@ -1,4 +1,5 @@
 #include <samara/model/frame_probe.h>
+#include <samara/model/probe_needs.h>
 
 #include <map>
 
@@ -10,8 +11,9 @@ namespace samara
 
     struct Quantity
     {
-      std::string unit, directions;
-      Vector      vector;
+      std::string  unit, directions;
+      unsigned int order; ///< of the derivative by time
+      Vector       vector;
     };
 
     const std::map<std::string, Quantity> &
@@ -19,19 +21,20 @@ namespace samara
     {
       static const double                          degrees = 180. / M_PI;
       static const std::map<std::string, Quantity> all     = {
-        {"position", {"m", "xyz", [](const FrameMotion &m) { return m.x; }}},
-        {"displacement", {"m", "xyz", [](const FrameMotion &m) -> Vector3 { return m.x - m.x_reference; }}},
-        {"velocity", {"m/s", "xyz", [](const FrameMotion &m) { return m.velocity; }}},
-        {"angular velocity", {"rad/s", "xyz", [](const FrameMotion &m) { return m.angular_velocity; }}},
-        {"acceleration", {"m/s^2", "xyz", [](const FrameMotion &m) { return m.acceleration; }}},
-        {"angular acceleration", {"rad/s^2", "xyz", [](const FrameMotion &m) { return m.angular_acceleration; }}},
-        {"rotation",
-         {"deg",
-          "xyz",
-          [](const FrameMotion &m) -> Vector3 {
+            {"position", {"m", "xyz", 0, [](const FrameMotion &m) { return m.x; }}},
+            {"displacement", {"m", "xyz", 0, [](const FrameMotion &m) -> Vector3 { return m.x - m.x_reference; }}},
+            {"velocity", {"m/s", "xyz", 1, [](const FrameMotion &m) { return m.velocity; }}},
+            {"angular velocity", {"rad/s", "xyz", 1, [](const FrameMotion &m) { return m.angular_velocity; }}},
+            {"acceleration", {"m/s^2", "xyz", 2, [](const FrameMotion &m) { return m.acceleration; }}},
+            {"angular acceleration", {"rad/s^2", "xyz", 2, [](const FrameMotion &m) { return m.angular_acceleration; }}},
+            {"rotation",
+             {"deg",
+              "xyz",
+              0,
+              [](const FrameMotion &m) -> Vector3 {
             return degrees * vector_of_rotation(m.D * m.D_reference.transpose());
           }}},
-        {"angle", {"deg", "123", [](const FrameMotion &m) -> Vector3 {
+            {"angle", {"deg", "123", 0, [](const FrameMotion &m) -> Vector3 {
                      return degrees * angles_of_rotation(m.D_reference.transpose() * m.D, "321").reverse();
                    }}}};
       return all;
@@ -78,8 +81,13 @@ namespace samara
       for (unsigned int i = 0; i < 3; ++i)
         if (quantity == name + " " + q.directions[i])
           {
-            const Vector vector = q.vector;
-            return Probe{quantity, q.unit, [=](const State &state) { return vector(motion(state))(i); }};
+            const OfPlaces of_places{
+              [vector = q.vector, motion, i](const State &state) { return vector(motion(state))(i); }};
+            if (q.order == 0)
+              return Probe{quantity, q.unit, of_places};
+            if (q.order == 1)
+              return Probe{quantity, q.unit, OfVelocities{of_places}};
+            return Probe{quantity, q.unit, of_places.value};
           }
     return {};
   }

@@ -1,3 +1,4 @@
+#include <samara/solvers/backward_error.h>
 #include <samara/solvers/factorization.h>
 #include <samara/solvers/linear.h>
 #include <samara/solvers/panel_factors.h>
@@ -67,6 +68,12 @@ namespace samara
 
 
 
+    /** Where a matrix is worse conditioned than the one of its pivots, they are kept if solutions are as exact as this.
+     * A matrix below the other bound may be singular, which new pivots tell. */
+    constexpr double error_of_old_pivots = 1e-13, rcond_of_old_pivots = 1e-14;
+
+
+
     /** KLU finds the order of columns and the pivots, and with them where L and U have entries. */
     template <typename Number>
     class Klu : public Factorization<Number>
@@ -102,8 +109,8 @@ namespace samara
       void
       factorize(const Number *values) override
       {
-        // the old pivots serve while the matrix changes little; the condition tells when they do not
-        if (has_pivots && factors.factorize(values) < 0 && factors.reciprocal_condition() >= 1e-3 * reference_rcond)
+        // the old pivots serve while the matrix changes little; the condition tells when they may not
+        if (has_pivots && factors.factorize(values) < 0 && serves(values))
           return;
         has_pivots = false;
         find_pivots(values);
@@ -134,6 +141,19 @@ namespace samara
       }
 
     private:
+      bool
+      serves(const Number *values)
+      {
+        const double rcond = factors.reciprocal_condition();
+        if (rcond >= 1e-3 * reference_rcond)
+          return true;
+        // by itself, or by pivots that do not suit it any more
+        if (!(rcond > rcond_of_old_pivots) || !(backward_error(pattern, values, factors) < error_of_old_pivots))
+          return false;
+        reference_rcond = rcond;
+        return true;
+      }
+
       void
       find_pivots(const Number *values)
       {

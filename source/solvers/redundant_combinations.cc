@@ -50,7 +50,7 @@ namespace samara
 
 
   std::vector<std::vector<int>>
-  RedundantRows::columns_apart(const std::vector<std::vector<int>> &rows_of) const
+  RedundantRows::columns_apart() const
   {
     std::vector<std::vector<int>>  groups;
     std::vector<std::vector<bool>> is_taken;
@@ -95,6 +95,48 @@ namespace samara
     X.col(j)          = Eigen::Map<const Eigen::VectorXd>(b.data() + n, m);
     X(left_out[j], j) = 1;
     independence[j]   = Eigen::Map<const Eigen::VectorXd>(b.data(), n).norm();
+    find_rows_of(j);
+  }
+
+
+
+  void
+  RedundantRows::find_rows_of(const int j)
+  {
+    rows_of[j].clear();
+    is_full[j] = true;
+    for (int i = 0; i < m; ++i)
+      if (!(std::abs(X(i, j)) <= negligible))
+        rows_of[j].push_back(i);
+  }
+
+
+
+  RedundantRows::Entries
+  RedundantRows::entries() const
+  {
+    Entries result{rows_of, {}};
+    for (unsigned int j = 0; j < rows_of.size(); ++j)
+      {
+        result.values.emplace_back();
+        for (const int i : rows_of[j])
+          result.values[j].push_back(X(i, j));
+      }
+    return result;
+  }
+
+
+
+  RedundantRows::Entry
+  RedundantRows::largest_entry() const
+  {
+    Entry largest;
+    for (unsigned int j = 0; j < rows_of.size(); ++j)
+      for (const int i : rows_of[j])
+        // what is no number is larger than all
+        if (const double size = std::abs(X(i, j)); size > largest.size || std::isnan(size))
+          largest = {size, i, static_cast<int>(j)};
+    return largest;
   }
 
 
@@ -102,33 +144,28 @@ namespace samara
   void
   RedundantRows::find_combinations(const std::vector<unsigned int> &left_out)
   {
-    const int d = left_out.size();
-    // rows with a part in each combination when it was found last
-    std::vector<std::vector<int>> rows_of(d);
-    if (left_out == left_out_of_X)
-      for (int j = 0; j < d; ++j)
-        for (int i = 0; i < m; ++i)
-          if (std::abs(X(i, j)) > negligible)
-            rows_of[j].push_back(i);
+    const int  d        = left_out.size();
     const bool is_known = left_out == left_out_of_X;
     left_out_of_X       = left_out;
-    X                   = Eigen::MatrixXd::Zero(m, d);
     independence.assign(d, 0.);
-    if (!is_known)
-      for (int j = 0; j < d; ++j)
-        find_combination(left_out, j);
+    if (is_known)
+      for (const auto &group : columns_apart())
+        find_together(left_out, group);
     else
-      for (const auto &group : columns_apart(rows_of))
-        find_together(left_out, group, rows_of);
+      {
+        X = Eigen::MatrixXd::Zero(m, d);
+        rows_of.assign(d, {});
+        is_full.assign(d, false);
+        for (int j = 0; j < d; ++j)
+          find_combination(left_out, j);
+      }
     ++n_checks;
   }
 
 
 
   void
-  RedundantRows::find_together(const std::vector<unsigned int>     &left_out,
-                               const std::vector<int>              &group,
-                               const std::vector<std::vector<int>> &rows_of)
+  RedundantRows::find_together(const std::vector<unsigned int> &left_out, const std::vector<int> &group)
   {
     if (group.size() == 1)
       return find_combination(left_out, group[0]);
@@ -142,6 +179,9 @@ namespace samara
     const double        together = Eigen::Map<const Eigen::VectorXd>(b.data(), n).norm();
     for (const int j : group)
       {
+        if (is_full[j])
+          X.col(j).setZero();
+        is_full[j] = false;
         for (const int i : rows_of[j])
           X(i, j) = b[n + i] / weight(j);
         X(left_out[j], j) = 1;

@@ -73,11 +73,10 @@ namespace samara
     bool has_changed = false;
     for (;;)
       {
-        Eigen::Index i, j;
-        const double largest = X.cwiseAbs().maxCoeff(&i, &j);
-        if (!(largest > good) || !(largest < singular))
+        const Entry largest = largest_entry();
+        if (!(largest.size > good) || !(largest.size < singular))
           return has_changed;
-        swap(left_out, i, j);
+        swap(left_out, largest.row, largest.column);
         has_changed = true;
         ++n_exchanges;
       }
@@ -94,7 +93,10 @@ namespace samara
     change(j) -= 1;
     for (int l = 0; l < X.cols(); ++l)
       if (change(l) != 0.)
-        X.col(l) -= column * change(l);
+        {
+          X.col(l) -= column * change(l);
+          find_rows_of(l);
+        }
     left_out[j]   = i;
     left_out_of_X = left_out;
   }
@@ -168,13 +170,16 @@ namespace samara
 
 
   double
-  RedundantRows::motion_until_next(const Eigen::MatrixXd &before, const double motion) const
+  RedundantRows::motion_until_next(const Entries &before, const double motion) const
   {
-    if (before.size() != X.size() || *std::max_element(independence.begin(), independence.end()) > exact)
+    if (before.rows != rows_of || *std::max_element(independence.begin(), independence.end()) > exact)
       return least_motion;
+    double change = 0;
+    for (unsigned int j = 0; j < rows_of.size(); ++j)
+      for (unsigned int k = 0; k < rows_of[j].size(); ++k)
+        change = std::max(change, std::abs(X(rows_of[j][k], j) - before.values[j][k]));
     // half of what they may still grow by as they do now
-    const double change = (X - before).lpNorm<Eigen::Infinity>() / motion;
-    return std::clamp(0.5 * (good - X.lpNorm<Eigen::Infinity>()) / change, least_motion, most_motion);
+    return std::clamp(0.5 * (good - largest_entry().size) * motion / change, least_motion, most_motion);
   }
 
 
@@ -203,6 +208,8 @@ namespace samara
     Eigen::VectorXd of_left_out(left_out.size());
     for (unsigned int j = 0; j < left_out.size(); ++j)
       of_left_out(j) = state.multipliers[left_out[j]] / scale[left_out[j]];
+    if (of_left_out.isZero(0.))
+      return;
     const Eigen::VectorXd change = X * of_left_out;
     for (int i = 0; i < m; ++i)
       state.multipliers[i] -= scale[i] * change(i);
@@ -220,9 +227,9 @@ namespace samara
       return false;
     if (!rounding.is_known)
       measure_rounding(state);
-    Eigen::MatrixXd before;
+    Entries before;
     if (std::isfinite(motion) && left_out_of_X == state.left_out)
-      before = X;
+      before = entries();
     next_motion  = least_motion;
     checked.q    = state.q;
     checked.held = state.held;
@@ -233,7 +240,7 @@ namespace samara
         factorize(left_out);
         find_combinations(left_out);
         // at a singular position the rows kept have combinations of their own: nothing can be said there
-        if (X.cwiseAbs().maxCoeff() < singular)
+        if (largest_entry().size < singular)
           {
             if (*std::max_element(independence.begin(), independence.end()) > still_dependent)
               take_in_independent(left_out);

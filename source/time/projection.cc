@@ -126,7 +126,9 @@ namespace samara
     Point<double> point = state.point();
     point.held          = false;
     point.multipliers   = no_multipliers.data(); // the rows alone
-    K.clear();
+    // the other columns are many, and never read
+    for (const int j : unknowns)
+      std::fill(K.values.begin() + K.pattern->column_start[j], K.values.begin() + K.pattern->column_start[j + 1], 0.);
     system.add_constraint_tangent(point, K);
     for (unsigned int k = 0; k < entries.size(); ++k)
       saddle->values[k] = entries[k].is_mass ? entries[k].mass : K.values[entries[k].at];
@@ -279,15 +281,20 @@ namespace samara
 
 
   void
-  Projection::report(State &state)
+  Projection::report(State &state, const bool with_forces)
   {
-    factorize(state);
+    state.accelerations.clear();
+    if (with_forces || system.layout.n_multipliers > 0)
+      factorize(state);
     if (system.layout.n_multipliers > 0)
       {
         system.find_state_rates(state);
         project(state);
       }
-    system.stresses(state, state.stress);
+    if (system.is_viscous())
+      system.stresses(state, state.stress);
+    if (!with_forces)
+      return;
     const std::vector<double> a = solve_for_accelerations(state);
     state.accelerations.assign(6, 0.);
     state.accelerations.insert(state.accelerations.end(), a.begin(), a.end());

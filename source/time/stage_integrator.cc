@@ -12,6 +12,10 @@ namespace samara
   {
     constexpr unsigned int max_factorizations_per_step = 4;
 
+    /** Where corrections shrink by less than the first it is looked at what they leave; by more than the second may be
+     * an accident. */
+    constexpr double sure_rate = 0.3, least_rate = 0.01;
+
     /** What a factorisation with its matrices costs, in iterations. */
     constexpr double iterations_of_a_factorization = 4;
 
@@ -312,20 +316,30 @@ namespace samara
   StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
     const bool   is_fresh = is_exact || n_steps_with_factors == 0;
-    double       last = 0, last_rate = 0, smallest = 1e300;
+    const bool   may_skip = can_predict();
+    double       last = 0, last_rate = 0, worse_rate = 0, work_left = 0, rate_of_work = 1, smallest = 1e300;
     unsigned int n_stagnant = 0;
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
       {
         move_stages(state, h);
+        // what is left shrinks as it did, and as corrections do: an evaluation would only say so
+        if (const double rate = std::max({worse_rate, rate_of_work, least_rate});
+            may_skip && rate < sure_rate && last * rate / (1 - rate) < tolerance &&
+            work_left * rate < tolerance * energy_that_counts() && confirm_without_forces(state, h))
+          return true;
         evaluate(state, h);
+        ++n_evaluations;
         // linear convergence: what is still missing is about last · rate/(1 − rate); at round-off it no longer shrinks
         if (iteration > 0)
           {
-            const double rate  = std::min(iteration > 1 ? last_rate : first_rate, largest_rate);
-            const double error = energy_error(h), scale = std::max(energy_scale, kinetic_energy);
+            const double rate         = std::min(iteration > 1 ? last_rate : first_rate, largest_rate);
+            const auto [error, bound] = energy_error(h);
+            const double scale        = std::max(energy_scale, kinetic_energy);
             if (last * rate / (1 - rate) < tolerance && error < tolerance * energy_that_counts() &&
-                largest_gap(h) < std::max(1e-9, 10 * tolerance) * length)
+                largest_gap(h) < allowed_gap())
               return true;
+            rate_of_work = work_left > 0 ? bound / work_left : 1.;
+            work_left    = bound;
             // What is left may be more than what was before, if factors are old: then it grows, slowly, from round-off.
             // Small corrections alone say little: near singular positions, reactions go astray while nothing moves.
             if (n_stagnant > 2 && last < size_of_round_off)
@@ -345,6 +359,7 @@ namespace samara
         // the worse of two rates, as they may alternate
         const double this_rate = last > 0 ? size / last : 0;
         const double rate      = std::max(this_rate, last_rate);
+        worse_rate             = rate;
         last_rate              = iteration > 0 ? this_rate : 0;
         if (size > size_of_round_off)
           smallest = std::max(smallest, size); // a first correction may be none by accident
@@ -406,22 +421,50 @@ namespace samara
 
 
 
-  double
+  bool
+  StageIntegrator::can_predict() const
+  {
+    return !is_exact && !wants_estimates && system.layout.stops.empty() && system.layout.nonlinear_springs.empty() &&
+           system.layout.n_states == 0;
+  }
+
+
+
+  bool
+  StageIntegrator::confirm_without_forces(const State &state, const double h)
+  {
+    evaluate_constraints(state, h);
+    if (!(largest_gap(h) < allowed_gap()))
+      return false;
+    if (system.is_viscous() || tableau.alpha != 0.)
+      for (auto &stage : stages)
+        system.strain_rates(stage.point(), stage.strain_rates.data());
+    return true;
+  }
+
+
+
+  StageIntegrator::EnergyError
   StageIntegrator::energy_error(const double h) const
   {
-    double force_work = 0, stress_work = 0;
+    double force_work = 0, stress_work = 0, bound = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         const Stage &stage = stages[k];
-        double       power = 0;
+        double       power = 0, powers = 0;
+        const auto   add = [&](const double part) {
+          power += part;
+          powers += std::abs(part);
+        };
         for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
-          power += stage.residual[i] * stage.y[6 + i];
+          add(stage.residual[i] * stage.y[6 + i]);
         for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-          power += stage.residual[system.layout.of_coordinate(i)] * stage.rates[i];
+          add(stage.residual[system.layout.of_coordinate(i)] * stage.rates[i]);
+        bound += h * tableau.b(k) * powers;
         force_work += h * tableau.b(k) * power;
         stress_work += h * tableau.b(k) * system.sum_of_powers(stage.excess.data(), stage.strain_rates.data());
       }
-    return std::abs(force_work) + stress_work;
+    return {std::abs(force_work) + stress_work, bound + stress_work};
   }
 
 

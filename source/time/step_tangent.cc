@@ -114,6 +114,9 @@ namespace samara
     change.constraint_rates             = std::vector<Vector>(s);
     change.end_q.assign(12 * n_nodes, 0.);
     change.start_strain.assign(system.layout.n_strains, 0.);
+    // a step that converged as predicted leaves those of the last correction but one
+    for (auto &stage : stages)
+      system.strain_rates(stage.point(), stage.strain_rates.data());
     for (unsigned int k = 0; k < s; ++k)
       {
         // the stresses that belong to the configurations, not those that Newton's method has come to

@@ -124,6 +124,42 @@ TEST(Libraries, ResidualsAreRoundOff)
 
 
 
+// A matrix may be worse conditioned than the one whose pivots are in use by itself, in other units: they serve. Or
+// because a pivot has become small beside its row: solutions would miss some digits, and new pivots are found.
+TEST(Libraries, OldPivotsServeWhereTheyAreExact)
+{
+  const int    n       = 8;
+  const auto   pattern = full_pattern(n);
+  SparseMatrix first(pattern);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      first.values[n * j + i] = i == j ? 4. : std::sin(1. + i + 3. * j);
+  std::vector<double> b(n);
+  for (int i = 0; i < n; ++i)
+    b[i] = std::cos(2. * i);
+  for (const auto library : libraries)
+    for (const double small : {1e-4, 1e-5, 1e-6, 1e-8, 1e-12})
+      for (const bool by_units : {true, false})
+        {
+          const auto solver = make_solver(pattern, library);
+          solver->factorize(first);
+          // any of them may be the first pivot
+          for (int k = 0; k < n; ++k)
+            {
+              SparseMatrix other = first;
+              for (int i = 0; i < n; ++i)
+                other.values[n * k + i] *= by_units || i == k ? small : 1.;
+              solver->factorize(other);
+              std::vector<double> x = b;
+              solver->solve(x.data());
+              EXPECT_LT(residual(*pattern, other.values, x, b), 2e-14)
+                << name_of(library) << ", " << small << (by_units ? " of a column, " : " of a pivot, ") << k;
+            }
+        }
+}
+
+
+
 TEST(Libraries, LargeFactorsAreReadInOrder)
 {
   // more entries than KLU keeps in its own order: 120 elements have 2000 unknowns with 31 entries in L and U

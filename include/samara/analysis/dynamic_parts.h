@@ -2,6 +2,7 @@
 #define samara_analysis_dynamic_parts_h
 
 #include <samara/analysis/dynamic.h>
+#include <samara/model/probe_needs.h>
 #include <samara/solvers/redundant_rows.h>
 
 #include <array>
@@ -16,9 +17,17 @@ namespace samara
     std::unique_ptr<RedundantRows> redundant; ///< made when reactions are not unique
     double                         next_picture = 0;
     bool                           is_massless  = false; ///< accelerations cannot be found; has been said
+    ProbeNeeds                     needs;
+    State                          reported; ///< the last one
 
     /** @p last: the checkpoint that the run goes on from, or none. */
     Output(const Context &context, const DynamicAnalysis &analysis, double start, const Checkpoint *last);
+
+    /**
+     * What is seen of a @p state: reported as Projection::report() says, as far as probes look at it, or all of it. In
+     * positions where that is not determined it is the integrator's, which is said once.
+     */
+    const State &report(const Context &context, const State &state, Projection &projection, bool with_all);
 
     /** The tables with their names, null where nothing is written. */
     std::array<std::pair<const char *, History *>, 3>

@@ -121,6 +121,8 @@ namespace samara
     std::vector<double>            unit, scale;  ///< roots of the weights of unknowns; 1/|row|, 0 without one
     std::vector<bool>              is_absent;    ///< rows that say nothing, and need not be left out
     Eigen::MatrixXd                X;            ///< scaled
+    std::vector<std::vector<int>>  rows_of;      ///< of each column of X: entries that are not negligible
+    std::vector<bool>              is_full;      ///< columns with other entries, too, which are
     std::vector<double>            independence; ///< of each row left out: distance from the span of those kept
     std::vector<double>            no_multipliers;
     State                          checked;         ///< where the choice was looked at last
@@ -144,10 +146,23 @@ namespace samara
     void   find_combinations(const std::vector<unsigned int> &left_out);
     void   find_combination(const std::vector<unsigned int> &left_out, int j);
     /** Those of a group of columns by one solution, as no row had a part in two of them when they were found last. */
-    void                          find_together(const std::vector<unsigned int>     &left_out,
-                                                const std::vector<int>              &group,
-                                                const std::vector<std::vector<int>> &rows_of);
-    std::vector<std::vector<int>> columns_apart(const std::vector<std::vector<int>> &rows_of) const;
+    void find_together(const std::vector<unsigned int> &left_out, const std::vector<int> &group);
+    std::vector<std::vector<int>> columns_apart() const;
+    /** Find the entries of a column that are not negligible. */
+    void find_rows_of(int j);
+    /** Entries of X that are not negligible, and where they are. */
+    struct Entries
+    {
+      std::vector<std::vector<int>>    rows;
+      std::vector<std::vector<double>> values;
+    };
+    Entries entries() const;
+    struct Entry
+    {
+      double size = 0;
+      int    row = 0, column = 0;
+    };
+    Entry largest_entry() const;
     /** Add the scaled row of G to a sum. */
     void add_row(int i, double factor, double *sum) const;
     bool exchange(std::vector<unsigned int> &left_out);
@@ -166,7 +181,7 @@ namespace samara
     /** How far from where the choice was looked at last; no number if it was another one. */
     double motion_since_look(const State &state) const;
     /** How far the combinations may be trusted, as they were @p before and have changed over a @p motion. */
-    double motion_until_next(const Eigen::MatrixXd &before, double motion) const;
+    double motion_until_next(const Entries &before, double motion) const;
     void   keep_forces(State &state, const std::vector<unsigned int> &left_out) const;
   };
 

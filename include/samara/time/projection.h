@@ -36,14 +36,16 @@ namespace samara
     std::vector<double> accelerations(State &state);
 
     /**
-     * A state as it is reported: velocities projected, multipliers and accelerations as above, section forces of the
-     * configuration with them. @throws SingularMatrix if something without mass can move freely.
+     * A state as it is reported: velocities projected, multipliers and accelerations as above. Its stresses have to be
+     * those of its configuration, as integrators leave them; those of dampers follow the velocities. Without
+     * @p with_forces only velocities and these stresses are found, and accelerations are not known.
+     * @throws SingularMatrix if something without mass can move freely.
      */
-    void report(State &state);
+    void report(State &state, bool with_forces = true);
 
   private:
     const System             &system;
-    SparseMatrix              K;
+    SparseMatrix              K; ///< columns of unknowns of the saddle-point matrix alone are kept up
     std::vector<unsigned int> bound; ///< nodes that constraints act on, or without an inverse of the mass
     struct FreeNode
     {

@@ -87,6 +87,7 @@ namespace samara
 
     /** @name For reports @{ */
     unsigned int n_exact_steps        = 0; ///< steps repeated with the exact matrix of all stages
+    unsigned int n_evaluations        = 0; ///< of all forces at all stages, for Newton's method
     double       largest_gap_left_out = 0; ///< of a row left out, as a length [m]
     unsigned int worst_left_out       = 0; ///< its multiplier
     unsigned int
@@ -215,8 +216,22 @@ namespace samara
     /** From this many groups of four nodes on threads are faster. */
     static constexpr unsigned int worth_threads = 200;
     void                          evaluate_constraints(const State &state, double h);
-    /** Work that the residuals of the last evaluation would add to the energy. */
-    double energy_error(double h) const;
+    /** Work that the residuals of the last evaluation would add to the energy, and a bound where none cancel. */
+    struct EnergyError
+    {
+      double sum, bound;
+    };
+    EnergyError energy_error(double h) const;
+    /** Whether forces of a converged step need not be evaluated: no account nor estimate looks at them. */
+    bool can_predict() const;
+    /** Evaluate what the account of a step looks at; whether constraints hold. */
+    bool confirm_without_forces(const State &state, double h);
+    /** Largest gap of a converged step, as a length [m]. */
+    double
+    allowed_gap() const
+    {
+      return std::max(1e-9, 10 * tolerance) * length;
+    }
     /** What it is measured by: the energy that moves. Of one that only prestresses, a thousandth counts. */
     double energy_that_counts() const;
     double change_of_force          = 0,

@@ -1,0 +1,121 @@
+// What is reported of a motion, and what steps leave out that nobody looks at.
+
+#include <samara/model/probe_needs.h>
+
+#include <gtest/gtest.h>
+
+#include "systems.h"
+
+using namespace samara;
+using namespace samara::systems;
+
+namespace
+{
+  /** All probes of all that a model has, with those along beams, which are not listed. */
+  std::vector<Probe>
+  all_probes(const Model &model)
+  {
+    std::vector<Probe> probes;
+    for (const auto &item : model.items)
+      {
+        std::vector<std::string> names = item->probe_names();
+        for (const std::string quantity :
+             {"position x", "rotation y", "angle 2", "velocity z", "angular velocity y", "acceleration x", "moment 2"})
+          names.push_back("0.3 m." + quantity);
+        for (const auto &name : names)
+          if (const auto probe = item->probe(name))
+            {
+              probes.push_back(*probe);
+              probes.back().name = item->name + "." + name;
+            }
+      }
+    return probes;
+  }
+
+  /** A state as it is reported, as far as a probe looks at it. */
+  State
+  reported_for(const Probe &probe, const System &system, const State &state)
+  {
+    const ProbeNeeds needs({probe});
+    State            reported = state;
+    if (needs.forces || needs.velocities)
+      Projection(system).report(reported, needs.forces);
+    return reported;
+  }
+} // namespace
+
+
+
+// What a probe does not look at is not computed for it: its value is the same number. Of each kind there are some.
+TEST(Reports, WhatProbesNeed)
+{
+  unsigned int n_of_places = 0, n_of_velocities = 0, n_of_forces = 0;
+  for_all_systems([&](const MovingSystem &what, const System &system, const State &start) {
+    State state = start;
+    // one stage with dissipation: velocities of the integrator violate constraints
+    StageIntegrator integrator(system, Tableau(1, 0.), 1e-12);
+    for (unsigned int i = 0; i < 3; ++i)
+      ASSERT_TRUE(integrator.step(state, what.h).converged);
+    State full = state;
+    Projection(system).report(full);
+    for (const Probe &probe : all_probes(system.model))
+      {
+        EXPECT_EQ(probe.value(reported_for(probe, system, state)), probe.value(full))
+          << what.name << ": " << probe.name;
+        const ProbeNeeds needs({probe});
+        ++(needs.forces ? n_of_forces : needs.velocities ? n_of_velocities : n_of_places);
+      }
+  });
+  EXPECT_GT(n_of_places, 100u);
+  EXPECT_GT(n_of_velocities, 100u);
+  EXPECT_GT(n_of_forces, 100u);
+}
+
+
+
+// A matrix of constraints that is filled again and again: the last report is that of a projection that knows nothing
+// of those before, when rows are left out and taken in between, too.
+TEST(Reports, OnePositionAfterTheOther)
+{
+  Scene scene("prm/benchmarks/dynamics/four_bar.prm", {"Joints/B1/Type = revolute", "Joints/B2/Type = revolute"});
+  const System   &system = scene.system;
+  State           state  = start_of({"", "", 0, 0}, system);
+  StageIntegrator integrator(system, Tableau(2, 0.5), 1e-12);
+  Projection      projection(system);
+  ASSERT_FALSE(state.left_out.empty());
+  for (unsigned int i = 0; i < 60; ++i)
+    {
+      ASSERT_TRUE(integrator.step(state, 0.02).converged);
+      State used = state, fresh = state;
+      projection.report(used);
+      Projection(system).report(fresh);
+      EXPECT_LT(distance(used.y, fresh.y), 1e-12);
+      EXPECT_LT(distance(used.accelerations, fresh.accelerations), 1e-9);
+    }
+}
+
+
+
+// Steps whose corrections shrink as they should are not evaluated once more to say so, and are as good: the energy of
+// each is accounted for within the tolerance of Newton's method, and they end where steps end that are evaluated.
+TEST(Reports, NoEvaluationOnlyToConfirm)
+{
+  constexpr double       tolerance = 1e-8;
+  constexpr unsigned int n         = 20;
+  unsigned int           n_steps = 0, n_confirmed = 0;
+  for_all_systems([&](const MovingSystem &what, const System &system, const State &start) {
+    SCOPED_TRACE(what.name);
+    for_all_members([&](const Tableau &tableau) {
+      StageIntegrator integrator(system, tableau, tolerance), exact(system, tableau, 1e-13);
+      const Record    r = run(system, start, integrator, what.h, n), e = run(system, start, exact, what.h, n);
+      ASSERT_EQ(r.n_steps, n);
+      ASSERT_EQ(e.n_steps, n);
+      EXPECT_LT(r.balance, 2 * tolerance);
+      EXPECT_LT(distance(r.state.q, e.state.q), 100 * tolerance);
+      EXPECT_LT(distance(r.state.y, e.state.y), 1000 * tolerance);
+      n_steps += n;
+      n_confirmed += integrator.n_evaluations - std::min(integrator.n_evaluations, integrator.n_iterations);
+    });
+  });
+  EXPECT_LT(n_confirmed, 0.7 * n_steps);
+}
