@@ -9,6 +9,7 @@
 #include <samara/cosserat/rigid_body.h>
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
+#include <samara/cosserat/table_section.h>
 #include <samara/joints/distributing.h>
 #include <samara/joints/fixed_springs.h>
 #include <samara/joints/flexible_joint.h>

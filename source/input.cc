@@ -1,6 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/base/threads.h>
-#include <samara/cosserat/section.h>
+#include <samara/cosserat/table_section.h>
 #include <samara/input.h>
 #include <samara/solvers/linear.h>
 
@@ -325,7 +325,7 @@ namespace samara
           // as entries, a line each
           text << "subsection Sections\n  subsection " << table->name << '\n';
           unsigned int i = 0;
-          for (const auto &line : table->lines_of_file())
+          for (const auto &line : table->lines_of_files())
             text << "    set line " << ++i << " of the file = " << line << '\n';
           text << "  end\nend\n";
         }

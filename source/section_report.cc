@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/beam.h>
+#include <samara/cosserat/table_section.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/output/write_hdf5.h>

@@ -3,6 +3,7 @@
 #include <samara/analysis/dynamic_parts.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/initial_motion.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
 
@@ -50,9 +51,21 @@ namespace samara
   DynamicAnalysis::prepare(Context &context, State &state) const
   {
     const System &system = context.system;
-    state.held           = false;
-    state.factor         = 1;
-    state.time           = start_time;
+    if (context.is_equilibrium && state.factor != 1)
+      context.log.warning("",
+                          "the static analysis has ended at the load factor " + short_text(state.factor) +
+                            "; the motion starts there, and with all loads");
+    state.held   = false;
+    state.factor = 1;
+    state.time   = start_time;
+    if (State deformed = state; add_initial_displacements(system, deformed))
+      {
+        if (context.is_equilibrium)
+          throw InputError(parameters.where() +
+                           ": a beam has a field of displacements at the start, and the static analysis before the "
+                           "dynamic one says how it is deformed, too; leave out one of them");
+        state = deformed;
+      }
     if (!context.is_equilibrium)
       set_steady_motion(system, state, context.speeds);
     // of a model that turns as a whole the ground stops, and nothing else

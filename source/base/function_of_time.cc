@@ -26,8 +26,10 @@ namespace samara
           if (blank == std::string::npos || !text_to_number(row.substr(0, blank), x) ||
               !text_to_number(trim(row.substr(blank)), y))
             throw std::invalid_argument("<" + row + "> in a table is not two numbers.");
-          if (!table.empty() && x <= table.back().first)
-            throw std::invalid_argument("<" + row + ">: the first numbers in a table must increase.");
+          const auto n = table.size();
+          if (n > 0 && (x < table[n - 1].first || (n > 1 && x == table[n - 2].first)))
+            throw std::invalid_argument("<" + row +
+                                        ">: the first numbers in a table must increase; two that are the same make a jump.");
           table.emplace_back(x, y);
         }
       if (table.empty())
@@ -140,7 +142,7 @@ namespace samara
       if (first == 0 || first == table.size())
         return "(" + number_to_text((first == 0 ? table.front() : table.back()).second) + ")";
       const auto  &left = table[first - 1], &right = table[first];
-      const double slope = (right.second - left.second) / (right.first - left.first);
+      const double width = right.first - left.first, slope = width > 0 ? (right.second - left.second) / width : 0.;
       return "(" + number_to_text(left.second) + " + (" + number_to_text(slope) + ")*(" + x + " - (" +
              number_to_text(left.first) + ")))";
     }

@@ -171,14 +171,22 @@ namespace samara
   Parameters::add_file(const std::string &wanted, std::string &variable, const std::string &documentation)
   {
     add(wanted, variable, documentation);
-    // what is printed holds wherever it is read
+    // what is printed holds wherever it is read; of several files each, where there is none of the whole name
     entries.back().read = [](const std::string &text, const Quantities &, const Entry &self) {
       // "file:line"; "--set" has no folder
-      auto &variable = *static_cast<std::string *>(self.variable);
-      variable       = text.empty() ? "" : file_beside(self.where->substr(0, self.where->rfind(':')), text);
-      std::error_code ignored;
-      const auto      absolute = std::filesystem::absolute(variable, ignored);
-      return variable.empty() || ignored ? variable : absolute.string();
+      const std::string        beside = self.where->substr(0, self.where->rfind(':'));
+      std::error_code          ignored;
+      std::vector<std::string> files(1, text), printed;
+      if (text.empty() || !std::filesystem::exists(file_beside(beside, text), ignored))
+        files = split_top_level(text, ',');
+      for (auto &file : files)
+        {
+          file                = file_beside(beside, file);
+          const auto absolute = std::filesystem::absolute(file, ignored);
+          printed.push_back(ignored ? file : absolute.string());
+        }
+      *static_cast<std::string *>(self.variable) = join(files, ", ");
+      return join(printed, ", ");
     };
   }
 

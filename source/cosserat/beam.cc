@@ -53,6 +53,7 @@ namespace samara
             List(Double(0), 1, 6));
     prm.add("Damping frequency", damping_frequency, "Frequency at which the damping ratio holds [rad/s].", Double(0));
     initial_velocity.add_parameters(prm, "start of the beam");
+    initial_fields.add_parameters(prm);
     prm.turns("Points", Turning::position);
     prm.turns("Expressions", Turning::position);
     prm.turns("Axis 2", Turning::direction);
@@ -94,12 +95,14 @@ namespace samara
                             "a damping ratio needs the <Damping frequency> it holds at");
     if (!find_curve() || section == nullptr || model->complaints.count() != before)
       return;
-    make_cells();
-    if (model->complaints.count() != before)
-      return;
     try
       {
-        make_nodes_and_elements();
+        if (section->has_twist() && parameters.is_set("Twist"))
+          throw std::invalid_argument("it has a column <twist>, and the beam a <Twist>: leave out one");
+        section = &section->along(curve->length());
+        make_cells();
+        if (model->complaints.count() == before)
+          make_nodes_and_elements();
       }
     catch (const std::invalid_argument &problem)
       {
@@ -142,14 +145,14 @@ namespace samara
   Matrix3
   Beam::triad_at(const double s, const double inside) const
   {
-    const Matrix3 D = curve->triad(s, inside);
-    if (twist.is_zero())
-      return D;
-    double       angle  = twist(s);
-    const double beside = twist(s + 1e-9 * (inside - s));
-    if (std::abs(beside - angle) > 1e-6)
-      angle = beside; // at a jump
-    return D * rotation_of_vector({angle, 0, 0});
+    const Matrix3 D     = curve->triad(s, inside);
+    double        angle = section->twist(s / curve->length(), inside / curve->length());
+    if (!twist.is_zero())
+      {
+        const double here = twist(s), beside = twist(s + 1e-9 * (inside - s));
+        angle += std::abs(beside - here) > least_jump_of_twist ? beside : here;
+      }
+    return angle == 0 ? D : D * rotation_of_vector({angle, 0, 0});
   }
 
 
@@ -248,8 +251,10 @@ namespace samara
     Cosserat<1>::connect(layout);
     for (auto &frame : node_frames)
       frame = model->resolved(frame);
-    if (!node_frames.empty())
-      initial_velocity.check(node_frames, *this, model->complaints);
+    if (node_frames.empty())
+      return;
+    initial_velocity.check(node_frames, *this, model->complaints);
+    initial_fields.check(node_frames, node_abscissae, *this, model->complaints);
   }
 
 
@@ -269,6 +274,34 @@ namespace samara
   Beam::add_initial_velocities(State &state) const
   {
     initial_velocity.assign(node_frames, *this, state);
+  }
+
+
+
+  std::vector<Vector3>
+  Beam::tangents(const State &state) const
+  {
+    // the line has turned with its sections since the reference configuration, but for shear
+    std::vector<Vector3> result;
+    for (const auto &frame : node_frames)
+      result.push_back(frame.triad(state.q.data()).col(0));
+    return result;
+  }
+
+
+
+  void
+  Beam::add_velocity_fields(const State &state, std::map<unsigned int, Vector6> &twists) const
+  {
+    initial_fields.add_twists(node_frames, node_abscissae, tangents(state), *this, state, twists);
+  }
+
+
+
+  void
+  Beam::add_displacement_fields(const State &state, std::map<unsigned int, Place> &places) const
+  {
+    initial_fields.add_places(node_frames, node_abscissae, tangents(state), *this, state, places);
   }
 
 

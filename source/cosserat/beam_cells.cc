@@ -111,7 +111,7 @@ namespace samara
               cell->end = s;
             else if (s > 0)
               throw std::invalid_argument("an element of the mesh must end at " + number_to_text(s / L) +
-                                          ", where the beam has a corner or a frame");
+                                          ", where the beam has a corner, a frame, or a jump of its twist");
           }
         for (unsigned int i = 1; i < cells.size(); ++i)
           cells[i].start = cells[i - 1].end;
@@ -129,9 +129,16 @@ namespace samara
   void
   Beam::make_cells()
   {
-    const auto breaks = find_breaks();
+    auto breaks = find_breaks();
     if (!find_kinks())
       return;
+    // where the twist jumps, sections on both sides of a node are turned against each other
+    for (const double x : section->jumps_of_twist())
+      breaks.push_back(x * curve->length());
+    for (const double s : kinks)
+      if (const double h = 1e-9 * curve->length(); std::abs(twist(s + h) - twist(s - h)) > least_jump_of_twist)
+        breaks.push_back(s);
+    breaks = sorted(breaks, curve->length());
     if (!mesh_texts.empty())
       {
         take_mesh(breaks);
@@ -141,7 +148,7 @@ namespace samara
     if (parameters.is_set("Elements") && elements_wish.error == 0 && elements_wish.number < needed)
       model->complaints.add(parameters.where("Elements"),
                             "beam <" + name + "> needs " + std::to_string(needed) +
-                              " elements at least: they end at its corners and at its <Frames>");
+                              " elements at least: they end at its corners, at its <Frames>, and where its twist jumps");
     // at kinks too if there are enough of them, or nobody says how many; an automatic mesh begins with degree 2
     auto all = breaks;
     all.insert(all.end(), kinks.begin(), kinks.end());

@@ -66,8 +66,9 @@ namespace samara
   SectionValues
   Beam::section_at(const Cell &cell, const double s) const
   {
-    return section->at(s / curve->length(),
-                       section->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero()));
+    return section->at_side(s / curve->length(),
+                            0.5 * (cell.start + cell.end) / curve->length(),
+                            section->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero()));
   }
 
 
@@ -111,7 +112,7 @@ namespace samara
       {
         points.push_back(xi[0]);
         if (breaks.empty())
-          result.push_back(inertia(0.999 * (xi[0] - 0.5) + 0.5)); // seen from inside of the element
+          result.push_back(inertia(xi[0]));
       }
     if (breaks.empty())
       return result;

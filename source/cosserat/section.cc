@@ -1,11 +1,9 @@
 #include <samara/base/text.h>
-#include <samara/base/text_file.h>
 #include <samara/cosserat/section.h>
 #include <samara/model/drawing.h>
 #include <samara/section/symmetric_matrix.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace samara
 {
@@ -54,20 +52,23 @@ namespace samara
   Section::check(Model &model) const
   {
     for (const double x : {0., 1.})
-      {
-        const SectionValues v = at(x, Vector3::Zero());
-        if (Eigen::SelfAdjointEigenSolver<Matrix6>(v.stiffness).eigenvalues()(0) <= 0.)
-          model.complaints.add(parameters.where(),
-                               "the stiffness of section <" + name +
-                                 "> is not positive definite: every one of EA, GA2, GA3, GJ, EI2, EI3 must be "
-                                 "positive, and couplings must be small enough");
-        else if (Eigen::SelfAdjointEigenSolver<Matrix6>(v.inertia).eigenvalues()(0) < -1e-12 * v.inertia.norm())
-          model.complaints.add(parameters.where(),
-                               "the inertia of section <" + name + "> is not positive semidefinite");
-        else
-          continue;
-        return;
-      }
+      if (const std::string fault = fault_of(at(x, Vector3::Zero()), "section <" + name + ">"); !fault.empty())
+        return model.complaints.add(parameters.where(), fault);
+  }
+
+
+
+  std::string
+  fault_of(const SectionValues &values, const std::string &what)
+  {
+    // written so that what is not a number is a fault, too
+    if (!(Eigen::SelfAdjointEigenSolver<Matrix6>(values.stiffness).eigenvalues()(0) > 0.))
+      return "the stiffness of " + what +
+             " is not positive definite: every one of EA, GA2, GA3, GJ, EI2, EI3 must be positive, and couplings must be "
+             "small enough";
+    if (!(Eigen::SelfAdjointEigenSolver<Matrix6>(values.inertia).eigenvalues()(0) >= -1e-12 * values.inertia.norm()))
+      return "the inertia of " + what + " is not positive semidefinite";
+    return "";
   }
 
 
@@ -185,166 +186,5 @@ namespace samara
   MatrixSection::at(const double, const Vector3 &) const
   {
     return values;
-  }
-
-
-
-  void
-  TableSection::add_parameters(Parameters &prm)
-  {
-    prm.add("Stations",
-            stations,
-            "Sections at relative abscissae, linear in between: root at 0, tip at 1. Two sections at the same abscissa "
-            "make a jump.");
-    prm.add_file(
-            "File",
-            file,
-            "Instead of stations: a CSV file whose first line names the columns: x (relative abscissa) and any of EA, "
-            "GA2, GA3, GJ, EI2, EI3, EI23, mass, I2, I3, I23, y2 shear, y3 shear, y2 tension, y3 tension, y2 mass, y3 mass, "
-            "in SI units; relative to the .prm file that says it.");
-  }
-
-
-
-  void
-  TableSection::initialize(Model &model)
-  {
-    try
-      {
-        if (stations.empty() == file.empty())
-          throw std::invalid_argument("give either <Stations> or <File>");
-        stations.empty() ? read_file(model) : read_stations(model);
-        if (abscissae.size() < 2 || !std::is_sorted(abscissae.begin(), abscissae.end()))
-          throw std::invalid_argument("a table needs at least two stations in ascending order");
-      }
-    catch (const std::invalid_argument &problem)
-      {
-        model.complaints.add(parameters.where(file.empty() ? "Stations" : "File"), problem.what());
-        return;
-      }
-    check(model);
-  }
-
-
-
-  void
-  TableSection::read_stations(Model &model)
-  {
-    for (const auto &station : stations)
-      {
-        std::string section, place;
-        double      x = 0;
-        if (!split_at(station, section, place) || !text_to_number(place, x) || x < 0 || x > 1)
-          throw std::invalid_argument("a station is written <section at x> with x from 0 (start) to 1 (end), not <" +
-                                      station + ">");
-        abscissae.push_back(x);
-        const auto &found = model.find<Section>(section, "section");
-        values.push_back([&found](const Vector3 &curvature) { return found.at(0, curvature); });
-        outlines.push_back(found.outline(0));
-        sections.push_back(&found);
-        uses_curvature = uses_curvature || found.depends_on_curvature();
-      }
-  }
-
-
-
-  void
-  TableSection::read_file(Model &)
-  {
-    std::istringstream in(text_of_file(file));
-    std::string        line;
-    std::getline(in, line);
-    const auto columns = split_top_level(line, ',');
-    lines.push_back(line);
-    for (unsigned int number = 2; std::getline(in, line); ++number)
-      {
-        const std::string place = " in " + file + ":" + std::to_string(number);
-        lines.push_back(line);
-        EngineeringConstants c;
-        const std::map<std::string, double *> variables = {
-          {"EA", &c.EA},     {"GA2", &c.GA2},   {"GA3", &c.GA3}, {"GJ", &c.GJ},
-          {"EI2", &c.EI2},   {"EI3", &c.EI3},   {"EI23", &c.EI23}, {"mass", &c.mass},
-          {"I2", &c.I2},     {"I3", &c.I3},     {"I23", &c.I23},
-          {"y2 shear", &c.shear_centre[0]},     {"y3 shear", &c.shear_centre[1]},
-          {"y2 tension", &c.tension_centre[0]}, {"y3 tension", &c.tension_centre[1]},
-          {"y2 mass", &c.mass_centre[0]},       {"y3 mass", &c.mass_centre[1]}};
-        const auto cells = split_top_level(line, ',');
-        if (cells.empty())
-          continue;
-        if (cells.size() != columns.size())
-          throw std::invalid_argument("<" + line + ">" + place + " has not as many numbers as the first line has names");
-        for (unsigned int i = 0; i < cells.size(); ++i)
-          {
-            double number = 0;
-            if (!text_to_number(cells[i], number))
-              throw std::invalid_argument("<" + cells[i] + ">" + place + " is not a number");
-            if (columns[i] == "x")
-              abscissae.push_back(number);
-            else if (variables.count(columns[i]) == 1)
-              *variables.at(columns[i]) = number;
-            else
-              throw std::invalid_argument("there is no column <" + columns[i] + "> in a table of section properties");
-          }
-        values.push_back([v = c.values()](const Vector3 &) { return v; });
-        outlines.push_back(c.values().outline);
-      }
-    if (abscissae.size() != values.size())
-      throw std::invalid_argument("the table has no column <x>");
-  }
-
-
-
-  std::pair<unsigned int, double>
-  TableSection::interval(const double x) const
-  {
-    unsigned int i = 0;
-    while (i + 2 < abscissae.size() && abscissae[i + 1] <= x)
-      ++i;
-    const double length = abscissae[i + 1] - abscissae[i];
-    const double w      = length > 0 ? (x - abscissae[i]) / length : 1.;
-    return {i, std::min(1., std::max(0., w))};
-  }
-
-
-
-  SectionValues
-  TableSection::at(const double x, const Vector3 &curvature) const
-  {
-    const auto [i, w] = interval(x);
-    return interpolate(values[i](curvature), values[i + 1](curvature), w);
-  }
-
-
-
-  std::vector<Eigen::Vector2d>
-  TableSection::outline(const double x) const
-  {
-    const auto [i, w] = interval(x);
-    return interpolate(outlines[i], outlines[i + 1], w);
-  }
-
-
-
-  const AnalysedSection *
-  TableSection::nearest(const double x) const
-  {
-    const auto [i, w] = interval(x);
-    return sections.empty() ? nullptr : sections[w < 0.5 ? i : i + 1]->nearest(0);
-  }
-
-
-
-  bool
-  TableSection::depends_on_curvature() const
-  {
-    return uses_curvature;
-  }
-
-
-
-  std::vector<double>
-  TableSection::kinks() const
-  {
-    return abscissae;
   }
 } // namespace samara

@@ -1,6 +1,7 @@
 // The loops over the terms of the equations.
 
 #include <samara/model/drawing.h>
+#include <samara/model/initial_motion.h>
 #include <samara/model/system.h>
 
 #include <algorithm>
@@ -402,6 +403,12 @@ namespace samara
   {
     for (const auto &item : model.items)
       item->add_initial_velocities(state);
+    std::map<unsigned int, Vector6> twists;
+    for (const auto &item : model.items)
+      if (const auto *const motion = dynamic_cast<const InitialMotion *>(item.get()))
+        motion->add_velocity_fields(state, twists);
+    for (const auto &[node, twist] : twists)
+      Eigen::Map<Vector6>(&state.y[6 * node]) += twist;
   }
 
 

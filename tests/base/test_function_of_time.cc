@@ -84,9 +84,26 @@ namespace
 
 
 
+  // An abscissa that comes twice is a jump: at it the value is that to the right, and a corner is found there once.
+  TEST(FunctionOfTime, TableWithAJump)
+  {
+    const FunctionOfTime f("table: 0 0; 1.5 3; 1.5 5; 2 4");
+    EXPECT_EQ(f(1.5), 5);
+    EXPECT_NEAR(f(1.5 - 1e-9), 3, 1e-8);
+    EXPECT_EQ(f.derivative(1.5), -2);
+    EXPECT_EQ(f.derivative(1), 2);
+    EXPECT_EQ(f.next_corner(0, 2), 1.5);
+    EXPECT_GT(f.next_corner(1.5, 2), 2);
+    const FunctionOfTime same(f.formula_text());
+    for (const double t : {-1., 0.3, 1.4999, 1.5, 1.7, 3.})
+      EXPECT_NEAR(same(t), f(t), 1e-14) << t;
+  }
+
+
+
   TEST(FunctionOfTime, RefusesBadTables)
   {
-    for (const char *text : {"table:", "table: 1", "table: 0 0; 0 1", "table: 1 0; 0 1", "table: 0 x", "table: 1 2 3"})
+    for (const char *text : {"table:", "table: 1", "table: 0 0; 0 1; 0 2", "table: 1 0; 0 1", "table: 0 x", "table: 1 2 3"})
       EXPECT_THROW(FunctionOfTime{std::string(text)}, std::invalid_argument) << text;
   }
 

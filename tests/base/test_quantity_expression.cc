@@ -109,7 +109,7 @@ namespace
                              "table: 0 0; 1 kg, 3",
                              "table: 0, 2 kg",
                              "table: 0",
-                             "table: 0 0; 0 1",
+                             "table: 0 0; 0 1; 0 2",
                              "t(3)",
                              "sin(t, 1)"})
       EXPECT_EQ(fault_of_expression(text, "N").find("no fault"), std::string::npos)

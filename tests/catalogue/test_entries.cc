@@ -237,7 +237,11 @@ TEST_F(Catalogued, Bodies)
          {"Damping ratio", "0.01", {"Bodies/beam/Damping frequency = 10"}, false},
          {"Damping frequency", "20", {"Bodies/beam/Damping ratio = 0.01", "Bodies/beam/Damping frequency = 10"}},
          {"Velocity", "0.1, 0, 0"},
-         {"Angular velocity", "0.3, 0.2, -0.6"}});
+         {"Angular velocity", "0.3, 0.2, -0.6"},
+         {"Velocity field", "0, 0, s"},
+         {"Angular velocity field", "s, 0, 0"},
+         {"Displacement field", "0, 0, 0.01*s"},
+         {"Rotation field", "0.01*s, 0, 0"}});
 }
 
 

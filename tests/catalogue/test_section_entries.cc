@@ -159,6 +159,7 @@ TEST_F(Catalogued, Sections)
         models::beam(models::table),
         "Sections/it",
         {{"Stations", "other at 0, thick at 1"},
+         {"Start", "0.5", {"Sections/it/Stations = other at 0 m, thick at 2 m"}},
          {"File", folder + "/table.csv", {}, false, {"Sections/it/Stations = "}}});
 }
 

@@ -4,6 +4,7 @@
 #include <samara/cosserat/beam_mesh.h>
 #include <samara/cosserat/cosserat.h>
 #include <samara/cosserat/curve.h>
+#include <samara/cosserat/initial_fields.h>
 #include <samara/cosserat/initial_velocity.h>
 #include <samara/cosserat/section.h>
 #include <samara/model/drawing.h>
@@ -19,7 +20,7 @@ namespace samara
    * and frequencies for degree p with p Gauss points; no locking at any slenderness. Elements of one beam may have
    * different degrees; a mesh that meets an error is found by automatic_mesh.h.
    */
-  class Beam : public Cosserat<1>, public RelativeMotions
+  class Beam : public Cosserat<1>, public RelativeMotions, public InitialMotion
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -54,6 +55,10 @@ namespace samara
 
     /** All nodes take part in the rigid motion about the start that the user gives, see InitialVelocity. */
     void add_initial_velocities(State &state) const override;
+
+    /** See InitialFields. */
+    void add_velocity_fields(const State &state, std::map<unsigned int, Vector6> &twists) const override;
+    void add_displacement_fields(const State &state, std::map<unsigned int, Place> &places) const override;
 
     double
     length() const
@@ -112,6 +117,7 @@ namespace samara
     double                    damping_frequency = 0;
     bool                      rigid             = false;
     InitialVelocity           initial_velocity;
+    InitialFields             initial_fields;
 
     std::unique_ptr<Curve> curve;
     const Section         *section = nullptr;
@@ -128,6 +134,11 @@ namespace samara
     std::vector<double>           kinks; ///< arc lengths where section or twist have one; elements need not end there
     std::map<std::string, double> named; ///< arc length of named points
     Matrix6                       last_stiffness = Matrix6::Zero(); ///< of the material that was made last
+
+    static constexpr double least_jump_of_twist = 1e-6; ///< over 2e-9 of the length, where it is no slope [rad]
+
+    /** d₁ at the nodes. */
+    std::vector<Vector3> tangents(const State &state) const;
 
     std::string               make_curve(); ///< returns what is wrong with the entries
     bool                      find_curve();

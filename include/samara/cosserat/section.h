@@ -33,6 +33,11 @@ namespace samara
 
 
 
+  /** What is not physical about stiffness or inertia of @p what, "section <tip>"; "" if nothing is. */
+  std::string fault_of(const SectionValues &values, const std::string &what);
+
+
+
   class AnalysedSection;
 
   /** A named cross-section that beams refer to. It adds nothing to the system by itself. */
@@ -48,7 +53,14 @@ namespace samara
      */
     virtual SectionValues at(double x, const Vector3 &curvature) const = 0;
 
-    /** Whether at() does. */
+    /** The same; where there is a jump at @p x, on the side on which @p inside lies. */
+    virtual SectionValues
+    at_side(const double x, const double /*inside*/, const Vector3 &curvature) const
+    {
+      return at(x, curvature);
+    }
+
+    /** Whether at() depends on the curvature. */
     virtual bool
     depends_on_curvature() const
     {
@@ -74,6 +86,37 @@ namespace samara
     kinks() const
     {
       return {};
+    }
+
+    /** Whether the section says how it is rotated about axis 1. */
+    virtual bool
+    has_twist() const
+    {
+      return false;
+    }
+
+    /** That rotation, in addition to the one of the beam; at a jump on the side on which @p inside lies [rad]. */
+    virtual double
+    twist(const double /*x*/, const double /*inside*/) const
+    {
+      return 0;
+    }
+
+    /** Relative abscissae where it jumps: there an element must end. */
+    virtual std::vector<double>
+    jumps_of_twist() const
+    {
+      return {};
+    }
+
+    /**
+     * This section for a beam of that length [m]: tables may have abscissae in metres. It lives as long as this one.
+     * @throws std::invalid_argument if it does not reach from the start of the beam to its end
+     */
+    virtual const Section &
+    along(const double /*length*/) const
+    {
+      return *this;
     }
 
   protected:
@@ -125,44 +168,6 @@ namespace samara
   private:
     std::vector<double> stiffness, compliance, inertia, drawn_radii;
     SectionValues       values;
-  };
-
-
-
-  /** Properties linear between stations: other sections at relative abscissae, or a file of engineering constants. */
-  class TableSection : public Section
-  {
-  public:
-    void                add_parameters(Parameters &prm) override;
-    void                initialize(Model &model) override;
-    SectionValues       at(double x, const Vector3 &curvature) const override;
-    std::vector<double> kinks() const override;
-    bool                depends_on_curvature() const override;
-    std::vector<Eigen::Vector2d> outline(double x) const override;
-    const AnalysedSection       *nearest(double x) const override;
-
-    /** What was read from the file, if there is one. */
-    const std::vector<std::string> &
-    lines_of_file() const
-    {
-      return lines;
-    }
-
-  private:
-    std::vector<std::string> stations, lines;
-    std::string              file;
-    std::vector<double>      abscissae;
-    bool                     uses_curvature = false;
-
-    std::vector<std::function<SectionValues(const Vector3 &curvature)>> values;
-    std::vector<std::vector<Eigen::Vector2d>>                           outlines;
-    std::vector<const Section *>                                        sections; ///< none of a file
-
-    /** The number of the station before @p x, and how far it lies on the way to the next, from 0 to 1. */
-    std::pair<unsigned int, double> interval(double x) const;
-
-    void read_stations(Model &model);
-    void read_file(Model &model);
   };
 } // namespace samara
 
