@@ -1,7 +1,9 @@
 #include <samara/base/text.h>
+#include <samara/base/text_file.h>
 #include <samara/base/threads.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/input.h>
+#include <samara/named_files.h>
 #include <samara/solvers/linear.h>
 
 #include <algorithm>
@@ -329,6 +331,13 @@ namespace samara
             text << "    set line " << ++i << " of the file = " << line << '\n';
           text << "  end\nend\n";
         }
+    // of all files that entries name, whether they are the same
+    std::istringstream entries(text.str());
+    for (std::string line; std::getline(entries, line);)
+      if (const auto equal = line.find(" = ");
+          equal != std::string::npos && line.find_first_of("/\"", equal) < line.npos)
+        for (const auto &name : files_named_in(line.substr(equal + 3), ""))
+          text << "set Contents of " << name << " = " << fingerprint_of(text_of_file(name)) << '\n';
     return std::make_shared<const std::string>(text.str());
   }
 

@@ -148,6 +148,16 @@ namespace samara
 
 
 
+    void
+    write_used(const Input &input, const std::string &folder)
+    {
+      std::ofstream used = open_file(folder + "/used.prm");
+      input.print(used);
+      flush(used, folder + "/used.prm");
+    }
+
+
+
     /** A model without bodies: nothing moves, and there is nothing to assemble. */
     void
     run_without_bodies(const Options &options, const Input &input, Log &log)
@@ -161,9 +171,7 @@ namespace samara
           })));
       const std::string folder = folder_of_results(options);
       prepare_folder(folder);
-      std::ofstream used = open_file(folder + "/used.prm");
-      input.print(used);
-      flush(used, folder + "/used.prm");
+      write_used(input, folder);
       for (const auto &analysis : input.analyses)
         analysis->run_without_bodies(input.model, folder, input.pictures, log);
       log.line("results are in " + folder);
@@ -199,6 +207,69 @@ namespace samara
                        ": every body is welded to the ground: nothing can move, and there is nothing to compute. Leave "
                        "out a rigid joint, or give it <Reaction = true>.");
     }
+
+
+    /** What is wrong with the model as a whole is refused, what is doubtful is told. */
+    ModelCheck
+    checked(const Input &input, const System &system, Log &log)
+    {
+      ModelCheck counts = check_model(system);
+      if (!counts.contradictions.empty())
+        throw InputError(with_place({counts.complaint()}, input.where("Title")));
+      if (const std::string of_laws = counts.complaint_about_laws(system); !of_laws.empty())
+        throw InputError(with_place({of_laws}, input.where("Title")));
+      if (const std::string near = nearly_redundant_text(system, counts.redundant_multipliers); !near.empty())
+        log.warning("", near);
+      return counts;
+    }
+
+
+
+    /** How large it is, and what may surprise. */
+    void
+    tell(const Options &options, const Input &input, const System &system, const ModelCheck &counts, Log &log)
+    {
+      const Layout &layout = system.layout;
+      log.line((input.title.empty() ? options.model : input.title) + ": " + std::to_string(system.size()) +
+               " unknowns (" + std::to_string(layout.n_nodes - 1) + " nodes, " + std::to_string(layout.n_coordinates) +
+               " joint coordinates, " +
+               (layout.n_states > 0 ? std::to_string(layout.n_states) + " states of first order, " : "") +
+               std::to_string(layout.n_multipliers) + " multipliers)");
+      if (input.says_redundant)
+        log.warning("", "<Redundant constraints> has no effect any more: redundant constraints need no entry");
+      if (!counts.redundant_multipliers.empty())
+        log.line(counts.redundancy_text());
+      if (counts.n_free_motions > 0 && input.has_analysis("static"))
+        log.line(counts.free_motions_text());
+    }
+
+
+
+    /** The analyses; also after an interrupt they finish what they write. */
+    void
+    analyse(const Input &input, const ModelCheck &counts, Context &context)
+    {
+      const InterruptGuard guard;
+      try
+        {
+          run_all(input, context);
+        }
+      catch (const Interrupted &)
+        {
+          for (const auto &analysis : input.analyses)
+            analysis->finish(context);
+          throw;
+        }
+      catch (const NotConverged &problem)
+        {
+          // motions go on where nothing holds them; only an equilibrium wants them held
+          const std::string text = problem.what();
+          if (counts.n_free_motions == 0 || text.find("static analysis") != 0 ||
+              text.find("finite") != std::string::npos)
+            throw;
+          throw NotConverged(text + "\n  " + counts.free_motions_text());
+        }
+    }
   } // namespace
 
 
@@ -227,15 +298,8 @@ namespace samara
     const auto owner  = input.assemble();
     System    &system = *owner;
     check_size(input, system);
-    auto       probes = input.make_probes();
-    const auto counts = check_model(system);
-    if (!counts.contradictions.empty())
-      throw InputError(with_place({counts.complaint()}, input.where("Title")));
-    if (const std::string of_laws = counts.complaint_about_laws(system); !of_laws.empty())
-      throw InputError(with_place({of_laws}, input.where("Title")));
-    const std::string near = nearly_redundant_text(system, counts.redundant_multipliers);
-    if (!near.empty())
-      log.warning("", near);
+    auto             probes = input.make_probes();
+    const ModelCheck counts = checked(input, system, log);
     if (options.check)
       return log.line(counts.text(system, options.model));
     system.drop(counts.redundant_multipliers);
@@ -243,21 +307,8 @@ namespace samara
 
     const std::string folder = folder_of_results(options);
     prepare_folder(folder);
-    std::ofstream used = open_file(folder + "/used.prm");
-    input.print(used);
-    flush(used, folder + "/used.prm");
-
-    log.line((input.title.empty() ? options.model : input.title) + ": " + std::to_string(system.size()) +
-             " unknowns (" + std::to_string(system.layout.n_nodes - 1) + " nodes, " +
-             std::to_string(system.layout.n_coordinates) + " joint coordinates, " +
-             (system.layout.n_states > 0 ? std::to_string(system.layout.n_states) + " states of first order, " : "") +
-             std::to_string(system.layout.n_multipliers) + " multipliers)");
-    if (input.says_redundant)
-      log.warning("", "<Redundant constraints> has no effect any more: redundant constraints need no entry");
-    if (!counts.redundant_multipliers.empty())
-      log.line(counts.redundancy_text());
-    if (counts.n_free_motions > 0 && input.has_analysis("static"))
-      log.line(counts.free_motions_text());
+    write_used(input, folder);
+    tell(options, input, system, counts, log);
     std::vector<double> speeds;
     for (const auto &rotation : input.model.rotations)
       speeds.push_back(rotation.speed);
@@ -265,25 +316,7 @@ namespace samara
     context.restart    = options.restart;
     context.least_norm = least_norm;
     context.used       = input.used();
-    const InterruptGuard guard;
-    try
-      {
-        run_all(input, context);
-      }
-    catch (const Interrupted &)
-      {
-        for (const auto &analysis : input.analyses)
-          analysis->finish(context);
-        throw;
-      }
-    catch (const NotConverged &problem)
-      {
-        // motions go on where nothing holds them; only an equilibrium wants them held
-        const std::string text = problem.what();
-        if (counts.n_free_motions == 0 || text.find("static analysis") != 0 || text.find("finite") != std::string::npos)
-          throw;
-        throw NotConverged(text + "\n  " + counts.free_motions_text());
-      }
+    analyse(input, counts, context);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
     log.line("done in " + short_text(seconds) + " s; results are in " + folder);

@@ -150,7 +150,7 @@ namespace samara
 
     /** A name that every file system takes. */
     std::string
-    file_name(const std::string &text)
+    file_name_of(const std::string &text)
     {
       std::string result;
       for (const char c : text)
@@ -216,9 +216,9 @@ namespace samara
           const auto analysis = analysed->analyse(curvature);
           add_analysis(row, *analysed, *analysis);
           if (pictures)
-            replace_file(folder + "/section_" + file_name(name) + ".vtu", picture_of(*analysis));
+            replace_file(folder + "/section_" + file_name_of(name) + ".vtu", picture_of(*analysis));
         }
-      replace_file(folder + "/section_" + file_name(name) + ".txt", text_of(row));
+      replace_file(folder + "/section_" + file_name_of(name) + ".txt", text_of(row));
       return row;
     }
   } // namespace
@@ -339,7 +339,7 @@ namespace samara
             row.push_back(Table::Cell::optional(index < 0 ? std::nan("") : index));
           table.add_row(row);
           if (context.pictures && context.is_shown())
-            replace_file(context.folder + "/stresses_" + file_name(place) + ".vtu",
+            replace_file(context.folder + "/stresses_" + file_name_of(place) + ".vtu",
                          picture_of_stresses(*analysis, here.forces, here.x, here.D));
         }
       catch (const std::invalid_argument &problem)

@@ -1,7 +1,9 @@
 // The runs of a study: the overrides of each, their folders, and whether they can be run.
 
 #include <samara/base/text.h>
+#include <samara/base/text_file.h>
 #include <samara/input.h>
+#include <samara/named_files.h>
 #include <samara/study.h>
 
 #include <algorithm>
@@ -81,47 +83,39 @@ namespace samara
 
 
 
-    void
-    flatten(const Outline &outline, std::string &text)
-    {
-      for (const auto &entry : outline.entries)
-        text += entry.name + '=' + entry.value + '\n';
-      for (const auto &section : outline.sections)
-        {
-          text += section.name + "{\n";
-          flatten(section, text);
-          text += "}\n";
-        }
-    }
-
-
-
-    /** 64 bits of FNV-1a of all that the file says, with the overrides. */
-    std::string
-    fingerprint_of(const StudyMember &member)
-    {
-      Complaints  ignored;
-      Outline     outline = Outline::of_file(member.model, ignored);
-      std::string text;
-      flatten(outline, text);
-      for (const auto &override : member.override_texts())
-        text += override + '\n';
-      std::uint64_t hash = 14695981039346656037ull;
-      for (const unsigned char c : text)
-        hash = (hash ^ c) * 1099511628211ull;
-      char hexadecimal[17];
-      std::snprintf(hexadecimal, sizeof hexadecimal, "%016llx", static_cast<unsigned long long>(hash));
-      return hexadecimal;
-    }
-
-
-
     /** Whether there is such a file; a name that no file can have is one of none. */
     bool
     is_file(const std::string &name)
     {
       std::error_code ignored;
       return std::filesystem::is_regular_file(name, ignored);
+    }
+
+
+
+    /** The contents of the files that an entry at @p where, "file:line", names. */
+    std::string
+    contents_of_files(const std::string &value, const std::string &where)
+    {
+      std::string text;
+      for (const auto &file : files_named_in(value, where.substr(0, where.rfind(':'))))
+        text += text_of_file(file);
+      return text;
+    }
+
+
+
+    void
+    flatten(const Outline &outline, std::string &text)
+    {
+      for (const auto &entry : outline.entries)
+        text += entry.name + '=' + entry.value + '\n' + contents_of_files(entry.value, entry.where);
+      for (const auto &section : outline.sections)
+        {
+          text += section.name + "{\n";
+          flatten(section, text);
+          text += "}\n";
+        }
     }
   } // namespace
 
@@ -284,12 +278,32 @@ namespace samara
 
 
 
+  const InputFile &
+  Study::model_of(const StudyMember &member)
+  {
+    return files.try_emplace(member.model, member.model).first->second;
+  }
+
+
+
+  std::string
+  Study::fingerprint_of(const StudyMember &member)
+  {
+    std::string text;
+    flatten(model_of(member).outline, text);
+    for (const auto &override : member.override_texts())
+      text += override + '\n' + contents_of_files(override.substr(override.find('=') + 1), "");
+    return samara::fingerprint_of(text);
+  }
+
+
+
   std::vector<std::string>
-  Study::faults_of(const StudyMember &member, const std::vector<std::string> &texts) const
+  Study::faults_of(const StudyMember &member, const std::vector<std::string> &texts)
   {
     try
       {
-        Input      input(Catalogue(), member.model, texts);
+        Input      input(Catalogue(), model_of(member), texts);
         const auto system = input.assemble();
         input.make_probes();
         if (texts.size() == member.overrides.size() && !input.has_analysis(quantity.analysis()))

@@ -8,6 +8,7 @@
 #include <samara/program.h>
 #include <samara/study_quantity.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -116,6 +117,8 @@ namespace samara
     StudyQuantity quantity;
     bool          is_ladder = false;
 
+    std::map<std::string, InputFile> files; ///< models of members by name, each read once
+
     // source/study.cc
     void read_methods(const Outline &outline, Complaints &complaints);
 
@@ -124,7 +127,10 @@ namespace samara
     void                     add_reference(Complaints &complaints);
     void                     name_folders();
     void                     check_members(Complaints &complaints);
-    std::vector<std::string> faults_of(const StudyMember &member, const std::vector<std::string> &overrides) const;
+    const InputFile         &model_of(const StudyMember &member);
+    std::vector<std::string> faults_of(const StudyMember &member, const std::vector<std::string> &overrides);
+    /** Of all that the model and the files it names say, with the overrides. */
+    std::string fingerprint_of(const StudyMember &member);
 
     // source/study_run.cc
     void run_members(unsigned int n_jobs, const Program &program, Log &log);

@@ -256,6 +256,28 @@ TEST(Restart, ContentsOfTablesBelongToTheModel)
 
 
 
+// So do those of tables in expressions, and of all other files that a model names.
+TEST(Restart, ContentsOfFilesInExpressionsBelongToTheModel)
+{
+  const ScratchFolder folder;
+  const std::string   table = folder.path + "/push.csv";
+  std::filesystem::create_directories(folder.path);
+  const auto write = [&](const std::string &force) {
+    std::ofstream(table) << "time [s], force [N]\n0, 0\n9, " << force << "\n";
+  };
+  const std::string text = pendulum + "subsection States\n  subsection z\n    set Rate = table(\"" +
+                           std::filesystem::absolute(table).string() + "\", t) / (1 N s)\n  end\nend\n";
+  write("1");
+  EXPECT_THROW(run(text, folder.path, {}, false, 0.3), Killed);
+  write("2");
+  const std::string complaint = refusal(folder.path, {}, text);
+  EXPECT_NE(complaint.find("Contents of " + std::filesystem::absolute(table).string()), std::string::npos) << complaint;
+  write("1");
+  EXPECT_EQ(refusal(folder.path, {}, text), "");
+}
+
+
+
 TEST(Restart, HarmlessChangesAreTold)
 {
   const ScratchFolder folder;

@@ -272,6 +272,44 @@ TEST(Study, KeepsWhatIsFinished)
 
 
 
+// What a model says is also what stands in the files that it names: as a whole entry, or in an expression.
+TEST(Study, RunsAgainWhereTablesHaveChanged)
+{
+  Case study;
+  study.wrap([&](const Options &) { study.count_call(); });
+  const auto write = [&](const std::string &file, const std::string &text) {
+    std::ofstream(study.folder.path + "/" + file) << text;
+  };
+  const std::string stiffness = ",1e6,1e6,1,1,1,1,1,1\n";
+  const auto        strip     = [&](const std::string &EA) {
+    write("strip.csv", "x,EA,GA2,GA3,GJ,EI2,EI3,mass,I2,I3\n0," + EA + stiffness + "1," + EA + stiffness);
+  };
+  std::string text = content_of(models + "elastica.prm");
+  const auto  cut  = [&](const std::string &from, const std::string &to, const std::string &by) {
+    const auto at = text.find(from);
+    text.replace(at, text.find(to, at) - at, by);
+  };
+  cut("set Type = engineering", "  end", "set Type = table\n    set File = strip.csv\n");
+  cut("-alpha", "\n", "table(\"force.csv\", 1 s)");
+  write("model.prm", text);
+  write("force.csv", "time [s], force [N]\n0, -1\n2, -1\n");
+  strip("1e6");
+  std::string settings = elastica("4");
+  settings.replace(settings.find(models), models.size() + 12, "model.prm");
+  study.write(settings);
+
+  const double soft = study.run()[0].result.value;
+  EXPECT_EQ(study.run()[0].result.value, soft);
+  EXPECT_EQ(study.n_calls(), 1u);
+  write("force.csv", "time [s], force [N]\n0, -2\n2, -2\n");
+  EXPECT_LT(study.run()[0].result.value, 1.2 * soft);
+  EXPECT_EQ(study.n_calls(), 2u);
+  strip("2e6");
+  study.run();
+  EXPECT_EQ(study.n_calls(), 3u);
+}
+
+
 TEST(Study, MoreTimeForWhatRanOutOfIt)
 {
   Case study;

@@ -15,6 +15,9 @@ namespace
   class Rest : public Integrator
   {
   public:
+    Rest(const System &, const IntegratorSettings &)
+    {}
+
     StepResult
     step(State &state, const double h) override
     {
@@ -33,10 +36,7 @@ namespace
 TEST(Integrators, AreThoseOfTheCatalogue)
 {
   Catalogue catalogue;
-  catalogue.integrators->add("rest", "for a test", []() {
-    return std::make_unique<IntegratorKind>(
-      IntegratorKind{[](const System &, const IntegratorSettings &) { return std::make_unique<Rest>(); }});
-  });
+  catalogue.integrators->add<Rest>("rest", "for a test");
   const auto analysis = catalogue.analyses.make("dynamic");
   auto      &dynamic  = dynamic_cast<DynamicAnalysis &>(*analysis);
   Parameters parameters("Dynamic", "analysis");

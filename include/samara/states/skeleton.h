@@ -12,7 +12,8 @@ namespace samara
    *
    *     ż = min(max((u − z)/T, −r), r)          output: z
    *
-   * u, z and r/s have the unit of the output. In statics z = u. Complains in initialize() about a unit that is none,
+   * u, z and r/s have the unit of the output. In statics z = u, which is found from a start within the limits of the
+   * rate only: beyond, ż does not depend on z, and there is no equilibrium that Newton's method could see. Complains in initialize() about a unit that is none,
    * and about a signal that is not given.
    */
   class Servo : public Controller
