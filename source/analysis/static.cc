@@ -11,43 +11,6 @@
 
 namespace samara
 {
-  void
-  StaticAnalysis::add_parameters(Parameters &prm)
-  {
-    using namespace dealii::Patterns;
-    prm.add("Load steps",
-            initial_steps,
-            "Number of load steps to begin with; they grow and shrink by themselves.",
-            Integer(1));
-    prm.add("Smallest step", smallest_step, "Fraction of the load below which a step is given up [1].", Double(0, 1));
-    prm.add(
-      "Stability limits",
-      stability_limits,
-      "Where the tangent matrix becomes singular, at a limit point or a bifurcation: stop there, or pass and follow what "
-      "Newton's method finds beyond. Not watched when parts rotate.",
-      Selection("stop|pass"));
-    prm.add("Time", time, "Time at which functions of time are taken [s].");
-    prm.add("Tolerance",
-            tolerance,
-            "Newton stops when displacements, relative to the size of the model, and rotations change by less [1].",
-            Double(0));
-    prm.add("Iterations", max_iterations, "Most Newton iterations in a step.", Integer(1));
-    add_path_parameters(prm);
-  }
-
-
-
-  void
-  StaticAnalysis::check(const std::vector<double> &, Complaints &complaints) const
-  {
-    if (!(tolerance > 0))
-      complaints.add(parameters.where("Tolerance"), "the <Tolerance> must be positive");
-    if (!(smallest_step > 0))
-      complaints.add(parameters.where("Smallest step"), "the <Smallest step> must be positive");
-  }
-
-
-
   namespace
   {
     std::vector<double>
@@ -344,7 +307,11 @@ namespace samara
     Newton                    newton(system, *solver, tolerance, max_iterations);
     const std::vector<double> speeds       = context.speeds;
     const double              start_factor = context.is_equilibrium ? context.state.factor : 0.;
+    const bool                is_given     = parameters.is_set("Load factor");
     std::vector<double>       start_speeds(speeds.size(), 0.);
+    if (is_given && std::any_of(speeds.begin(), speeds.end(), [](const double w) { return w != 0.; }))
+      throw InputError(parameters.where("Load factor") +
+                       ": with a steady rotation loads and speeds grow together; leave out the <Load factor>");
     if (context.is_equilibrium && !context.sweep.empty())
       {
         const auto here = std::find(context.sweep.begin(), context.sweep.end(), speeds.empty() ? 0. : speeds[0]);
@@ -355,7 +322,7 @@ namespace samara
       trial        = from;
       trial.time   = time;
       trial.held   = true;
-      trial.factor = start_factor + fraction * (1. - start_factor);
+      trial.factor = is_given ? load_factor(fraction) : start_factor + fraction * (1. - start_factor);
       std::vector<double> trial_speeds(speeds.size());
       for (unsigned int i = 0; i < speeds.size(); ++i)
         trial_speeds[i] = start_speeds[i] + fraction * (speeds[i] - start_speeds[i]);
@@ -376,7 +343,8 @@ namespace samara
     double fraction = 0, step = 1. / initial_steps, least_step = smallest_step;
     while (fraction < 1.)
       {
-        const double next = fraction + 1.000001 * step > 1. ? 1. : fraction + step;
+        const double end  = is_given ? std::min(1., load_factor.next_corner(fraction, 1.)) : 1.;
+        const double next = fraction + 1.000001 * step > end ? end : fraction + step;
         State        trial;
         NewtonResult result = attempt(context.state, next, trial);
         // between two speeds of a sweep there may be a critical one, where no path leads through: start afresh beyond
@@ -395,7 +363,7 @@ namespace samara
               least_step = 0.5 * step_of_jumps;
           }
         const int turned = result.converged && !is_between_speeds ?
-                             turned_too_far(system, context.state, trial, at_rest && start_factor < 1) :
+                             turned_too_far(system, context.state, trial, at_rest && start_factor < 1 && !is_given) :
                              -1;
         if (turned >= 0 && (next - fraction > step_of_jumps || (fraction > 0 && !may_jump)))
           {
@@ -422,7 +390,7 @@ namespace samara
         context.state = trial;
         record(context, trial, fraction, result);
         if (result.iterations <= 8)
-          step *= 2;
+          step = is_given ? std::min(2 * step, 1. / initial_steps) : 2 * step;
       }
   }
 

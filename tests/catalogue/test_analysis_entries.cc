@@ -21,6 +21,7 @@ TEST_F(Catalogued, Statics)
         {{"Load steps", "7"},
          {"Smallest step", "0.1", {heavy}},
          {"Stability limits", "pass", pendulum},
+         {"Load factor", "0.5*s"},
          {"Time", "2", {"Loads/weight/Acceleration = 0, 0, -1 + 0.1*t"}},
          {"Tolerance", "1e-3"},
          {"Iterations", "2"},

@@ -54,6 +54,7 @@ namespace samara
     unsigned int initial_steps = 1, max_iterations = 30;
     double       tolerance = 1e-9, time = 0, smallest_step = 1e-4;
     std::string  stability_limits = "stop", path = "load";
+    Expression   load_factor{"s"}; ///< if it is set
     double       largest_arc = 0.1, load_weight = 0, end_factor = 1, largest_factor = 10;
     unsigned int passages = 1, most_steps = 1000;
 
@@ -82,6 +83,7 @@ namespace samara
      */
     int  turned_too_far(const System &system, const State &from, const State &to, bool by_load) const;
     void follow_load(Context &context);
+    void check_load_factor(const std::vector<double> &rotor_speeds, Complaints &complaints) const;
 
     /** @name Along the arc, in static_path.cc @{ */
     void add_path_parameters(Parameters &prm);
