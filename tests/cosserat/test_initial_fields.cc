@@ -10,8 +10,8 @@ using namespace samara;
 namespace
 {
   // a steel strip of 2 m between two pins, 1 cm thick: ω = (π/L)² √(EI/m), shear and rotatory inertia take 3e-5 of it
-  const double E = 210e9, h = 0.01, width = 0.04, L = 2, density = 7800,
-               omega = std::pow(M_PI / L, 2) * std::sqrt(E * h * h / (12 * density));
+  const double E = 210e9, thickness = 0.01, width = 0.04, L = 2, density = 7800,
+               omega = std::pow(M_PI / L, 2) * std::sqrt(E * thickness * thickness / (12 * density));
 
   std::string
   strip(const std::string &fields, const std::string &rest = "")

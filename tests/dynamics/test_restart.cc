@@ -268,7 +268,7 @@ TEST(Restart, ContentsOfFilesInExpressionsBelongToTheModel)
   const std::string text = pendulum + "subsection States\n  subsection z\n    set Rate = table(\"" +
                            std::filesystem::absolute(table).string() + "\", t) / (1 N s)\n  end\nend\n";
   write("1");
-  EXPECT_THROW(run(text, folder.path, {}, false, 0.3), Killed);
+  EXPECT_THROW(run_until_killed(text, folder.path, {}, false, 0.3), Killed);
   write("2");
   const std::string complaint = refusal(folder.path, {}, text);
   EXPECT_NE(complaint.find("Contents of " + std::filesystem::absolute(table).string()), std::string::npos) << complaint;

@@ -119,9 +119,9 @@ TEST(Reactions, Universal)
 // The same where the axes are not at a right angle.
 TEST(Reactions, SkewUniversal)
 {
-  Scene         scene(model("skew universal",
-                    "set Axis = 1, 2, -2\nset Second axis = 3, 3, 0\n" + prescribed("rotation 1", "0.8") +
-                      prescribed("rotation 2", "-1.1")));
+  Scene         scene(loaded_body("skew universal",
+                          "set Axis = 1, 2, -2\nset Second axis = 3, 3, 0\n" + prescribed_formula("rotation 1", "0.8") +
+                            prescribed_formula("rotation 2", "-1.1")));
   const State  &state  = scene.equilibrium();
   const Vector3 moment = -(M + (state.position(1) - J).cross(F));
   const Vector3 second = Eigen::AngleAxisd(0.8, a) * (a + b).normalized(), normal = a.cross(second).normalized();

@@ -9,10 +9,10 @@ using namespace samara;
 
 namespace
 {
-  const double R = 0.3, g = 9.80665;
+  const double R = 0.3, gravity = 9.80665;
 
   std::string
-  two_bodies(const std::string &joint)
+  disc_on_table(const std::string &joint)
   {
     return "subsection Bodies\n subsection table\n set Type = rigid body\n set Mass = 3\n set Inertia = 1, 2, 2.5\n"
            " set Position = 0.2, -0.1, 0.4\n set Rotation = 0.3, -0.2, 0.5\n end\n"
@@ -30,7 +30,7 @@ namespace
 // t·v and l·v of the material of the disc against that of the table, both at the lowest point of the edge.
 TEST(RollingDisc, VelocitiesAtTheContact)
 {
-  Scene               scene(two_bodies(tilted));
+  Scene               scene(disc_on_table(tilted));
   const State         start = scene.system.reference();
   State               state = start;
   std::vector<double> z(scene.system.size());
@@ -102,7 +102,7 @@ TEST(RollingDisc, VelocitiesAtTheContact)
 TEST(RollingDisc, SteadyRollingOnACircle)
 {
   const double  m = 1.2, A = 0.03, C = 0.054, theta = 1.1, Omega = 4, s = std::sin(theta), c = std::cos(theta);
-  const double  p = (A * Omega * Omega * s * c - m * g * R * c) / ((C + m * R * R) * Omega * s);
+  const double  p = (A * Omega * Omega * s * c - m * gravity * R * c) / ((C + m * R * R) * Omega * s);
   const Vector3 n(0, 0, 1), a(s, 0, c), u = (n - c * a) / s, spin = Omega * s * u + p * a, v = -R * p * n.cross(a) / s;
   const auto    text = [](const Vector3 &x) {
     return number_to_text(x(0)) + ", " + number_to_text(x(1)) + ", " + number_to_text(x(2));
@@ -117,7 +117,7 @@ TEST(RollingDisc, SteadyRollingOnACircle)
         "\n end\nend\nsubsection Joints\n subsection edge\n set Type = rolling disc\n set Body A = ground\n"
         " set Body B = disc\n set Axle = " +
         text(a) +
-        "\n set Radius = 0.3\n end\nend\nsubsection Loads\n subsection weight\n set Type = gravity\n end\nend\n"
+        "\n set Radius = 0.3\n end\nend\nsubsection Loads\n subsection gravity\n set Type = gravity\n end\nend\n"
         "subsection Dynamic\n set End time = 1.5\n set Step = 0.01\n set Inconsistent velocities = refuse\n"
         " set Spectral radius = " +
         number_to_text(radius_of_spectrum) + "\nend\n");
@@ -125,7 +125,7 @@ TEST(RollingDisc, SteadyRollingOnACircle)
       dynamic.start(scene.context);
       dynamic.run(scene.context);
       EXPECT_NEAR(scene.value("edge.tilt"), theta * 180 / M_PI - 90, 1e-5);
-      EXPECT_NEAR(scene.value("edge.force 3"), m * g, 1e-4);
+      EXPECT_NEAR(scene.value("edge.force 3"), m * gravity, 1e-4);
       // friction pulls to the middle of the circle, across the track and to the side where the axle points down
       EXPECT_NEAR(scene.value("edge.force along"), 0, 1e-4);
       EXPECT_NEAR(std::abs(scene.value("edge.force across")), m * v.norm() * Omega, 1e-4);
@@ -145,7 +145,7 @@ TEST(RollingDisc, SteadyRollingOnACircle)
 TEST(RollingDisc, OnAFreeTable)
 {
   const auto momenta_at = [](const std::string &end_time, double &tilt) {
-    std::string text = "set Analyses = dynamic\n" + two_bodies(tilted) +
+    std::string text = "set Analyses = dynamic\n" + disc_on_table(tilted) +
                        "subsection Dynamic\n set End time = " + end_time +
                        "\n set Step = 0.01\n set Spectral radius = 1\nend\n";
     text.insert(text.find(" set Frames"), " set Angular velocity = 1, 2, -1.5\n set Velocity = 0.2, -0.3, 0.1\n");
@@ -179,11 +179,13 @@ TEST(RollingDisc, OnAFreeTable)
 
 TEST(RollingDisc, Refusals)
 {
-  EXPECT_EQ(complaint_of(two_bodies(tilted)), "");
-  EXPECT_NE(complaint_of(two_bodies("set Axis = 1, 2, 2\n set Axle = 1, 2, 2\n set Radius = 0.3\n")).find("lie flat"),
+  EXPECT_EQ(complaint_of(disc_on_table(tilted)), "");
+  EXPECT_NE(
+    complaint_of(disc_on_table("set Axis = 1, 2, 2\n set Axle = 1, 2, 2\n set Radius = 0.3\n")).find("lie flat"),
+    std::string::npos);
+  EXPECT_NE(complaint_of(disc_on_table("set Axis = 1, 2, 2\n set Radius = 0.3\n")).find("<Axle> must be given"),
             std::string::npos);
-  EXPECT_NE(complaint_of(two_bodies("set Axis = 1, 2, 2\n set Radius = 0.3\n")).find("<Axle> must be given"),
+  EXPECT_NE(complaint_of(disc_on_table(tilted + "set Position = 3, 3, 3\n")).find("above the plane"),
             std::string::npos);
-  EXPECT_NE(complaint_of(two_bodies(tilted + "set Position = 3, 3, 3\n")).find("above the plane"), std::string::npos);
-  EXPECT_NE(complaint_of(two_bodies("set Axle = 1, 0, 0\n set Radius = 0\n")).find("above zero"), std::string::npos);
+  EXPECT_NE(complaint_of(disc_on_table("set Axle = 1, 0, 0\n set Radius = 0\n")).find("above zero"), std::string::npos);
 }
