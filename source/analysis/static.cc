@@ -307,7 +307,8 @@ namespace samara
     Newton                    newton(system, *solver, tolerance, max_iterations);
     const std::vector<double> speeds       = context.speeds;
     const double              start_factor = context.is_equilibrium ? context.state.factor : 0.;
-    const bool                is_given     = parameters.is_set("Load factor");
+    // an analysis that no file has asked for has no entries
+    const bool                is_given = parameters.has("Load factor") && parameters.is_set("Load factor");
     std::vector<double>       start_speeds(speeds.size(), 0.);
     if (is_given && std::any_of(speeds.begin(), speeds.end(), [](const double w) { return w != 0.; }))
       throw InputError(parameters.where("Load factor") +
