@@ -95,6 +95,15 @@ namespace samara
         if (std::abs(eigen.eigenvalues()(i)) > zero)
           pairs.push_back({op.shift() + 1. / eigen.eigenvalues()(i),
                            op.zeta(Z.cast<Complex>() * eigen.eigenvectors().col(i).head(m))});
+      // Free motions are there twice at zero, all at the same place: computed eigenvectors need not span them.
+      if (op.shift() != 0.)
+        {
+          Eigen::FullPivLU<Eigen::MatrixXd> lu(A + Eigen::MatrixXd::Identity(size, size) / op.shift());
+          lu.setThreshold(1e-10);
+          const Eigen::MatrixXd kernel = lu.kernel(); // a column of zeros if there is none
+          for (int k = 0; k < static_cast<int>(lu.dimensionOfKernel()); ++k)
+            pairs.push_back({0., op.zeta(Z.cast<Complex>() * kernel.col(k).head(m).cast<Complex>())});
+        }
       return pairs;
     }
 

@@ -86,7 +86,7 @@ TEST(PartialJoints, BeadOnACycloid)
       std::vector<double> errors, errors_of_rate;
       for (const double step : {0.1, 0.05})
         {
-          Scene scene(bead(2.4, step, stages));
+          Scene scene(bead(2.4, step, stages), {"Dynamic/Newton tolerance = 1e-13"});
           auto &dynamic = scene.analysis<DynamicAnalysis>();
           dynamic.start(scene.context);
           dynamic.run(scene.context);
