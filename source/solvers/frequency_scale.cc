@@ -65,9 +65,12 @@ namespace samara
              ++k)
           lower(other, std::pow(motion.gyroscopic.values[k] / diagonal(motion.M, i), 2));
       }
-    const double nodes = std::max(1., n / 6.);
+    // N nodes are one behind the other in a beam, and √N in a shell, whose points have more than six strains
+    const auto  &points   = motion.strains.points;
+    const bool   is_shell = std::any_of(points.begin(), points.end(), [](const auto &p) { return p.size > 6; });
+    const double nodes    = std::max(1., n / 6.);
     if (elastic > 0)
-      return std::sqrt(elastic) / (nodes * nodes);
+      return std::sqrt(elastic) / (is_shell ? nodes : nodes * nodes);
     return other > 1e-12 ? 0.3 * std::sqrt(other) : 1.; // below: round-off of what carries nothing
   }
 
@@ -86,7 +89,7 @@ namespace samara
     spectrum_near(const ShiftInvert &op)
     {
       Arnoldi arnoldi([&](const double *x, double *y) { op.apply(x, y); }, op.size(), 1);
-      arnoldi.expand(std::min(20u, op.size() - 1));
+      arnoldi.expand(std::min(32u, op.size() - 1)); // twelve may be free motions
       const double        sigma = std::abs(op.shift());
       Spectrum            result;
       std::vector<double> sizes;

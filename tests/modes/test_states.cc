@@ -193,7 +193,7 @@ TEST(StateOfModes, MotionsThatNoRotationDescribesAreRefused)
       Scene scene(gyroscope, {"Modal/Unsteady motion = " + unsteady});
       scene.analysis<DynamicAnalysis>().run(scene.context);
       if (unsteady == "allow")
-        EXPECT_NO_THROW(scene.modes());
+        EXPECT_NEAR(scene.modes().at(1).frequency(), std::sqrt(10 / 0.101), 0.01); // those without the spin
       else
         EXPECT_THROW(scene.modes(), InputError);
     }
