@@ -14,31 +14,28 @@ using namespace samara;
 
 #ifdef DEBUG
 
-namespace
+class Preconditions : public testing::Test
 {
-  class Preconditions : public testing::Test
+protected:
+  Preconditions()
+    : scene("prm/examples/revolute.prm")
+    , system(scene.system)
+    , state(system.reference())
+    , K(system.layout.pattern)
   {
-  protected:
-    Preconditions()
-      : scene("prm/examples/revolute.prm")
-      , system(scene.system)
-      , state(system.reference())
-      , K(system.layout.pattern)
-    {
-      dealii::deal_II_exceptions::disable_abort_on_exception();
-    }
-    ~Preconditions() override
-    {
-      dealii::deal_II_exceptions::enable_abort_on_exception();
-    }
+    dealii::deal_II_exceptions::disable_abort_on_exception();
+  }
+  ~Preconditions() override
+  {
+    dealii::deal_II_exceptions::enable_abort_on_exception();
+  }
 
-    Scene               scene;
-    const System       &system;
-    State               state;
-    SparseMatrix        K;
-    std::vector<double> r;
-  };
-} // namespace
+  Scene               scene;
+  const System       &system;
+  State               state;
+  SparseMatrix        K;
+  std::vector<double> r;
+};
 
 
 

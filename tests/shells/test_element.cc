@@ -284,7 +284,7 @@ namespace
   free_steel_shell(const std::string &geometry)
   {
     return "set Analyses = modal\nsubsection Bodies\n subsection shell\n set Type = shell\n set E = 2e11\n"
-           " set Poisson ratio = 0.3\n set Density = 7800\n set Thickness = 0.01\n" +
+           " set Poisson ratio = 0.3\n set Density = 7800\n set Thickness = 0.05\n" +
            geometry + " end\nend\nsubsection Modal\n set Modes = 11\nend\n";
   }
 } // namespace
@@ -292,7 +292,8 @@ namespace
 
 
 // Curved shells that nothing holds have six free motions and no others near zero; the next five of a sphere have one
-// frequency, ρω²R²(1−ν²)/E = ½ (A − √(A² − 4 (1−ν²)(λ − 2))), A = λ + 1 + 3ν, λ = 6 (Baker, JASA 33, 1961: membrane).
+// frequency, but for a little bending, ρω²R²(1−ν²)/E = ½ (A − √(A² − 4 (1−ν²)(λ − 2))), A = λ + 1 + 3ν, λ = 6 (Baker,
+// JASA 33, 1961: membrane).
 TEST(Shell, HasSixFreeMotionsOnCurvedMeshes)
 {
   const double A = 6 + 1 + 0.9, square = 0.5 * (A - std::sqrt(A * A - 4 * 0.91 * 4)),
@@ -304,7 +305,7 @@ TEST(Shell, HasSixFreeMotionsOnCurvedMeshes)
     if (i < 6)
       EXPECT_TRUE(modes[i].is_free()) << i;
     else
-      EXPECT_NEAR(modes[i].frequency(), omega, 2e-3 * omega) << i;
+      EXPECT_NEAR(modes[i].frequency(), omega, 3e-3 * omega) << i;
 
   for (const std::string cap : {"cos(pi/2*u), sin(pi/2*u), v", "cos(pi/2*u)*cos(v), sin(pi/2*u)*cos(v), sin(v)"})
     {
@@ -312,6 +313,6 @@ TEST(Shell, HasSixFreeMotionsOnCurvedMeshes)
       const auto found = scene.modes();
       for (unsigned int i = 0; i < found.size(); ++i)
         EXPECT_EQ(found[i].is_free(), i < 6) << cap << ": " << i;
-      EXPECT_GT(found.at(6).frequency(), 50) << cap;
+      EXPECT_GT(found.at(6).frequency(), 100) << cap;
     }
 }
