@@ -38,44 +38,37 @@ namespace samara
             throw InputError(with_place(error.complaints, analysis.parameters.where()));
           }
       };
-      if (context.restart)
+      auto       next         = input.analyses.begin();
+      const bool is_continued = context.restart;
+      if (is_continued)
         {
           // the state is in the checkpoint: what was done before it is not repeated, and its results are there
-          auto next = std::find_if(input.analyses.begin(), input.analyses.end(), [](const auto &analysis) {
-            return analysis->can_restart();
-          });
+          next = std::find_if(next, input.analyses.end(), [](const auto &analysis) { return analysis->can_restart(); });
           if (next == input.analyses.end())
             throw InputError(input.where("Analyses") +
                              ": --restart: there is no dynamic analysis among the <Analyses>");
-          run_one(**next);
-          for (context.restart = false; ++next != input.analyses.end();)
+          run_one(**next++);
+          context.restart = false;
+        }
+      std::for_each(next, input.analyses.end(), [&](const auto &analysis) { analysis->start(context); });
+      if (context.sweep.empty() || is_continued)
+        {
+          for (; next != input.analyses.end(); ++next)
             {
-              (*next)->start(context);
               run_one(**next);
-              (*next)->finish(context);
+              (*next)->finish(context); // a run that is killed later keeps the results of this one
             }
           return;
         }
-      for (const auto &analysis : input.analyses)
-        analysis->start(context);
-      if (context.sweep.empty())
-        for (const auto &analysis : input.analyses)
-          {
-            run_one(*analysis);
-            analysis->finish(context); // a run that is killed later keeps the results of this one
-          }
-      else
+      for (const double speed : context.sweep)
         {
-          for (const double speed : context.sweep)
-            {
-              context.speeds = context.speeds_at(speed);
-              context.log.line("speed " + short_text(speed) + " rad/s");
-              for (const auto &analysis : input.analyses)
-                run_one(*analysis);
-            }
+          context.speeds = context.speeds_at(speed);
+          context.log.line("speed " + short_text(speed) + " rad/s");
           for (const auto &analysis : input.analyses)
-            analysis->finish(context);
+            run_one(*analysis);
         }
+      for (const auto &analysis : input.analyses)
+        analysis->finish(context);
     }
 
 
@@ -289,9 +282,8 @@ namespace samara
 
     // a mere check solves nothing, and sees the first mesh of automatic elements
     const bool is_automatic = !options.check && has_automatic_meshes(file.outline, options.overrides);
-    const auto overrides =
-      is_automatic ? find_meshes(Catalogue(), file, options.overrides, log) : options.overrides;
-    Input input(Catalogue(), std::move(file), overrides);
+    const auto overrides    = is_automatic ? find_meshes(Catalogue(), file, options.overrides, log) : options.overrides;
+    Input      input(Catalogue(), std::move(file), overrides);
     input.use_settings();
     if (input.is_without_bodies())
       return run_without_bodies(options, input, log);

@@ -42,16 +42,16 @@ namespace samara
     bool check_motion(const Context &context) const;
     /** Balance the stresses of @p state; throws NotConverged if it is no equilibrium. */
     void check_equilibrium(const System &system, State &state) const;
-    /** Nor if loads change as it turns. */
     /** How much the state that came in turns otherwise than in the steady motion, and which node most. */
     struct OtherMotion
     {
       double      spin = 0; ///< [rad/s]
       std::string place = "";
     };
-    static OtherMotion
-         other_motion(const System &system, const State &steady, const std::vector<double> &twists);
+    static OtherMotion other_motion(const System &system, const State &steady, const std::vector<double> &twists);
+    /** Modes belong to the steady motion: refuse them, or warn, where that makes a difference. */
     void check_other_motion(const Context &context, const OtherMotion &other) const;
+    /** Nor do they belong to a state in which loads change as it turns. */
     void check_loads(const Context &context, const State &state) const;
     void refuse_unsteady(const Context &context, const std::string &why) const;
     void check_mass(const System &system, const Linearization &linearization) const;

@@ -9,8 +9,8 @@ namespace samara
 {
   /**
    * A frequency from mass and stiffness alone, below those of the motion's elastic modes: √(K/M)/N² of the softest
-   * unknown among N nodes, with shells √(K/M)/N, all strains of a point as soft as the softest. Without strains, from geometric stiffness or
-   * gyroscopic terms.
+   * unknown among N nodes, with shells √(K/M)/N, all strains of a point as soft as the softest. Without strains, from
+   * geometric stiffness or gyroscopic terms.
    */
   double frequency_scale(const LinearMotion &motion);
 
