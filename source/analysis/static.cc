@@ -342,6 +342,7 @@ namespace samara
     const bool may_jump          = stability_limits == "pass" || !at_rest;
 
     double fraction = 0, step = 1. / initial_steps, least_step = smallest_step;
+    bool   has_looked_at_start = false;
     while (fraction < 1.)
       {
         const double end  = is_given ? std::min(1., load_factor.next_corner(fraction, 1.)) : 1.;
@@ -363,9 +364,25 @@ namespace samara
             if (is_far)
               least_step = 0.5 * step_of_jumps;
           }
-        const int turned = result.converged && !is_between_speeds ?
-                             turned_too_far(system, context.state, trial, at_rest && start_factor < 1 && !is_given) :
-                             -1;
+        const bool by_load = at_rest && start_factor < 1 && !is_given;
+        const int  turned  = result.converged && !is_between_speeds ?
+                               turned_too_far(system, context.state, trial, by_load) :
+                               -1;
+        if (turned >= 0 && fraction == 0 && !has_looked_at_start)
+          {
+            // what does not grow with the load, as a spring away from its rest, moves at once: from there on it is followed
+            has_looked_at_start = true;
+            State released;
+            const NewtonResult at_start = attempt(context.state, step_of_jumps, released);
+            if (at_start.converged && turned_too_far(system, context.state, released, by_load) >= 0)
+              {
+                ++n_steps;
+                fraction      = step_of_jumps;
+                context.state = released;
+                record(context, released, fraction, at_start);
+                continue;
+              }
+          }
         if (turned >= 0 && (next - fraction > step_of_jumps || (fraction > 0 && !may_jump)))
           {
             const bool jumps = next - fraction <= step_of_jumps;

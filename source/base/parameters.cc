@@ -38,6 +38,19 @@ namespace samara
       return split_top_level(text.substr(head.size(), text.rfind(']') - head.size()), '|');
     }
 
+    /** Whether all of some numbers are zero; false of any other text. */
+    bool
+    is_zero_vector(const std::string &text)
+    {
+      const auto parts = split_top_level(text, ',');
+      return !parts.empty() && std::all_of(parts.begin(), parts.end(), [](const std::string &part) {
+        char             *end   = nullptr;
+        const std::string said  = trim(part);
+        const double      value = std::strtod(said.c_str(), &end);
+        return !said.empty() && *end == 0 && value == 0;
+      });
+    }
+
     /** "three", as long as one would write it so. */
     std::string
     count_in_words(const std::string &number)
@@ -298,9 +311,13 @@ namespace samara
     try
       {
         // what is printed holds wherever it is read
-        const bool is_number = !entry.declaration->unit.empty();
+        const bool        is_number = !entry.declaration->unit.empty();
+        const std::string before    = entry.value;
         entry.value =
           entry.read(is_number ? with_tables_beside(given.value, given.where) : given.value, quantities, entry);
+        // where nothing is chosen if nothing is said, a direction is needed
+        if (entry.turning == Turning::direction && is_zero_vector(entry.value) && !is_zero_vector(before))
+          throw std::invalid_argument("a direction must not be zero");
       }
     catch (const FollowUp &)
       {

@@ -44,8 +44,6 @@ namespace samara
       return;
     try
       {
-        if (axis.isZero(0.))
-          throw std::invalid_argument("the axis must not be zero");
         const Matrix3 T = triad_about(axis, axis_2); // its axis 3 becomes axis 1
         E << T.col(2), T.col(0), T.col(1);
       }

@@ -64,8 +64,6 @@ namespace samara
     check_gap(m, *this, *ends, body_a, body_b, gap);
     if (!parameters.is_set("Position"))
       position = m.position((*ends)[1]);
-    if (axis.isZero(0.))
-      return m.complaints.add(parameters.where("Axis"), "the axis must not be zero");
     // triad_about() gives axis 3; turned so that it becomes axis 1 and "Axis 2" stays the second
     const Matrix3 E = triad_about(axis, axis_2);
     Matrix3       D;

@@ -309,8 +309,7 @@ namespace samara
   Matrix3
   Joint::axes() const
   {
-    if (axis.isZero(0.))
-      throw std::invalid_argument("the axis must not be zero");
+    Assert(!axis.isZero(0.), dealii::ExcMessage("an axis of no length"));
     return triad_about(axis, axis_1);
   }
 

@@ -248,8 +248,6 @@ namespace samara
       return complain("Radius", "the disc must have a radius above zero");
     if (axle.isZero(0.))
       return complain("Axle", "the axle must not be zero");
-    if (axis.isZero(0.))
-      return complain("Axis", "the axis must not be zero");
     const Matrix3    E = axes();
     const Vector3    n = E.col(2), a = axle.normalized(), centre = m.position((*ends)[1]);
     constexpr double least_tilt = 1e-3; // of the sine, below which the disc lies flat

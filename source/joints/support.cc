@@ -49,8 +49,7 @@ namespace samara
   Matrix3
   Support::triad() const
   {
-    if (axis.isZero(0.))
-      throw std::invalid_argument("an axis must not be zero");
+    Assert(!axis.isZero(0.), dealii::ExcMessage("an axis of no length"));
     const Vector3 e3   = axis.normalized();
     Vector3       near = axis_1;
     if (near.isZero(0.))

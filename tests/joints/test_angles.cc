@@ -3,6 +3,7 @@
 // between two bodies from their triads, which know it but for whole turns.
 
 #include <samara/analysis/dynamic.h>
+#include <samara/analysis/static.h>
 
 #include "../scene.h"
 #include <gtest/gtest.h>
@@ -125,6 +126,22 @@ TEST(Angles, HingeWithSpringUnderGrowingWeight)
         }
     }
   EXPECT_GT(n_followed, 300u);
+}
+
+
+
+// A spring away from its rest turns the body at once, whatever the load; the load then turns it back. The load step is not
+// halved until it is nothing.
+TEST(Angles, SpringThatGoesToItsRestAtOnce)
+{
+  for (const double weight : {10., -10.})
+    {
+      const HingeWithSpring hinge{weight, 50, weight > 0 ? -0.95 : 0.95};
+      Scene                 scene(hinge.model(1));
+      scene.equilibrium();
+      EXPECT_LE(scene.analysis<StaticAnalysis>().n_steps, 2u);
+      EXPECT_NEAR(scene.value("h.rotation") * M_PI / 180, *hinge.followed(), 1e-7);
+    }
 }
 
 

@@ -345,7 +345,7 @@ TEST(PartialJoints, RefusedShafts)
   EXPECT_EQ(with(skew + "set Axis = 1, 0, 0\n set Second axis = 1, 0.1, 0\n"), "");
   EXPECT_NE(with(skew + "set Axis = 1, 0, 0\n set Second axis = 2, 0, 0\n"), "");
   EXPECT_NE(with(skew + "set Axis = 1, 0, 0\n set Second axis = 0, 0, 0\n"), "");
-  EXPECT_NE(with("set Type = in line\n set Axis = 0, 0, 0\n").find("axis must not be zero"), std::string::npos);
+  EXPECT_NE(with("set Type = in line\n set Axis = 0, 0, 0\n").find("direction must not be zero"), std::string::npos);
 }
 
 

@@ -309,7 +309,7 @@ TEST(RollingBall, RefusesWhatIsSenseless)
           "m above the plane (to the side where <Axis> points), not its radius, 0.3 m");
   // a plane that faces away
   refused(ball + "set Position = 0.9, 1.1, 0.7\n", "the centre of the ball is -0.");
-  refused("set Type = rolling ball\nset Radius = 1\nset Axis = 0, 0, 0\n", "the axis must not be zero");
+  refused("set Type = rolling ball\nset Radius = 1\nset Axis = 0, 0, 0\n", "a direction must not be zero");
   // a hundred metres away and exact but for round-off
   EXPECT_EQ(complaint(ball + "set Position = 0.7, 100.7, -99.7\n"), "");
   EXPECT_EQ(complaint(ball), "");
@@ -390,7 +390,7 @@ TEST(KnifeEdge, Equilibrium)
 
 TEST(KnifeEdge, RefusesWhatIsSenseless)
 {
-  EXPECT_NE(complaint("set Type = knife edge\nset Axis = 0, 0, 0\n").find("the axis must not be zero"),
+  EXPECT_NE(complaint("set Type = knife edge\nset Axis = 0, 0, 0\n").find("a direction must not be zero"),
             std::string::npos);
   EXPECT_EQ(complaint("set Type = knife edge\n"), "");
 }
