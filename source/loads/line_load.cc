@@ -38,8 +38,14 @@ namespace samara
         if (along.empty())
           throw std::invalid_argument("body <" + body + "> has no length along which a load could act");
         where = "Variation";
+        bool acts = false;
         for (const auto &span : along)
-          add_span(span);
+          acts = add_span(span) || acts;
+        // a peak between all points of the rule is not seen; that nothing is left of a load is
+        if (!acts && !variation.is_constant())
+          throw std::invalid_argument("the variation is zero wherever it was looked at: the load would act nowhere, or "
+                                      "on so short a part that it cannot be found; use a point load, or a comparison "
+                                      "such as s > 1 && s < 1.001 ? 1 : 0, whose jumps are found");
       }
     catch (const std::invalid_argument &problem)
       {
@@ -106,7 +112,7 @@ namespace samara
 
 
 
-  void
+  bool
   LineLoad::add_span(const Span &span)
   {
     const unsigned int n        = span.frames.size();
@@ -120,5 +126,6 @@ namespace samara
         products += variation(s) * ds * N * N.transpose();
       }
     add_part(span.frames, weights, products);
+    return (weights.array() != 0).any() || (products.array() != 0).any();
   }
 } // namespace samara

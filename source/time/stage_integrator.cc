@@ -15,6 +15,8 @@ namespace samara
     /** Where corrections shrink by less than the first it is looked at what they leave; by more than the second may be
      * an accident. */
     constexpr double sure_rate = 0.3, least_rate = 0.01;
+    /** Of the tolerance; a step turns out to miss up to four times what its residuals tell (tests/trials). */
+    constexpr double share_of_energy = 0.2;
 
     /** What a factorisation with its matrices costs, in iterations. */
     constexpr double iterations_of_a_factorization = 4;
@@ -295,7 +297,7 @@ namespace samara
         // what is left shrinks as it did, and as corrections do: an evaluation would only say so
         if (const double rate = std::max({worse_rate, rate_of_work, least_rate});
             may_skip && rate < sure_rate && last * rate / (1 - rate) < tolerance &&
-            work_left * rate < tolerance * energy_that_counts() && confirm_without_forces(state, h))
+            work_left * rate < share_of_energy * tolerance * energy_that_counts() && confirm_without_forces(state, h))
           return true;
         evaluate(state, h);
         ++n_evaluations;
@@ -305,7 +307,7 @@ namespace samara
             const double rate         = std::min(iteration > 1 ? last_rate : first_rate, largest_rate);
             const auto [error, bound] = energy_error(h);
             const double scale        = std::max(energy_scale, kinetic_energy);
-            if (last * rate / (1 - rate) < tolerance && error < tolerance * energy_that_counts() &&
+            if (last * rate / (1 - rate) < tolerance && error < share_of_energy * tolerance * energy_that_counts() &&
                 largest_gap(h) < allowed_gap())
               return true;
             rate_of_work = work_left > 0 ? bound / work_left : 1.;

@@ -81,11 +81,16 @@ namespace
   std::vector<double>
   whirls_of(const double k, const double Omega, const std::string &axes)
   {
+    // one run has the whirls of all n
+    static std::map<std::tuple<double, double, std::string>, std::vector<double>> known;
+    auto &result = known[{k, Omega, axes}];
+    if (!result.empty())
+      return result;
     Scene scene(
       spinning_shaft,
       {"Constants/k = " + exact(k), "Constants/Omega = " + exact(Omega), "Modal/Axes = " + axes, "Modal/Modes = 16"});
     scene.equilibrium();
-    return whirls(scene);
+    return result = whirls(scene);
   }
 } // namespace
 

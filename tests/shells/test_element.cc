@@ -2,6 +2,7 @@
 
 #include <samara/cosserat/shell.h>
 
+#include "../debug.h"
 #include "../reference.h"
 #include <gtest/gtest.h>
 
@@ -197,8 +198,10 @@ namespace
 
 TEST(Shell, DoesNotLockInTheThinLimit)
 {
-  EXPECT_NEAR(hemisphere_deflection(3, 8, 0.04), 0.0935, 1e-4);
   EXPECT_NEAR(hemisphere_deflection(3, 8, 1e-3), 0.0903, 1e-4); // h/R = 1e-4; the limit is .0909
+  if (is_debug)
+    return;
+  EXPECT_NEAR(hemisphere_deflection(3, 8, 0.04), 0.0935, 1e-4);
   EXPECT_NEAR(hemisphere_deflection(4, 6, 1e-3), 0.0907, 1e-4);
 }
 

@@ -181,7 +181,8 @@ namespace samara
     std::string body, edge;
     Expression  variation{1.};
 
-    void add_span(const Span &span);
+    /** Whether it acts anywhere on the span. */
+    bool add_span(const Span &span);
   };
 
 
