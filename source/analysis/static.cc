@@ -463,9 +463,11 @@ namespace samara
       }
     else
       text +=
-        "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place +
-        ".\n  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
-        "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
+        (result.residual > 0 ?
+           "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n" :
+           "") +
+        std::string("  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
+        "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).");
     throw NotConverged(text);
   }
 

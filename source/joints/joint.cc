@@ -146,6 +146,9 @@ namespace samara
             motion->drive->connect(layout, {{}, {}, {}, {row}});
           model->prescribed[motion->coordinate] = row++;
         }
+    for (const auto *motion : used)
+      if (motion->is_length())
+        model->lengths[motion->coordinate] = motion->reference;
     for (unsigned int i = 0; i < used.size(); ++i)
       if (used[i]->is_angle())
         {

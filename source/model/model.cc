@@ -96,6 +96,17 @@ namespace samara
 
 
 
+  int
+  Model::negative_length(const std::vector<double> &values) const
+  {
+    for (const auto &[coordinate, length] : lengths)
+      if (values[coordinate] < -length)
+        return coordinate;
+    return -1;
+  }
+
+
+
   unsigned int
   Model::add_state(const std::string &name, const std::string &unit, const double initial, const double scale)
   {

@@ -160,6 +160,11 @@ namespace samara
             system.stresses(state, state.stress);
             result.converged = true;
             check_rows_left_out(state, result);
+            if (const int i = system.model.negative_length(state.coordinates); i >= 0 && result.converged)
+              {
+                result.fail(Failure::other, "the length <" + system.model.coordinates[i] + "> would be negative");
+                result.worst = system.layout.of_coordinate(i);
+              }
             return result;
           }
         if (result.iterations > 8 && result.last_step > 1e3 * smallest)

@@ -194,6 +194,13 @@ namespace samara
         converged = has_sources(result, h);
       }
     if (converged)
+      for (const Stage &stage : stages)
+        if (const int i = system.model.negative_length(stage.coordinates); i >= 0)
+          {
+            converged    = false;
+            result.worst = system.layout.of_coordinate(i);
+          }
+    if (converged)
       check_rows_left_out(state);
     if (!converged)
       {

@@ -171,6 +171,13 @@ namespace samara
       {
         // gone astray: no solution
       }
+    // a root that no motion has; see Model::lengths
+    if (const int i = system.model.negative_length(trial.coordinates); i >= 0 && result.step.converged)
+      {
+        integrator.step_back();
+        result.step.converged = false;
+        result.step.worst     = system.layout.of_coordinate(i);
+      }
     return result.step.converged;
   }
 
@@ -182,13 +189,19 @@ namespace samara
     if (has_solution(state, h, result))
       return true;
     ++result.n_failed;
+    const auto is_short = [&](const unsigned int unknown) {
+      const auto found = system.model.lengths.find(unknown - system.layout.of_coordinate(0));
+      return found != system.model.lengths.end() && state.coordinates[found->first] + found->second < 1e-3 * found->second;
+    };
     if (h / 2 < smallest_step)
       {
         std::ostringstream text;
         text << "t = " << state.time << " s: Newton's method does not converge with the smallest step, " << h << " s; "
-             << (result.step.is_finite ?
-                   "the largest force left is at " :
-                   "what acts is not a finite number, as of a law beyond where it is defined, at ")
+             << (!result.step.is_finite ?
+                   "what acts is not a finite number, as of a law beyond where it is defined, at " :
+                 is_short(result.step.worst) ?
+                   "where two points meet a force along their line has no direction: look at the length of " :
+                   "the largest force left is at ")
              << system.layout.name_of(result.step.worst) << about_reactions(state);
         throw NotConverged(text.str());
       }

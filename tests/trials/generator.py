@@ -212,7 +212,18 @@ class Generator:
         model.step = self.random.choice((0.002, 0.005, 0.01))
         model.stages, model.radius = self.random.choice(INTEGRATORS)
         model.analyses = ("static", "modal", "dynamic") if self.sprung or self.chance(0.05) else ("dynamic",)
+        if self.chance(0.3):
+            self.loosen(model)
         return model
+
+    def loosen(self, model):
+        """A joint that holds no rotation in place of one that does; gears keep theirs."""
+        geared = [joint for gear in model.gears for joint in (gear.a, gear.b)]
+        able = [joint for joint in model.joints if joint.kind in ("cylindrical", "prismatic", "planar", "spherical") and joint not in geared]
+        if able:
+            joint = self.random.choice(able)
+            joint.kind = "in plane" if joint.kind == "planar" else "in line"
+            joint.motions = {name: entries for name, entries in joint.motions.items() if name in MOTIONS[joint.kind]}
 
 
 def mechanism(seed):

@@ -86,10 +86,12 @@ def rows(model, joint, table, world):
         return
     if kind == "knife edge":
         return
-    locked = {"prismatic": (0, 1), "screw": (0, 1), "cylindrical": (0, 1), "planar": (2,)}.get(kind, (0, 1, 2))
+    locked = {"prismatic": (0, 1), "screw": (0, 1), "cylindrical": (0, 1), "planar": (2,), "in line": (0, 1),
+              "in plane": (2,)}.get(kind, (0, 1, 2))
     for i in locked:
         yield f"displacement {i + 1}", False, d[:, i]
-    cosines = {"prismatic": ((2, 0), (2, 1), (0, 1)), "rigid": ((2, 0), (2, 1), (0, 1)), "spherical": (), "universal": ((0, 1),)}
+    cosines = {"prismatic": ((2, 0), (2, 1), (0, 1)), "rigid": ((2, 0), (2, 1), (0, 1)), "spherical": (), "in line": (), "in plane": (),
+               "universal": ((0, 1),)}
     for i, j in cosines.get(kind, ((2, 0), (2, 1))):
         yield f"angle between axes {i + 1} and {j + 1}", True, c[:, i, j]
     for name, (angle, axis) in MOTIONS[kind].items():

@@ -141,6 +141,13 @@ namespace samara
     /** The multiplier that keeps the angle of each rotation at a joint: the rotation's own, or a prescribed one. */
     std::vector<unsigned int> holds;
 
+    /** Coordinates that are changes of a length, and the length that they change [m], which stays above zero: where
+     * l² is the square of a distance, −l is a root that no motion has. Known when joints are connected. */
+    std::map<unsigned int, double> lengths;
+
+    /** A coordinate whose length these values would make negative; −1 if there is none. */
+    int negative_length(const std::vector<double> &values) const;
+
     /** The multipliers of prescribed coordinates, by coordinate; known when joints are connected. */
     std::map<unsigned int, unsigned int> prescribed;
 
