@@ -94,6 +94,10 @@ def rows(model, joint, table, world):
                "universal": ((0, 1),)}
     for i, j in cosines.get(kind, ((2, 0), (2, 1))):
         yield f"angle between axes {i + 1} and {j + 1}", True, c[:, i, j]
+    held = cosines.get(kind, ((2, 0), (2, 1)))
+    # axes that are normal to two others may have gone over to the reverse
+    for i in [2] * ((2, 1) in held) + [0] * ((0, 1) in held and (2, 0) in held):
+        yield f"axis {i + 1} reversed", True, np.where(c[:, i, i] < 0, 1.0, 0.0)
     for name, (angle, axis) in MOTIONS[kind].items():
         probed = table[f"{joint.name}.{name}"]
         if not angle:
