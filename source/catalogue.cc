@@ -19,6 +19,7 @@
 #include <samara/joints/point_on_curve.h>
 #include <samara/joints/rolling.h>
 #include <samara/joints/rolling_disc.h>
+#include <samara/joints/sliding.h>
 #include <samara/joints/support.h>
 #include <samara/loads/loads.h>
 #include <samara/loads/surface_loads.h>
@@ -72,6 +73,10 @@ namespace samara
     joints.add<InLine>("in line", "a point on a line, free to turn");
     joints.add<InPlane>("in plane", "a point on a plane, free to turn");
     joints.add<PointOnCurve>("point on curve", "a point on a curve, free to turn");
+    joints.add<SlidingPoint>("sliding point", "a point that slides along a beam, free to turn");
+    joints.add<SlidingSleeve>("sliding sleeve", "a ring that slides along a beam and turns about it");
+    joints.add<SlidingPrismatic>("sliding prismatic", "a slider on a beam that turns with its sections");
+    joints.add<SlidingScrew>("sliding screw", "a nut on a beam: it turns in proportion to how far it slides");
     joints.add<Rigid>("rigid", "weld, however far apart");
     joints.add<Spring>("spring", "spring, damper or actuator between two points");
     joints.add<Distance>("distance", "massless rod between two points");

@@ -92,16 +92,24 @@ namespace samara
   void
   Joint::add_turns(const double *q, std::vector<RelativeRate> &rates) const
   {
-    const Matrix3 E = frame_a.triad(q);
-    for (unsigned int i = 0; i < 3; ++i)
+    add_turns(frame_a, 3, q, rates);
+  }
+
+
+
+  void
+  Joint::add_turns(const Frame &a, const unsigned int n, const double *q, std::vector<RelativeRate> &rates) const
+  {
+    const Matrix3 E = a.triad(q);
+    for (unsigned int i = 0; i < n; ++i)
       {
         const Vector3 e = E.col(i);
         Vector12      g = Vector12::Zero();
-        g.segment<3>(3) = -frame_a.in_node<double>(q, e);
+        g.segment<3>(3) = -a.in_node<double>(q, e);
         g.segment<3>(9) = frame_b.in_node<double>(q, e);
-        rates.push_back(rate_of(name + ".rotation " + std::to_string(i + 1), frame_a, frame_b, g));
+        rates.push_back(rate_of(name + ".rotation " + std::to_string(i + 1), a, frame_b, g));
         rates.back().line    = RelativeRate::axis;
-        rates.back().node    = frame_a.node;
+        rates.back().node    = a.node;
         rates.back().along   = e;
         rates.back().through = frame_b.position(q);
       }

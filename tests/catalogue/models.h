@@ -153,6 +153,61 @@ subsection Output
            (probes.empty() ? "" : ", ") + probes + "\nend\n" + two_steps;
   }
 
+  /** A beam that flies, and a body <b> that slides along it by the joint <it>. */
+  inline std::string
+  sliding(const std::string &kind, const std::string &entries)
+  {
+    return R"(
+set Analyses = dynamic
+subsection Sections
+  subsection s
+    set Type         = tube
+    set E            = 1e6
+    set Density      = 1000
+    set Outer radius = 0.05
+  end
+end
+subsection Bodies
+  subsection rod
+    set Type             = beam
+    set Points           = 0, 0, 0; 1, 0.3, 0; 2, 0, 0.4
+    set Shape            = arc
+    set Section          = s
+    set Angular velocity = 0.3, 0.2, -0.5
+  end
+  subsection other
+    set Type             = beam
+    set Points           = 0, 0.3, 0; 2, 0.3, 0
+    set Section          = s
+    set Angular velocity = 0.3, 0.2, 0.5
+  end
+  subsection b
+    set Type             = rigid body
+    set Mass             = 3
+    set Inertia          = 1, 1.5, 1
+    set Position         = 1, 0.3, 0
+    set Frames           = arm at 1 0.3 0.3
+    set Velocity         = 1, 0, 0
+    set Angular velocity = -0.2, 0.6, 0.1
+  end
+end
+subsection Joints
+  subsection it
+    set Type   = )" +
+           kind + "\n    set Body A = rod\n    set Body B = b\n" + entries + R"(
+  end
+end
+subsection Loads
+  subsection weight
+    set Type = gravity
+  end
+end
+subsection Output
+  set Probes = b.position x, b.rotation y, rod.end.position z, it.displacement, it.force 2, it.force
+end
+)" + two_steps;
+  }
+
   /** Two wheels on the ground, the first with a spring, and a gear <it> between them. */
   const std::string gear = R"(
 set Analyses = dynamic

@@ -78,6 +78,10 @@ TEST_F(Catalogued, AllKinds)
                                    "in line",
                                    "in plane",
                                    "point on curve",
+                                   "sliding point",
+                                   "sliding sleeve",
+                                   "sliding prismatic",
+                                   "sliding screw",
                                    "springs in fixed axes",
                                    "rigid",
                                    "spring",
@@ -199,6 +203,23 @@ TEST_F(Catalogued, OtherJoints)
                         "0.2 + 0.4*sqrt(1 - 0.09/30.54)/sqrt(6)"}}}));
   check_joint("knife edge", tilted, "it.force 1", joined(ends, {axis}));
   check("gear", models::gear, "Joints/it", {{"Joint A", "on c"}, {"Joint B", "on c.rotation"}, {"Ratio", "-1.5"}});
+}
+
+
+
+TEST_F(Catalogued, SlidingJoints)
+{
+  const Changes ends     = {{"Body A", "other"},
+                            {"Body B", "ground"},
+                            {"Position", "0, 0, 0"},
+                            {"Gap", "refused", {"Joints/it/Body B = b.arm", "Joints/it/Gap = allowed"}, true}},
+                of_screw = {{"Turn per length", "3"}};
+  for (const std::string kind : {"sliding point", "sliding sleeve", "sliding prismatic", "sliding screw"})
+    check(kind,
+          models::sliding(kind, kind == "sliding screw" ? "    set Turn per length = 2" : ""),
+          "Joints/it",
+          joined(ends,
+                 {changes_of_motion("displacement", "Joints/it"), kind == "sliding screw" ? of_screw : Changes{}}));
 }
 
 

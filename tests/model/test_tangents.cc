@@ -153,6 +153,24 @@ end
           text += "subsection " + motion + "\n " + used;
         s[kind].rest = text + "end\nend\n";
       }
+    const std::string rail = R"(
+  subsection rail
+    set Type = beam
+    set Shape = arc
+    set Points = -1, 0.3, 0; 0.3, 0, 0.2; 2, 0.1, 0.7
+    set Twist = 0.4*s
+    set Elements = 2
+    set Degree = 3
+    set Section = full
+  end
+)";
+    for (const std::string kind : {"point", "sleeve", "prismatic", "screw"})
+      s["sliding " + kind] = {"",
+                              rail,
+                              "subsection Joints\n subsection j\n set Type = sliding " + kind +
+                                "\n set Body A = rail\n set Body B = block.far\n set Position = 0.3, 0, 0.2\n" +
+                                (kind == "screw" ? "set Turn per length = 2.3\n" : "") +
+                                "subsection displacement\n " + used + "end\nend\n"};
     const std::string hinge = R"(
 subsection Joints
   subsection a

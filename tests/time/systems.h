@@ -120,15 +120,17 @@ namespace samara
 
     /** Along x, with an offset mass; all its stiffnesses against stretching EA, against bending EI. */
     inline std::string
-    beam(const std::string &EA, const std::string &EI, const std::string &entries)
+    beam(const std::string &EA,
+         const std::string &EI,
+         const std::string &entries,
+         const std::string &mesh = " set Elements = 2\n set Degree = 2\n")
     {
       return "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = " + EA +
              "\n set GA2 = " + EA + "\n set GA3 = " + EA + "\n set GJ = " + EI + "\n set EI2 = " + EI +
              "\n set EI3 = " + EI +
              "\n set Mass = 1\n set I2 = 0.02\n set I3 = 0.03\n set Mass centre = 0.02, -0.03\n end\nend\n"
-             "subsection Bodies\n  subsection rod\n set Type = beam\n set Elements = 2\n set Degree = 2\n"
-             " set Section = s\n" +
-             entries + " end\nend\n";
+             "subsection Bodies\n  subsection rod\n set Type = beam\n set Section = s\n" +
+             mesh + entries + " end\nend\n";
     }
 
     /** Velocities and spins that vary along x: strains have rates, shear and stretching too. */
@@ -237,6 +239,35 @@ namespace samara
 
 
 
+    /** Bodies that slide along a flying beam of one element, one for each kind of slider: its name, kind and entries. */
+    inline MovingSystem
+    sliders(const std::string &name, const std::vector<std::array<std::string, 3>> &kinds, const bool is_free)
+    {
+      std::string  bodies, joints;
+      unsigned int i = 0;
+      for (const auto &[body, kind, entries] : kinds)
+        {
+          const std::string x = std::to_string(0.5 + 0.5 * i);
+          bodies += rigid_body(body,
+                               "set Mass = 0.4\n set Inertia = 0.02, 0.03, 0.035\n set Position = " + x +
+                                 ", 0, 0\n set Centre of mass = 0.02, 0.03, -0.01\n" +
+                                 moving(i == 1 ? "-1, 0, 0" : "1.5, 0, 0", "0.4, 0, 0"));
+          joints += joint("on " + body, kind, "set Body A = rod\n set Body B = " + body + "\n" + entries);
+          ++i;
+        }
+      const std::string rod = "set Points = 0, 0, 0; 2, 0, 0\n" + moving("0.3, -0.5, 1", "0.2, -0.5, 1");
+      std::string       text = beam("30", "2", rod, " set Elements = 1\n set Degree = 3\n");
+      text.insert(text.rfind("end\n"), bodies); // of the subsection of bodies
+      return {name,
+              text + "subsection Joints\n" + joints + "end\n",
+              0.01,
+              0.05,
+              is_free,
+              bend};
+    }
+
+
+
     /** 2 kg on a spring, ω = 5, and a force along z. */
     inline std::string
     pushed(const std::string &force)
@@ -303,6 +334,11 @@ namespace samara
       gears(),
       rolling_ball(),
       sledge(),
+      sliders("sliders on a flying beam",
+              {{{"a", "sliding point", motion("displacement", spring("3", "0.2", "0.1"))},
+                {"b", "sliding screw", " set Turn per length = 3\n"},
+                {"c", "sliding prismatic", motion("displacement", " set Prescribed = 0.4*sin(4*t)\n")}}},
+              false),
     };
   }
 

@@ -278,6 +278,8 @@ namespace samara
     void add_tilts(const double *q, std::vector<RelativeRate> &rates) const;
     /** The three rotations of a ball joint, about axes of A through the origin of B. */
     void add_turns(const double *q, std::vector<RelativeRate> &rates) const;
+    /** Those about the first @p n axes of a frame @p a. */
+    void add_turns(const Frame &a, unsigned int n, const double *q, std::vector<RelativeRate> &rates) const;
     /** @} */
 
     std::string body_a, body_b, gap = "refused";
@@ -292,6 +294,17 @@ namespace samara
     unsigned int first_multiplier = 0;
 
     Model *model = nullptr;
+
+    /** @name For kinds with rows of their own, in whose connect() @{ */
+    Block                     block; ///< local unknowns: 12 twists of the nodes, used coordinates, multipliers
+    std::vector<FreeMotion *> used;
+    std::vector<std::string>  rows; ///< names of the multipliers
+
+    void add_stops(Layout &layout);
+    /** Springs, dampers and forces along the motions in use, whose rows stand in the block behind the twists. */
+    void add_springs(Layout &layout);
+    void complain(Model &model, const std::string &entry, const std::string &text) const;
+    /** @} */
 
   private:
     /** A spring and damper that act on a motion while it is beyond the place of the stop. */
@@ -311,12 +324,9 @@ namespace samara
     std::unique_ptr<Deformation> springs;
     std::unique_ptr<Force>       actuators, nonlinear_springs;
 
-    Block                     block; ///< local unknowns: 12 twists of the nodes, used coordinates, multipliers
-    unsigned int              first_row      = 0;     ///< of the multipliers in the residual
-    bool                      with_axes_of_b = false; ///< whether any function needs them
-    std::vector<FreeMotion *> used;
-    std::vector<Stop>         stops;
-    std::vector<std::string>  rows; ///< names of the multipliers
+    unsigned int      first_row      = 0;     ///< of the multipliers in the residual
+    bool              with_axes_of_b = false; ///< whether any function needs them
+    std::vector<Stop> stops;
 
     /** What acts along (force) or about (moment) joint axis @p axis; nothing if nothing does. */
     std::function<double(const State &)> action(bool is_moment, unsigned int axis) const;
@@ -327,12 +337,8 @@ namespace samara
     std::shared_ptr<Signal> tension();
 
     void find_nonlinear_spring(Model &model, FreeMotion &motion);
-    void complain(Model &model, const std::string &entry, const std::string &text) const;
-
     void number_rows(Layout &layout);
-    void add_stops(Layout &layout);
     void add_constraints(Layout &layout);
-    void add_springs(Layout &layout);
     void add_nonlinear_springs(Layout &layout);
 
     double angle_or_gap(const FreeMotion &motion, const State &state) const;

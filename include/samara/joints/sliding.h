@@ -1,0 +1,146 @@
+#ifndef samara_joints_sliding_h
+#define samara_joints_sliding_h
+
+#include <samara/joints/joint.h>
+#include <samara/joints/rail.h>
+#include <samara/model/bends.h>
+
+namespace samara
+{
+  /**
+   * A frame of B slides along a flexible beam A (the paper, section 2.2; doc/theory/sliding.md). The abscissa S on the
+   * beam is an unknown without inertia. Rows, with position x(S) and directors d_k(S) of the beam, see Rail, and the
+   * frame x_B, E_i of B:
+   *
+   *     position               x_B − x(S) = 0, along the axes E has in the reference configuration
+   *     sleeve                 E₂·d₁(S) = E₃·d₁(S) = 0
+   *     prismatic              and E₃·d₂(S) = 0
+   *     screw                  instead of the last one sin θ E₂·d₂(S) + cos θ E₃·d₂(S) = 0,   θ = p (S − S₀)
+   *     prescribed             S − S₀ − f(t) = 0
+   *
+   * In the reference configuration B is at S₀, and E are the directors there, made orthonormal from d₁ and d₂. Rows
+   * that are not quadratic get the correction along S in time steps, one for each (Layout::corrections), prescribed or
+   * not, so that all of them together do no work.
+   *
+   * "displacement" is S − S₀ [m]: its spring, damper, force, ... act along the beam, on B and with their reaction on the
+   * beam. Multipliers of the position are the force of B on A [N].
+   *
+   * Beyond both ends of the beam the line goes on straight for a hundredth of its length, as stops need it; farther out
+   * nothing is defined, and no solution is found there.
+   */
+  class SlidingJoint : public Joint, public HasBends
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+
+    std::shared_ptr<Signal> signal(Model &model, const std::string &path) override;
+    void                    add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
+
+    /** Where pieces of the beam meet. */
+    std::vector<Bend> bends() const override;
+
+    /**
+     * "displacement", "displacement rate", "arc length" S; "force", with which A acts on B, its size and "force 1" ...
+     * "force 3", and "moment 1" ... "moment 3" about the origin of B, along the directors of the beam at S.
+     */
+    std::optional<Probe>     probe(const std::string &path) const override;
+    std::vector<std::string> probe_names() const override;
+    void                     draw(const State &state, Drawing &drawing) const override;
+
+  protected:
+    /** Products of axes E_i of B and directors d_k of the beam that stay zero; one that turns is the screw's. */
+    struct Cosine
+    {
+      unsigned int i, k;
+      bool         turns;
+      std::string  name;
+    };
+    std::vector<Cosine> cosines;
+
+    double turn = 0; ///< p of the screw [rad/m]
+
+  private:
+    class Rows;
+
+    std::unique_ptr<Rail>       rail;
+    std::unique_ptr<Constraint> term;
+    std::vector<Block>          blocks;    ///< of each piece: twists of its frames and of B, S, multipliers
+    double                      start = 0; ///< S₀ [m]
+    unsigned int                n_rows = 0;
+    Matrix3                     axes_of_rows = Matrix3::Identity(); ///< of the position, constant: those of B in the reference configuration
+
+    unsigned int
+    coordinate() const
+    {
+      return free.front().coordinate;
+    }
+
+    /** Factors of the products E_i·d_k in one of the rows, and their derivatives by S, at S − S₀ = @p sigma. */
+    template <typename Number>
+    std::array<Mat3<Number>, 3> coefficients(const Cosine &cosine, const Number &sigma) const;
+
+    static constexpr double most_beyond = 0.01; ///< the ends, of the length
+
+    bool find_rail(Model &model);
+    bool find_start(Model &model, const Frame &b);
+    bool check_corners(Model &model);
+    bool check_bodies();
+
+    /** Force and moment of A on B, along the directors of the beam made orthonormal [N, N m]. */
+    Vector6 action_on_b(const State &state) const;
+  };
+
+
+
+  template <typename Number>
+  std::array<Mat3<Number>, 3>
+  SlidingJoint::coefficients(const Cosine &cosine, const Number &sigma) const
+  {
+    std::array<Mat3<Number>, 3> c = {{Mat3<Number>::Zero(), Mat3<Number>::Zero(), Mat3<Number>::Zero()}};
+    if (!cosine.turns)
+      {
+        c[0](cosine.i, cosine.k) = 1;
+        return c;
+      }
+    using std::cos;
+    using std::sin;
+    const Number s = sin(turn * sigma), k = cos(turn * sigma);
+    c[0](1, 1) = s;
+    c[0](2, 1) = k;
+    c[1](1, 1) = turn * k;
+    c[1](2, 1) = -turn * s;
+    c[2]       = -turn * turn * c[0];
+    return c;
+  }
+
+
+
+  /** A point of B on the beam, free to turn. */
+  class SlidingPoint : public SlidingJoint
+  {};
+
+  /** A ring around the beam, free to turn about it. */
+  class SlidingSleeve : public SlidingJoint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+
+  /** B turns with the sections of the beam. */
+  class SlidingPrismatic : public SlidingJoint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+
+  /** B turns against the sections of the beam in proportion to how far it slides: a nut. */
+  class SlidingScrew : public SlidingJoint
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
+} // namespace samara
+
+#endif

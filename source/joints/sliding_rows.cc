@@ -1,0 +1,397 @@
+// The constraints of joints that slide along beams.
+
+#include <samara/joints/sliding.h>
+
+#include <limits>
+
+namespace samara
+{
+  namespace
+  {
+    /** Σ e_k × h_k of the columns of H: the moment, in axes e, of forces h_k at their ends. */
+    template <typename Number>
+    Vec3<Number>
+    moment_of(const Mat3<Number> &H)
+    {
+      return {H(2, 1) - H(1, 2), H(0, 2) - H(2, 0), H(1, 0) - H(0, 1)};
+    }
+
+    /** Its change by a turn θ under forces that stand still: H − tr(H) I. */
+    Matrix3
+    change_of_moment(const Matrix3 &H)
+    {
+      return H - H.trace() * Matrix3::Identity();
+    }
+
+    template <typename Number>
+    Number
+    product(const Mat3<Number> &a, const Mat3<Number> &b)
+    {
+      return a.cwiseProduct(b).sum();
+    }
+
+    /** The rail and the frame of B at a configuration. */
+    template <typename Number>
+    struct SlidingValues
+    {
+      Rail::AllWeights<Number> weights;
+      RailPlace<Number>        at;
+      Vec3<Number>             x_b;
+      Mat3<Number>             E;
+
+      SlidingValues(const Rail &rail, const Frame &b, const Number &S, const Number *q)
+        : weights(rail.weights(S))
+        , at(rail.place(weights, q))
+        , x_b(b.position(q))
+        , E(b.triad(q))
+      {}
+
+      /** Σ of E_i·d_k, of the derivative @p n of d by S. */
+      Mat3<Number>
+      cosines(const unsigned int n) const
+      {
+        return E.transpose() * at.d[n];
+      }
+    };
+
+    /** Multipliers as a force on B and the factors of E_i·d_k, with their derivatives by S. */
+    template <typename Number>
+    struct SlidingForces
+    {
+      Vec3<Number>                force = Vec3<Number>::Zero();
+      std::array<Mat3<Number>, 3> A     = {{Mat3<Number>::Zero(), Mat3<Number>::Zero(), Mat3<Number>::Zero()}};
+
+      /** Add the gradient by the twists of the frames of one part of the rail. */
+      template <typename Vector>
+      void
+      add_to_rail(const SlidingValues<Number>  &values,
+                  const Rail::Weights<Number> &part,
+                  const std::vector<Frame>    &frames,
+                  const Number                *q,
+                  Vector                     &&r) const
+      {
+        const Mat3<Number> EA = values.E * A[0];
+        for (unsigned int a = 0; a < frames.size(); ++a)
+          {
+            const Mat3<Number> to_frame = frames[a].triad(q).transpose();
+            r.template segment<3>(6 * a) -= part.of[0][a] * (to_frame * force);
+            r.template segment<3>(6 * a + 3) += part.of[0][a] * moment_of<Number>(to_frame * EA);
+          }
+      }
+
+      /** That by the twist of B and by S. */
+      Eigen::Matrix<Number, 7, 1>
+      of_b_and_s(const SlidingValues<Number> &values) const
+      {
+        Eigen::Matrix<Number, 7, 1> r;
+        r << values.E.transpose() * force, moment_of<Number>(values.cosines(0) * A[0].transpose()),
+          product<Number>(A[0], values.cosines(1)) + product<Number>(A[1], values.cosines(0)) -
+            force.cwiseProduct(values.at.x[1]).sum();
+        return r;
+      }
+    };
+  } // namespace
+
+
+
+  class SlidingJoint::Rows : public Evaluated<SlidingJoint::Rows, Constraint>
+  {
+  public:
+    explicit Rows(const SlidingJoint &joint)
+      : joint(joint)
+      , motion(joint.free.front())
+      , rail(*joint.rail)
+    {}
+
+    template <typename Number>
+    void   residual_at(const Point<Number> &point, Number *r) const;
+    void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void   rates(const Point<double> &point, double *rates) const override;
+    void   time_rates(const Point<double> &point, double *rates) const override;
+    double next_corner(double from, double to) const override;
+    void   pieces(const Point<double> &point, std::vector<double> &result) const override;
+
+  private:
+    const SlidingJoint &joint;
+    const FreeMotion   &motion;
+    const Rail         &rail;
+
+    template <typename Number>
+    Number
+    abscissa(const Point<Number> &point) const
+    {
+      return joint.start + point.coordinates[joint.coordinate()];
+    }
+
+    template <typename Number>
+    SlidingForces<Number> forces(const Number *multipliers, const Number &sigma) const;
+    /** What turns of the frames, and motions of S, change of the gradient: what the frames of a part of the rail feel, and
+     * what B and S feel, whose unknowns begin with @p b. @{ */
+    void add_turns_of_rail(const SlidingValues<double>  &values,
+                           const Rail::Weights<double> &part,
+                           const SlidingForces<double>  &forces,
+                           const double                 *q,
+                           Eigen::MatrixXd              &K) const;
+    void add_turns_of_b(const SlidingValues<double> &values,
+                        const SlidingForces<double> &forces,
+                        unsigned int                 b,
+                        Eigen::MatrixXd             &K) const;
+    /** @} */
+  };
+
+
+
+  template <typename Number>
+  SlidingForces<Number>
+  SlidingJoint::Rows::forces(const Number *multipliers, const Number &sigma) const
+  {
+    SlidingForces<Number> result;
+    result.force = joint.axes_of_rows * Eigen::Map<const Vec3<Number>>(multipliers);
+    for (unsigned int i = 0; i < joint.cosines.size(); ++i)
+      {
+        const auto c = joint.coefficients(joint.cosines[i], sigma);
+        for (unsigned int n = 0; n < 3; ++n)
+          result.A[n] += multipliers[3 + i] * c[n];
+      }
+    return result;
+  }
+
+
+
+  template <typename Number>
+  void
+  SlidingJoint::Rows::residual_at(const Point<Number> &point, Number *r) const
+  {
+    const Number                S = abscissa(point), sigma = point.coordinates[joint.coordinate()];
+    const SlidingValues<Number> values(rail, joint.frame_b, S, point.q);
+    const Number *const         lambda = point.multipliers + joint.first_multiplier;
+    const auto                  f      = forces(lambda, sigma);
+
+    thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
+    for (const Rail::Weights<Number> &part : values.weights)
+      {
+        const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
+        const unsigned int        b = 6 * frames.size(), first = b + 7;
+        local.setZero(first + joint.n_rows);
+        f.add_to_rail(values, part, frames, point.q, local);
+        if (&part == values.weights.begin())
+          {
+            local.template segment<7>(b)     = f.of_b_and_s(values);
+            local.template segment<3>(first) = joint.axes_of_rows.transpose() * (values.x_b - values.at.x[0]);
+            const Mat3<Number> M             = values.cosines(0);
+            for (unsigned int i = 0; i < joint.cosines.size(); ++i)
+              local(first + 3 + i) = product<Number>(joint.coefficients(joint.cosines[i], sigma)[0], M);
+            if (rail.beyond(std::real(S)) > most_beyond * rail.length())
+              local(first - 1) = std::numeric_limits<double>::quiet_NaN(); // it has left the beam: no solution
+          }
+        joint.blocks[part.piece].add(local, r);
+      }
+    if (!motion.is_prescribed)
+      return;
+    r[joint.block.row(13)] += sigma - motion.prescribed_at(point);
+    r[joint.block.row(12)] += lambda[joint.n_rows];
+  }
+
+
+
+  void
+  SlidingJoint::Rows::add_turns_of_rail(const SlidingValues<double>  &values,
+                                        const Rail::Weights<double> &part,
+                                        const SlidingForces<double>  &f,
+                                        const double                 *q,
+                                        Eigen::MatrixXd              &K) const
+  {
+    const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
+    const unsigned int        b = 6 * frames.size(), s = b + 6;
+    const Matrix3             EA = values.E * f.A[0], EA_1 = values.E * f.A[1];
+    for (unsigned int a = 0; a < frames.size(); ++a)
+      {
+        const Matrix3 to_frame = frames[a].triad(q).transpose(), H = to_frame * EA, R = to_frame * values.E;
+        const Vector3 force = to_frame * f.force;
+        const double  w = part.of[0][a], w_1 = part.of[1][a];
+        K.block<3, 3>(6 * a, 6 * a + 3) -= w * skew(force);
+        K.block<3, 3>(6 * a + 3, 6 * a + 3) += w * change_of_moment(H);
+        Matrix3 with_b = Matrix3::Zero(); // of the forces on d_k by turns of E
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < 3; ++k)
+            if (f.A[0](i, k) != 0)
+              with_b -= w * f.A[0](i, k) * skew(Vector3::Unit(k)) * R * skew(Vector3::Unit(i));
+        K.block<3, 3>(6 * a + 3, b + 3) += with_b;
+        K.block<3, 3>(b + 3, 6 * a + 3) += with_b.transpose();
+        Vector6 with_s;
+        with_s << -w_1 * force, moment_of<double>(w_1 * H + w * to_frame * EA_1);
+        K.block<6, 1>(6 * a, s) += with_s;
+        K.block<1, 6>(s, 6 * a) += with_s.transpose();
+      }
+  }
+
+
+
+  void
+  SlidingJoint::Rows::add_turns_of_b(const SlidingValues<double> &values,
+                                     const SlidingForces<double> &f,
+                                     const unsigned int           b,
+                                     Eigen::MatrixXd             &K) const
+  {
+    const unsigned int s      = b + 6;
+    const Vector3      with_s =
+      moment_of<double>(values.cosines(1) * f.A[0].transpose() + values.cosines(0) * f.A[1].transpose());
+    K.block<3, 3>(b, b + 3) += skew((values.E.transpose() * f.force).eval());
+    K.block<3, 3>(b + 3, b + 3) += change_of_moment(values.cosines(0) * f.A[0].transpose());
+    K.block<3, 1>(b + 3, s) += with_s;
+    K.block<1, 3>(s, b + 3) += with_s.transpose();
+    K(s, s) += product<double>(f.A[0], values.cosines(2)) + 2 * product<double>(f.A[1], values.cosines(1)) +
+               product<double>(f.A[2], values.cosines(0)) - f.force.dot(values.at.x[2]);
+  }
+
+
+
+  void
+  SlidingJoint::Rows::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    const double                sigma = point.coordinates[joint.coordinate()];
+    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+    const auto                  f = forces(point.multipliers + joint.first_multiplier, sigma);
+
+    thread_local Eigen::MatrixXd local;
+    for (const Rail::Weights<double> &part : values.weights)
+      {
+        const std::vector<Frame> &frames   = rail.pieces()[part.piece].frames;
+        const unsigned int        b        = 6 * frames.size(), first = b + 7;
+        const bool                is_first = &part == values.weights.begin();
+        local.setZero(first + joint.n_rows, first + joint.n_rows);
+        add_turns_of_rail(values, part, f, point.q, local);
+        if (is_first)
+          add_turns_of_b(values, f, b, local);
+        for (unsigned int i = 0; i < joint.n_rows; ++i)
+          {
+            std::array<double, 6> one = {};
+            one[i]                    = 1;
+            const auto gradient       = forces(one.data(), sigma);
+            gradient.add_to_rail(values, part, frames, point.q, local.col(first + i));
+            if (is_first)
+              local.col(first + i).segment<7>(b) += gradient.of_b_and_s(values);
+          }
+        local.bottomLeftCorner(joint.n_rows, first) = local.topRightCorner(first, joint.n_rows).transpose();
+        joint.blocks[part.piece].add(local, K);
+      }
+    if (!motion.is_prescribed)
+      return;
+    if (motion.drive)
+      motion.drive->add_tangent(point, Eigen::VectorXd::Constant(1, -point.factor), K);
+    joint.block.add_entry(12, 13, 1., K);
+    joint.block.add_entry(13, 12, 1., K);
+  }
+
+
+
+  void
+  SlidingJoint::Rows::rates(const Point<double> &point, double *rates) const
+  {
+    const double                sigma = point.coordinates[joint.coordinate()], v = point.rates[joint.coordinate()];
+    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+    Vector3                     x_rate = v * values.at.x[1];
+    Matrix3                     d_rate = v * values.at.d[1];
+    for (const Rail::Weights<double> &part : values.weights)
+      {
+        const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
+        for (unsigned int a = 0; a < frames.size(); ++a)
+          {
+            const Vector6 twist = frames[a].twist(point.y);
+            const Matrix3 D     = frames[a].triad(point.q);
+            x_rate += part.of[0][a] * (D * twist.head<3>());
+            d_rate += part.of[0][a] * (D * skew(twist.tail<3>()));
+          }
+      }
+    const Vector6 twist_b   = joint.frame_b.twist(point.y);
+    const Matrix3 E_rate    = values.E * skew(twist_b.tail<3>());
+    const Matrix3 cos_rates = E_rate.transpose() * values.at.d[0] + values.E.transpose() * d_rate;
+    double *const g         = rates + joint.first_multiplier;
+    Eigen::Map<Vector3>(g, 3) = joint.axes_of_rows.transpose() * (values.E * twist_b.head<3>() - x_rate);
+    for (unsigned int i = 0; i < joint.cosines.size(); ++i)
+      {
+        const auto c = joint.coefficients(joint.cosines[i], sigma);
+        g[3 + i]     = product<double>(c[0], cos_rates) + v * product<double>(c[1], values.cosines(0));
+      }
+    if (motion.is_prescribed)
+      g[joint.n_rows] = v - motion.prescribed_rate(point);
+  }
+
+
+
+  void
+  SlidingJoint::Rows::time_rates(const Point<double> &point, double *rates) const
+  {
+    if (motion.is_prescribed)
+      rates[joint.first_multiplier + joint.n_rows] = -motion.prescribed_rate(point);
+  }
+
+
+
+  double
+  SlidingJoint::Rows::next_corner(const double from, const double to) const
+  {
+    return motion.prescribed.next_corner(from, to);
+  }
+
+
+
+  void
+  SlidingJoint::Rows::pieces(const Point<double> &point, std::vector<double> &result) const
+  {
+    if (motion.drive)
+      motion.drive->pieces(point, result);
+  }
+
+
+
+  void
+  SlidingJoint::connect(Layout &layout)
+  {
+    rail->resolve(layout.model);
+    frame_a = layout.model.resolved(frame_a);
+    frame_b = layout.model.resolved(frame_b);
+    if (!check_bodies())
+      return;
+    used                     = {&free.front()};
+    const std::string prefix = "joint " + name + ", ";
+    rows.clear();
+    for (const char i : {'1', '2', '3'})
+      rows.push_back(prefix + "displacement " + i);
+    for (const Cosine &c : cosines)
+      rows.push_back(prefix + c.name);
+    n_rows = rows.size();
+    if (free.front().is_prescribed)
+      rows.push_back(prefix + "prescribed displacement");
+    first_multiplier = layout.add_multipliers(rows);
+
+    // a rail couples the frames of each of its pieces, not those of all of them with each other
+    std::vector<unsigned int> multipliers(n_rows);
+    for (unsigned int i = 0; i < n_rows; ++i)
+      {
+        multipliers[i] = first_multiplier + i;
+        layout.corrections.push_back({multipliers[i], coordinate()});
+      }
+    blocks.assign(rail->pieces().size(), {});
+    for (unsigned int i = 0; i < blocks.size(); ++i)
+      {
+        std::vector<Frame> frames = rail->pieces()[i].frames;
+        frames.push_back(frame_b);
+        layout.couple(blocks[i], frames, {coordinate()}, multipliers);
+      }
+    const unsigned int        row = first_multiplier + n_rows;
+    std::vector<unsigned int> prescribed;
+    if (free.front().is_prescribed)
+      {
+        if (free.front().drive)
+          free.front().drive->connect(layout, {{}, {}, {}, {row}});
+        model->prescribed[coordinate()] = row;
+        prescribed                      = {row};
+      }
+    layout.couple(block, {{frame_a.node}, {frame_b.node}}, {coordinate()}, prescribed);
+    term = std::make_unique<Rows>(*this);
+    layout.add(*this, *term);
+    add_stops(layout);
+    add_springs(layout);
+  }
+} // namespace samara
