@@ -26,8 +26,8 @@ namespace samara
   {
     if (!(settings.period > 0) || !std::isfinite(settings.period))
       throw std::invalid_argument("a period must be positive");
-    if (settings.n_steps == 0 || settings.n_sections == 0 || settings.n_steps % settings.n_sections != 0)
-      throw std::invalid_argument("the steps of a period must be a multiple of its sections");
+    if (settings.n_steps == 0)
+      throw std::invalid_argument("a period has one step or more");
   }
 
 
@@ -60,14 +60,8 @@ namespace samara
     const auto integrator = make_integrator();
     State      state      = start;
     for (unsigned int i = 0; i < settings.n_steps; ++i)
-      {
-        step(*integrator, state);
-        if (ends_section(i))
-          {
-            projection.velocities(state);
-            integrator->forget_history();
-          }
-      }
+      step(*integrator, state);
+    projection.velocities(state);
     return state;
   }
 
@@ -78,7 +72,6 @@ namespace samara
   {
     tangents.clear();
     integrators.clear();
-    section_ends.clear();
     along                     = {start};
     const double share        = std::max(1., system.size() * double(settings.n_steps) / most_unknowns_with_factors);
     const auto   steps_of_one = static_cast<unsigned int>(std::ceil(share));
@@ -90,15 +83,11 @@ namespace samara
         const State before = state;
         step(*integrators.back(), state);
         tangents.push_back(integrators.back()->linearize(before));
-        if (ends_section(i))
-          {
-            section_ends.push_back(state);
-            projection.velocities(state);
-            integrators.back()->forget_history();
-          }
         along.push_back(state);
       }
-    return state;
+    raw_end = state;
+    projection.velocities(along.back());
+    return along.back();
   }
 
 
@@ -106,21 +95,28 @@ namespace samara
   void
   PeriodMap::apply(double *x)
   {
-    apply_sections(x, 0, settings.n_sections);
+    for (unsigned int i = 0; i < settings.n_steps; ++i)
+      apply_step(x, i);
+    project_increment(raw_end, x);
   }
 
 
 
-  void
-  PeriodMap::apply_sections(double *x, const unsigned int first, const unsigned int end)
+  State
+  PeriodMap::carry(const State &start, double *x)
   {
-    const unsigned int steps = settings.n_steps / settings.n_sections;
-    for (unsigned int k = first; k < end; ++k)
+    const auto integrator = make_integrator();
+    State      state      = start;
+    for (unsigned int i = 0; i < settings.n_steps; ++i)
       {
-        for (unsigned int i = k * steps; i < (k + 1) * steps; ++i)
-          apply_step(x, i);
-        apply_projection(x, k);
+        const State before = state;
+        step(*integrator, state);
+        integrator->linearize(before)->apply(x);
+        ++n_applied;
       }
+    project_increment(state, x);
+    projection.velocities(state);
+    return state;
   }
 
 
@@ -153,7 +149,7 @@ namespace samara
 
 
   void
-  PeriodMap::apply_projection(double *x, const unsigned int k)
+  PeriodMap::project_increment(const State &state, double *x)
   {
     const Layout &layout = system.layout;
     if (layout.n_multipliers == 0)
@@ -170,7 +166,7 @@ namespace samara
     for (int j = 1; j <= 3; ++j)
       for (const int side : {1, -1})
         {
-          const auto correction = correction_of_velocities(section_ends[k], x, side * j * step);
+          const auto correction = correction_of_velocities(state, x, side * j * step);
           for (unsigned int i = 0; i < change.size(); ++i)
             change[i] += side * weights[j - 1] / step * correction[i];
         }

@@ -14,8 +14,7 @@ namespace samara
   struct PeriodSettings
   {
     double       period           = 0;  ///< [s]
-    unsigned int n_steps          = 36; ///< a period; a multiple of n_sections
-    unsigned int n_sections       = 1;  ///< equal parts of the period, at whose ends velocities are made admissible
+    unsigned int n_steps          = 36; ///< a period
     unsigned int n_stages         = 3;  ///< of the integrator family
     double       spectral_radius  = 1;  ///< of the same, at infinite frequency
     double       newton_tolerance = 1e-12;
@@ -44,7 +43,7 @@ namespace samara
   class PeriodMap
   {
   public:
-    /** @throws std::invalid_argument for a period, or numbers of steps or sections, that make no sense */
+    /** @throws std::invalid_argument for a period or a number of steps that make no sense */
     PeriodMap(const System &system, const PeriodSettings &settings);
 
     const PeriodSettings settings;
@@ -74,14 +73,15 @@ namespace samara
     /** Replace an increment of the start by that of the end. @throws NotConverged as StepTangent::apply(). */
     void apply(double *x);
 
-    /** The same from the beginning of section @p first to the end of the section before @p end. */
-    void apply_sections(double *x, unsigned int first, unsigned int end);
-
-    /** Replace an increment before step @p i by that behind it, without the projection at the end of a section. */
+    /** Replace an increment before step @p i of those kept by that behind it, without Π at the end of the last one. */
     void apply_step(double *x, unsigned int i);
 
-    /** Replace an increment at the end of section @p k by that of the projected state. */
-    void apply_projection(double *x, unsigned int k);
+    /** The state a period after @p start, and the increment @p x of the start becomes that of the end; nothing is kept.
+     */
+    State carry(const State &start, double *x);
+
+    /** Let @p x, an increment of a state, become that of the state with admissible velocities. */
+    void project_increment(const State &state, double *x);
 
     /** Make velocities admissible; returns the change relative to the largest velocity. */
     double
@@ -90,7 +90,7 @@ namespace samara
       return projection.velocities(state);
     }
 
-    /** The states of the period that was linearised, n_steps + 1, projected at the ends of sections. */
+    /** The states of the period that was linearised, n_steps + 1. */
     const std::vector<State> &
     states() const
     {
@@ -108,17 +108,12 @@ namespace samara
     std::vector<std::unique_ptr<StageIntegrator>> integrators; ///< with factors of different parts of the period
     std::vector<std::unique_ptr<StepTangent>>     tangents;    ///< one a step
     std::vector<State>                            along;
-    std::vector<State>                            section_ends; ///< before velocities are projected
+    State                                         raw_end; ///< before velocities are projected
 
     double
     step_size() const
     {
       return settings.period / settings.n_steps;
-    }
-    bool
-    ends_section(const unsigned int step) const
-    {
-      return (step + 1) % (settings.n_steps / settings.n_sections) == 0;
     }
     std::unique_ptr<StageIntegrator> make_integrator() const;
     void                             step(StageIntegrator &integrator, State &state) const;
