@@ -2,6 +2,7 @@
 #include <samara/aero/momentum_inflow.h>
 #include <samara/aero/surface.h>
 #include <samara/analysis/dynamic.h>
+#include <samara/analysis/floquet.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
 #include <samara/catalogue.h>
@@ -141,6 +142,7 @@ namespace samara
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
     analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
+    analyses.add<FloquetAnalysis>("floquet", "stability of periodic motion");
     analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");
   }
 } // namespace samara
