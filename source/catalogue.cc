@@ -5,6 +5,7 @@
 #include <samara/analysis/floquet.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
+#include <samara/analysis/trim.h>
 #include <samara/catalogue.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/rigid_body.h>
@@ -26,6 +27,7 @@
 #include <samara/loads/surface_loads.h>
 #include <samara/section/layup.h>
 #include <samara/section_report.h>
+#include <samara/states/control.h>
 #include <samara/states/controller.h>
 #include <samara/states/first_order.h>
 #include <samara/time/rival_alpha.h>
@@ -100,6 +102,7 @@ namespace samara
 
     Registry<Item> states;
     states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
+    states.add<Control>("control", "a number that keeps its value in motion, for trim to choose");
     states.add<PidController>("PID", "a controller by error, integral and rate, between limits");
     states.add<TransferFunction>("transfer function", "output by input, a quotient of polynomials of s");
     states.add<StateSpace>("state space", "outputs by inputs, with matrices A, B, C, D");
@@ -142,6 +145,7 @@ namespace samara
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
     analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
+    analyses.add<TrimAnalysis>("trim", "controls for which a periodic motion meets its targets", integrators);
     analyses.add<FloquetAnalysis>("floquet", "stability of periodic motion");
     analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");
   }

@@ -1,0 +1,112 @@
+#ifndef samara_analysis_periodic_motion_h
+#define samara_analysis_periodic_motion_h
+
+#include <samara/analysis/analysis.h>
+#include <samara/time/integrator.h>
+
+#include <cmath>
+
+namespace samara
+{
+  /**
+   * An increment that leads from one state to another: x = (ζ, δc, δz, δy, δċ) as StepTangent has them, twists ζ that
+   * move nodes in their own frames, 6 a node without the ground; joint coordinates; states of first order; changes of
+   * nodal twists and of the rates of coordinates. Multipliers are not in it.
+   */
+  namespace increment
+  {
+    unsigned int size(const System &system);
+
+    /** Where @p x leads from @p state. Its stresses are those of the new configuration. */
+    State moved(const System &system, const State &state, const std::vector<double> &x);
+
+    /** The increment that leads from @p from to @p to: moved(from, x) is @p to. */
+    std::vector<double> between(const System &system, const State &from, const State &to);
+  } // namespace increment
+
+
+
+  /** The mean over a period of a probe, or one of its harmonics: 2/T ∫ y cos(n 2π t/T) dt. */
+  struct PeriodAverage
+  {
+    enum Part
+    {
+      mean,
+      cosine,
+      sine
+    };
+    Part         part     = mean;
+    unsigned int harmonic = 0;
+    Probe        probe;
+
+    /** What a value @p y of the probe at the phase 2π t/T counts. */
+    double weighted(double y, double phase) const;
+  };
+
+
+
+  /**
+   * Turns of a motion that may be periodic, all over the same time from t₀ to t₀ + T: n steps of equal size of the
+   * integrator family. Averages are sums over the ends of steps, which for periodic functions converge faster than any
+   * power of the step.
+   *
+   * Angles of joints count turns; of those that are prescribed to go on, whole turns are taken back before the next
+   * period begins.
+   */
+  class PeriodicMotion
+  {
+  public:
+    /** @p settings: of the integrator family. */
+    PeriodicMotion(const Context                    &context,
+                   double                            period,
+                   unsigned int                      n_steps,
+                   const IntegratorSettings         &settings,
+                   const std::vector<PeriodAverage> &averages);
+
+    const double       period;
+    const unsigned int n_steps;
+
+    /** What happens after each step of a turn: with the number of the step, values of the averages' probes there. */
+    using Observer = std::function<void(State &state, unsigned int step, const std::vector<double> &values)>;
+
+    /**
+     * March one period from @p state, which is then its end, at the time t₀ + T. Returns the averages.
+     * @p n_done: steps of the period that have been done before; the averages are then those of the rest.
+     * @throws NotConverged
+     */
+    std::vector<double> turn(State &state, const Observer &observer = {}, unsigned int n_done = 0);
+
+    /** The same period again: from t + T to t, with whole turns of angles as at @p start taken back. */
+    void begin_again(const State &start, State &end) const;
+
+    /** What is not periodic between @p start and @p end a period later: the increment, without whole turns. */
+    std::vector<double> gap(const State &start, const State &end) const;
+
+    /** What a value of the probe of average @p k at a time counts. */
+    double
+    weighted(const unsigned int k, const double value, const double time) const
+    {
+      return averages[k].weighted(value, 2 * M_PI * time / period);
+    }
+
+    /** Sizes of the entries of an increment: lengths, radians, scales of states; of velocities the same over T/2π. */
+    std::vector<double> scales;
+
+    /** What entry @p i of an increment is, for messages. */
+    std::string name_of(unsigned int i) const;
+
+    double       n_turns = 0; ///< that have been marched
+    unsigned int n_marched = 0, n_iterations = 0, n_factorizations = 0; ///< steps, and what they took
+
+  private:
+    const Context                   &context;
+    const System                    &system;
+    const IntegratorSettings         settings;
+    const std::vector<PeriodAverage> averages;
+    bool                             needs_velocities = false, needs_forces = false;
+
+    std::vector<double> values(const State &state, class Projection &projection) const;
+  };
+} // namespace samara
+
+#endif

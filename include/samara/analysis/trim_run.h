@@ -1,0 +1,111 @@
+#ifndef samara_analysis_trim_run_h
+#define samara_analysis_trim_run_h
+
+#include <samara/analysis/trim.h>
+
+#include <deque>
+#include <limits>
+
+namespace samara
+{
+  /** What lasts as long as a search for trim does; controls and averages in SI units. */
+  class TrimAnalysis::Run
+  {
+  public:
+    /** @throws InputError for what is no control or no target */
+    Run(TrimAnalysis &trim, Context &context);
+
+    /** Find trim, leave it in the context and write it. @throws NotConverged, with the best that was found there */
+    void go();
+
+  private:
+    using VectorX = Eigen::VectorXd;
+
+    struct Control
+    {
+      std::string  name, unit;
+      unsigned int state = 0; ///< its number
+      double       lower = 0, upper = 0, scale = 1;
+    };
+    struct Target
+    {
+      std::string name, unit;
+      double      value = 0, scale = 1, factor = 1; ///< factor: of the probe's unit in SI
+    };
+
+    /** A turn, and how far it is from trim. */
+    struct Look
+    {
+      State               start, end;
+      VectorX             averages;
+      std::vector<double> gap;    ///< see PeriodicMotion::gap()
+      std::vector<double> turned; ///< whole turns of the joint coordinates, taken back from the end [rad]
+      double              miss = std::numeric_limits<double>::infinity(), largest_gap = miss; ///< in scales
+      unsigned int        worst_target = 0, worst_gap = 0;
+
+      double
+      size() const
+      {
+        return std::max(miss, largest_gap);
+      }
+    };
+
+    TrimAnalysis        &trim;
+    Context             &context;
+    const System        &system;
+    std::vector<Control> controls;
+    std::vector<Target>  targets;
+    std::unique_ptr<PeriodicMotion> motion;
+    State                state; ///< at the start of the next period
+    Look                 best;
+    std::optional<Table> history;
+    unsigned int         n_looks = 0;
+
+    std::vector<PeriodAverage> find_targets();
+    void                       find_controls();
+    std::vector<std::string>   columns() const;
+
+    /** @name Motions @{ */
+    void    start();
+    void    require_controls(const State &now) const;
+    Look    look(const State &from, const PeriodicMotion::Observer &observer = {});
+    Look    settled(State from);
+    bool    is_trimmed(const Look &look) const;
+    VectorX controls_of(const State &state) const;
+    VectorX wanted() const;
+    VectorX averages_in_si(const std::vector<double> &averages) const;
+    void    set_controls(State &state, const VectorX &values) const;
+    /** The share of a change @p du that limits leave, up to 1. */
+    double within_limits(const VectorX &u, const VectorX &du) const;
+    /** @} */
+
+    /** @name Methods, each from a settled motion to a look that is trimmed @{ */
+    Look newton_krylov(Look now);
+    Look discrete(Look now);
+    Look auto_pilot(Look now);
+
+    /** Periodicity and targets in scales; in the rows of controls stand the targets. */
+    VectorX residual(const Look &look) const;
+    State   moved(const State &from, const VectorX &x, double factor) const;
+    VectorX newton_step(const Look &now, const VectorX &r, double forcing);
+    /** ∂ȳ/∂u of settled motions. */
+    Eigen::MatrixXd control_matrix(const Look &now);
+    VectorX         solve(const Eigen::MatrixXd &J, const VectorX &y) const;
+    /** @} */
+
+    /** @name What is said @{ */
+    void tell(const Look &look);
+    /** What of J cannot be solved: a control without effect, a target that nothing moves; empty if it can. */
+    std::string fault_of(const Eigen::MatrixXd &J) const;
+    std::string at_limits(const VectorX &u) const;
+    [[noreturn]] void fail(const std::string &why);
+    /** The same with what of the control matrix explains it. */
+    [[noreturn]] void fail_with_reason(const Look &now, const std::string &why);
+    void              leave(const Look &look);
+    void              write(const Look &look) const;
+    void              confirm(const Look &look);
+    /** @} */
+  };
+} // namespace samara
+
+#endif

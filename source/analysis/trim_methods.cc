@@ -1,0 +1,263 @@
+// Three ways to trim: Newton's method on periodicity and targets, and two auto-pilots.
+
+#include <samara/analysis/trim_run.h>
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector.h>
+
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    constexpr double difference_step = 1e-4; ///< of products with the Jacobian, in scales
+
+    /** Of the linear equations, relative to their right side, never absolute. @{ */
+    constexpr double loosest_forcing = 1e-2, tightest_forcing = 1e-4;
+    /** @} */
+
+    constexpr double       shortest_step = 1. / 64; ///< of Newton's method
+    constexpr unsigned int most_newton_steps = 50;
+
+
+
+    /** x by A x = b to @p forcing |b|, or as far as @p most products lead, which is no fault of an inexact method. */
+    template <typename Matrix>
+    dealii::Vector<double>
+    gmres(const Matrix &A, const dealii::Vector<double> &b, const double forcing, const unsigned int most)
+    {
+      using Settings = dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData;
+      dealii::Vector<double>                      x(b.size());
+      dealii::SolverControl                       control(most, forcing * b.l2_norm(), false, false);
+      dealii::SolverGMRES<dealii::Vector<double>> solver(control, Settings(most + 2));
+      try
+        {
+          solver.solve(A, x, b, dealii::PreconditionIdentity());
+        }
+      catch (const dealii::SolverControl::NoConvergence &)
+        {}
+      return x;
+    }
+  } // namespace
+
+
+
+  TrimAnalysis::Run::VectorX
+  TrimAnalysis::Run::residual(const Look &look) const
+  {
+    VectorX r(look.gap.size());
+    for (unsigned int i = 0; i < r.size(); ++i)
+      r(i) = look.gap[i] / motion->scales[i];
+    for (unsigned int k = 0; k < targets.size(); ++k)
+      r(system.layout.of_state(controls[k].state)) = (look.averages(k) - targets[k].value) / targets[k].scale;
+    return r;
+  }
+
+
+
+  State
+  TrimAnalysis::Run::moved(const State &from, const VectorX &x, const double factor) const
+  {
+    std::vector<double> increment(x.size());
+    for (unsigned int i = 0; i < x.size(); ++i)
+      increment[i] = factor * x(i) * motion->scales[i];
+    return increment::moved(system, from, increment);
+  }
+
+
+
+  TrimAnalysis::Run::VectorX
+  TrimAnalysis::Run::newton_step(const Look &now, const VectorX &r, const double forcing)
+  {
+    struct Jacobian
+    {
+      Run           &run;
+      const Look    &now;
+      const VectorX &r;
+
+      void
+      vmult(dealii::Vector<double> &to, const dealii::Vector<double> &v) const
+      {
+        const Eigen::Map<const VectorX> direction(v.begin(), v.size());
+        to = 0.;
+        if (direction.norm() == 0) // where GMRES starts
+          return;
+        const double                    step = difference_step / direction.norm();
+        const VectorX change = run.residual(run.look(run.moved(now.start, direction, step))) - r;
+        for (unsigned int i = 0; i < to.size(); ++i)
+          to[i] = change(i) / step;
+      }
+    };
+    dealii::Vector<double> b(r.size());
+    for (unsigned int i = 0; i < b.size(); ++i)
+      b[i] = -r(i);
+    const auto x = gmres(Jacobian{*this, now, r}, b, forcing, trim.most_products);
+    return Eigen::Map<const VectorX>(x.begin(), x.size());
+  }
+
+
+
+  TrimAnalysis::Run::Look
+  TrimAnalysis::Run::newton_krylov(Look now)
+  {
+    double before = 0;
+    for (unsigned int iteration = 0; !is_trimmed(now); ++iteration)
+      {
+        const VectorX r = residual(now);
+        if (iteration == most_newton_steps)
+          fail("Newton's method has not found it in " + std::to_string(most_newton_steps) + " steps");
+        const double forcing = std::clamp(r.norm(), tightest_forcing, loosest_forcing);
+        VectorX      dx      = newton_step(now, r, forcing), u = controls_of(now.start), du(u.size());
+        for (unsigned int j = 0; j < controls.size(); ++j)
+          du(j) = dx(system.layout.of_state(controls[j].state)) * controls[j].scale;
+        double step = within_limits(u, du);
+        for (;; step /= 2)
+          {
+            if (step < shortest_step)
+              fail_with_reason(now, "Newton's method finds nothing better");
+            Look next;
+            try
+              {
+                next = look(moved(now.start, dx, step));
+              }
+            catch (const NotConverged &)
+              {
+                if (motion->n_turns >= trim.most_turns)
+                  throw;
+                continue; // no motion goes on from there
+              }
+            if (residual(next).norm() < (1 - 0.1 * step) * r.norm() || is_trimmed(next))
+              {
+                before = r.norm();
+                now    = next;
+                break;
+              }
+            // round-off is all that is left
+            if (iteration > 3 && r.norm() > 0.5 * before)
+              fail_with_reason(now, "Newton's method has come to a standstill");
+          }
+        tell(now);
+      }
+    return now;
+  }
+
+
+
+  Eigen::MatrixXd
+  TrimAnalysis::Run::control_matrix(const Look &now)
+  {
+    const unsigned int n = controls.size();
+    Eigen::MatrixXd    J(n, n);
+    const VectorX      u = controls_of(now.start);
+    for (unsigned int j = 0; j < n; ++j)
+      {
+        const bool   is_room = u(j) + controls[j].scale <= controls[j].upper;
+        const double change  = is_room ? controls[j].scale : -controls[j].scale;
+        State        from    = now.end;
+        set_controls(from, u + change * VectorX::Unit(n, j));
+        J.col(j) = (settled(from).averages - now.averages) / change;
+      }
+    return J;
+  }
+
+
+
+  TrimAnalysis::Run::VectorX
+  TrimAnalysis::Run::solve(const Eigen::MatrixXd &J, const VectorX &y) const
+  {
+    // rows and columns in their scales, for the choice of pivots
+    const unsigned int n      = controls.size();
+    Eigen::MatrixXd    scaled = J;
+    VectorX            b      = y;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        b(k) /= targets[k].scale;
+        for (unsigned int j = 0; j < n; ++j)
+          scaled(k, j) *= controls[j].scale / targets[k].scale;
+      }
+    VectorX x = scaled.fullPivLu().solve(b);
+    for (unsigned int j = 0; j < n; ++j)
+      x(j) *= controls[j].scale;
+    return x;
+  }
+
+
+
+  TrimAnalysis::Run::Look
+  TrimAnalysis::Run::discrete(Look now)
+  {
+    now = settled(now.end);
+    tell(now);
+    if (is_trimmed(now))
+      return now;
+    Eigen::MatrixXd J = control_matrix(now);
+    while (!is_trimmed(now))
+      {
+        if (const std::string fault = fault_of(J); !fault.empty())
+          fail(fault);
+        const VectorX u = controls_of(now.start), wish = solve(J, wanted() - now.averages),
+                      du    = within_limits(u, wish) * wish;
+        if (du.norm() < 1e-3 * wish.norm())
+          fail("the targets lie beyond the limits of the controls");
+        State from = now.end;
+        set_controls(from, u + du);
+        const Look next = settled(from);
+        // Broyden: the least change of J for which it says what has happened, in scales
+        VectorX share = du;
+        for (unsigned int j = 0; j < controls.size(); ++j)
+          share(j) /= controls[j].scale * controls[j].scale;
+        if (du.norm() > 0)
+          J += (next.averages - now.averages - J * du) * share.transpose() / share.dot(du);
+        now = next;
+        tell(now);
+      }
+    return now;
+  }
+
+
+
+  TrimAnalysis::Run::Look
+  TrimAnalysis::Run::auto_pilot(Look now)
+  {
+    now = settled(now.end);
+    tell(now);
+    if (is_trimmed(now))
+      return now;
+    const Eigen::MatrixXd J = control_matrix(now);
+    if (const std::string fault = fault_of(J); !fault.empty())
+      fail(fault);
+    const double        share = 1. / (trim.n_steps * trim.time_constant); // of a period, over the time constant
+    std::deque<VectorX> window;                                           // the last period
+    VectorX             sum = VectorX::Zero(targets.size());
+    const auto          pilot = [&](State &state, unsigned int, const std::vector<double> &values) {
+      VectorX y(targets.size());
+      for (unsigned int k = 0; k < targets.size(); ++k)
+        y(k) = targets[k].factor * motion->weighted(k, values[k], state.time) / trim.n_steps;
+      window.push_back(y);
+      if (window.size() < trim.n_steps)
+        return;
+      if (window.size() > trim.n_steps)
+        window.pop_front();
+      sum.setZero();
+      for (const auto &part : window)
+        sum += part;
+      VectorX u = controls_of(state) + share * solve(J, wanted() - sum);
+      for (unsigned int j = 0; j < controls.size(); ++j)
+        u(j) = std::min(std::max(u(j), controls[j].lower), controls[j].upper);
+      set_controls(state, u);
+    };
+    do
+      {
+        now = look(now.end, pilot);
+        tell(now);
+      }
+    while (!is_trimmed(now));
+    // what was found is confirmed with controls that keep still
+    now = look(now.end);
+    return now;
+  }
+} // namespace samara

@@ -1,0 +1,204 @@
+// What a search for trim says: on its way, where it fails and why, and what it leaves.
+
+#include <samara/analysis/trim_run.h>
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    constexpr double without_effect = 1e-6; ///< of the largest effect
+  }
+
+
+
+  void
+  TrimAnalysis::Run::tell(const Look &look)
+  {
+    if (look.size() < best.size() || n_looks == 0)
+      best = look;
+    ++n_looks;
+    std::vector<Table::Cell> row = {motion->n_turns, look.largest_gap, look.miss};
+    const VectorX            u   = controls_of(look.start);
+    for (unsigned int j = 0; j < controls.size(); ++j)
+      row.emplace_back(u(j));
+    for (unsigned int k = 0; k < targets.size(); ++k)
+      row.emplace_back(look.averages(k) / targets[k].factor);
+    history->add_row(row);
+    context.log.progress("trim: turn " + number_to_text("%.4g", motion->n_turns) + ", periodic to " +
+                         number_to_text("%.1e", look.largest_gap) + " (" + motion->name_of(look.worst_gap) +
+                         "), targets missed by " +
+                         number_to_text("%.1e", look.miss) + " of their scales, most " +
+                         targets[look.worst_target].name);
+  }
+
+
+
+  std::string
+  TrimAnalysis::Run::fault_of(const Eigen::MatrixXd &J) const
+  {
+    const unsigned int n      = controls.size();
+    Eigen::MatrixXd    scaled = J;
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int j = 0; j < n; ++j)
+        scaled(k, j) *= controls[j].scale / targets[k].scale;
+    const double largest = scaled.cwiseAbs().maxCoeff();
+    for (unsigned int j = 0; j < n; ++j)
+      if (!(scaled.col(j).cwiseAbs().maxCoeff() > without_effect * largest))
+        return "the control <" + controls[j].name + "> has no effect on any target";
+    for (unsigned int k = 0; k < n; ++k)
+      if (!(scaled.row(k).cwiseAbs().maxCoeff() > without_effect * largest))
+        return "no control has an effect on the target <" + targets[k].name + ">";
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    if (svd.singularValues()(n - 1) > without_effect * svd.singularValues()(0))
+      return "";
+    const auto names_in = [&](const VectorX &v, const auto &all) {
+      std::vector<std::string> names;
+      for (unsigned int i = 0; i < n; ++i)
+        if (std::abs(v(i)) > 0.1 * v.cwiseAbs().maxCoeff())
+          names.push_back("<" + all[i].name + ">");
+      return join(names, ", ");
+    };
+    return "the matrix of the controls is singular: a combination of the controls " +
+           names_in(svd.matrixV().col(n - 1), controls) + " has no effect, and the targets " +
+           names_in(svd.matrixU().col(n - 1), targets) + " cannot be met together";
+  }
+
+
+
+  std::string
+  TrimAnalysis::Run::at_limits(const VectorX &u) const
+  {
+    std::string text;
+    for (unsigned int j = 0; j < controls.size(); ++j)
+      {
+        const double width = 1e-6 * controls[j].scale;
+        if (u(j) <= controls[j].lower + width || u(j) >= controls[j].upper - width)
+          text += (text.empty() ? "" : ", ") + ("<" + controls[j].name + "> is at its " +
+                                                (u(j) <= controls[j].lower + width ? "lower" : "upper") + " limit, " +
+                                                number_to_text("%.6g", u(j)) + " " + controls[j].unit);
+      }
+    return text;
+  }
+
+
+
+  void
+  TrimAnalysis::Run::fail(const std::string &why)
+  {
+    std::string text = "trim: " + why;
+    if (n_looks > 0)
+      {
+        leave(best);
+        write(best);
+        const Target &worst = targets[best.worst_target];
+        text += "\n  the best motion that was reached is kept: it is periodic to " +
+                number_to_text("%.1e", best.largest_gap) + " (" + motion->name_of(best.worst_gap) +
+                "), and targets are missed by up to " + number_to_text("%.1e", best.miss) + " of their scales: <" +
+                worst.name + "> is " + number_to_text("%.6g", best.averages(best.worst_target) / worst.factor) +
+                " instead of " + number_to_text("%.6g", worst.value / worst.factor) + " " + worst.unit;
+        if (const std::string limits = at_limits(controls_of(best.start)); !limits.empty())
+          text += "; " + limits;
+      }
+    throw NotConverged(text);
+  }
+
+
+
+  void
+  TrimAnalysis::Run::fail_with_reason(const Look &now, const std::string &why)
+  {
+    std::string reason;
+    if (at_limits(controls_of(now.start)).empty())
+      try
+        {
+          // what is at its limit needs no other explanation
+          reason = fault_of(control_matrix(settled(now.end)));
+        }
+      catch (const NotConverged &)
+        {
+          // nothing moves on from there: then there is no matrix either
+        }
+    fail(why + (reason.empty() ? "" : ": " + reason));
+  }
+
+
+
+  void
+  TrimAnalysis::Run::leave(const Look &look)
+  {
+    // the end lies on the constraints
+    context.state          = look.end;
+    context.is_equilibrium = false;
+
+    const VectorX u         = controls_of(look.start);
+    trim.report.controls    = {u.data(), u.data() + u.size()};
+    trim.report.averages    = {look.averages.data(), look.averages.data() + look.averages.size()};
+    trim.report.turns       = motion->n_turns;
+    trim.report.periodicity = look.largest_gap;
+    trim.report.miss        = look.miss;
+    trim.report.iterations  = n_looks;
+    trim.report.effort =
+      Effort{double(motion->n_marched), double(motion->n_iterations), double(motion->n_factorizations)};
+  }
+
+
+
+  void
+  TrimAnalysis::Run::write(const Look &look) const
+  {
+    if (context.folder.empty())
+      return;
+    Table         table({"what", "name", "value", "unit", "wanted or lower limit", "upper limit"});
+    const auto    limit = [](const double x) { return std::isfinite(x) ? x : std::nan(""); };
+    const VectorX u     = controls_of(look.start);
+    for (unsigned int j = 0; j < controls.size(); ++j)
+      table.add_row({"control",
+                     controls[j].name,
+                     u(j),
+                     controls[j].unit,
+                     Table::Cell::optional(limit(controls[j].lower)),
+                     Table::Cell::optional(limit(controls[j].upper))});
+    for (unsigned int k = 0; k < targets.size(); ++k)
+      table.add_row({"target",
+                     targets[k].name,
+                     look.averages(k) / targets[k].factor,
+                     targets[k].unit,
+                     targets[k].value / targets[k].factor,
+                     Table::Cell::optional(std::nan(""))});
+    table.write(context.folder + "/trim.csv");
+    history->write(context.folder + "/trim_history.csv");
+  }
+
+
+
+  void
+  TrimAnalysis::Run::confirm(const Look &look)
+  {
+    // time goes on here, while all turns before were over the same time
+    State next = look.end;
+    next.time += trim.period;
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      next.coordinates[i] += look.turned[i];
+    State      end      = next;
+    const auto averages = averages_in_si(motion->turn(end));
+    const auto gap      = motion->gap(next, end);
+    double     largest = 0, miss = 0;
+    unsigned   worst = 0;
+    for (unsigned int i = 0; i < gap.size(); ++i)
+      if (const double g = std::abs(gap[i]) / motion->scales[i]; !(g <= largest))
+        {
+          largest = g;
+          worst   = i;
+        }
+    for (unsigned int k = 0; k < targets.size(); ++k)
+      miss = std::max(miss, std::abs(averages(k) - targets[k].value) / targets[k].scale);
+    if (!(std::max(largest, miss) < 100 * trim.tolerance))
+      fail("the motion comes back after the period from t = " + number_to_text("%.6g", look.start.time) +
+           " s, but not after the next one, most " + motion->name_of(worst) +
+           ": something that acts does not have this <Period>, or what was found is not stable");
+  }
+} // namespace samara
