@@ -1,6 +1,7 @@
 // A run of the dynamic analysis, from its start or a checkpoint to its end: steps, what is counted of them, and files.
 
 #include <samara/analysis/dynamic_parts.h>
+#include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
 #include <samara/base/text.h>
@@ -118,9 +119,9 @@ namespace samara
         last = analysis.restore(context, with_steps);
         return last.state;
       }
-    State start = context.state;
-    analysis.prepare(context, start);
-    return start;
+    return start_of_motion(
+      context,
+      {analysis.parameters.where(), analysis.start_time, analysis.is_family(), analysis.inconsistent == "refuse"});
   }
 
 

@@ -1,6 +1,6 @@
 // A search for trim: what the controls and targets are, where the motion starts, and what is said in the end.
 
-#include <samara/analysis/dynamic.h>
+#include <samara/analysis/start_of_motion.h>
 #include <samara/analysis/trim_run.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace samara
 {
@@ -205,49 +204,18 @@ namespace samara
         }));
     const bool grows = largest > 1e-6 * std::max(1., model_length(system.model));
 
-    std::ostringstream said;
-    Log                log(said, true);
-    Context            inner{system, log, "", {}, false, context.state, context.speeds, {}};
-    inner.is_equilibrium = context.is_equilibrium;
-    inner.least_norm     = context.least_norm;
+    Context from = context;
     if (grows)
-      set_controls(inner.state, VectorX::Zero(u.size()));
-    DynamicAnalysis first(trim.integrators);
-    first.add_parameters(first.parameters);
-    first.start_time       = trim.start_time;
-    first.step             = trim.period / trim.n_steps;
-    first.end_time         = trim.start_time + first.step;
-    first.n_stages         = trim.n_stages;
-    first.spectral_radius  = trim.spectral_radius;
-    first.newton_tolerance = trim.newton_tolerance;
-    first.max_iterations   = trim.max_iterations;
-    first.n_pictures       = 0;
-    first.energy_balance   = "warn";
-    try
-      {
-        first.run(inner);
-      }
-    catch (const InputError &error)
-      {
-        const std::string text = error.what();
-        throw InputError(trim.parameters.where() + (text.rfind(": ", 0) == 0 ? text : ": " + text));
-      }
-    std::istringstream lines(said.str());
-    for (std::string line; std::getline(lines, line);)
-      context.log.warning("trim", line.substr(line.find("warning: ") + 9));
-
-    require_controls(inner.state);
-    State end = inner.state;
-    motion->turn(
-      end,
-      [&](State &now, const unsigned int step, const std::vector<double> &) {
-        if (grows)
-          set_controls(now, double(step + 1) / trim.n_steps * u);
-      },
-      1);
-    motion->begin_again(inner.state, end);
-    end.time = trim.start_time;
-    state    = end;
+      set_controls(from.state, VectorX::Zero(u.size()));
+    state = start_of_motion(from, {trim.parameters.where(), trim.start_time});
+    require_controls(state);
+    State end = state;
+    motion->turn(end, [&](State &now, const unsigned int step, const std::vector<double> &) {
+      if (grows)
+        set_controls(now, double(step + 1) / trim.n_steps * u);
+    });
+    motion->begin_again(state, end);
+    state = end;
     for (unsigned int i = 1; i < trim.settle; ++i)
       {
         motion->turn(end);
@@ -275,7 +243,7 @@ namespace samara
   TrimAnalysis::Run::look(const State &from, const PeriodicMotion::Observer &observer)
   {
     if (motion->n_turns >= trim.most_turns)
-      fail("it is not found in " + number_to_text("%g", trim.most_turns) + " turns (<Most turns>)");
+      fail("it is not found in " + std::to_string(trim.most_turns) + " turns (<Most turns>)");
     Look result;
     result.start    = from;
     result.end      = from;
@@ -338,7 +306,7 @@ namespace samara
     confirm(found);
     leave(found);
     write(found);
-    context.log.line("trim: found in " + number_to_text("%.4g", motion->n_turns) + " turns; the orbit closes to " +
+    context.log.line("trim: found in " + std::to_string(motion->n_turns) + " turns; the orbit closes to " +
                      number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
                      number_to_text("%.1e", found.miss) + " of their scales");
     for (unsigned int j = 0; j < controls.size(); ++j)

@@ -136,12 +136,6 @@ namespace samara
 
 
 
-  TrimAnalysis::TrimAnalysis(const std::shared_ptr<const Integrators> &integrators)
-    : integrators(integrators)
-  {}
-
-
-
   void
   TrimAnalysis::add_parameters(Parameters &prm)
   {

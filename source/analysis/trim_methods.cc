@@ -64,8 +64,8 @@ namespace samara
   {
     std::vector<double> increment(x.size());
     for (unsigned int i = 0; i < x.size(); ++i)
-      increment[i] = factor * x(i) * motion->scales[i];
-    return increment::moved(system, from, increment);
+      increment[i] = x(i) * motion->scales[i];
+    return samara::moved(system, from, increment.data(), factor);
   }
 
 

@@ -28,7 +28,7 @@ namespace samara
     for (unsigned int k = 0; k < targets.size(); ++k)
       row.emplace_back(look.averages(k) / targets[k].factor);
     history->add_row(row);
-    context.log.progress("trim: turn " + number_to_text("%.4g", motion->n_turns) + ", periodic to " +
+    context.log.progress("trim: turn " + std::to_string(motion->n_turns) + ", periodic to " +
                          number_to_text("%.1e", look.largest_gap) + " (" + motion->name_of(look.worst_gap) +
                          "), targets missed by " +
                          number_to_text("%.1e", look.miss) + " of their scales, most " +

@@ -3,6 +3,7 @@
  * Reference: central differences of sixth order of converged steps
  */
 
+#include <samara/time/increment.h>
 #include <samara/time/step_tangent.h>
 
 #include "../states/scenes.h"
@@ -17,62 +18,6 @@ using namespace samara;
 namespace
 {
   constexpr double tolerance = 1e-14; ///< of Newton's method
-
-  /** The state from which an increment leads away, @p epsilon times. */
-  State
-  moved(const System &system, const State &state, const std::vector<double> &x, const double epsilon)
-  {
-    const Layout &layout      = system.layout;
-    const int     n_positions = layout.of_multiplier(0);
-    State         result      = state;
-    for (unsigned int node = 1; node < layout.n_nodes; ++node)
-      {
-        const Vector6       zeta = epsilon * Eigen::Map<const Vector6>(&x[layout.of_node(node)]);
-        Eigen::Map<Vector3> place(&result.q[12 * node]);
-        Eigen::Map<Matrix3> D(&result.q[12 * node + 3]);
-        place += D * zeta.head<3>();
-        D = (D * rotation_of_vector(zeta.tail<3>())).eval();
-        Eigen::Map<Vector6>(&result.y[6 * node]) +=
-          epsilon * Eigen::Map<const Vector6>(&x[n_positions + layout.of_node(node)]);
-      }
-    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-      {
-        result.coordinates[i] += epsilon * x[layout.of_coordinate(i)];
-        result.rates[i] += epsilon * x[n_positions + layout.of_coordinate(i)];
-      }
-    for (unsigned int i = 0; i < layout.n_states; ++i)
-      result.states[i] += epsilon * x[layout.of_state(i)];
-    return result;
-  }
-
-
-
-  /** The increment between two states, as seen from the first one. */
-  std::vector<double>
-  increment(const System &system, const State &from, const State &to)
-  {
-    const Layout       &layout      = system.layout;
-    const int           n_positions = layout.of_multiplier(0);
-    std::vector<double> x(n_positions + layout.n_kinematic());
-    for (unsigned int node = 1; node < layout.n_nodes; ++node)
-      {
-        const Matrix3 D = from.triad(node);
-        Eigen::Map<Vector6>(&x[layout.of_node(node)]) << D.transpose() * (to.position(node) - from.position(node)),
-          axial(D.transpose() * to.triad(node));
-        Eigen::Map<Vector6> velocity(&x[n_positions + layout.of_node(node)]);
-        velocity = Eigen::Map<const Vector6>(&to.y[6 * node]) - Eigen::Map<const Vector6>(&from.y[6 * node]);
-      }
-    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-      {
-        x[layout.of_coordinate(i)]               = to.coordinates[i] - from.coordinates[i];
-        x[n_positions + layout.of_coordinate(i)] = to.rates[i] - from.rates[i];
-      }
-    for (unsigned int i = 0; i < layout.n_states; ++i)
-      x[layout.of_state(i)] = to.states[i] - from.states[i];
-    return x;
-  }
-
-
 
   /** The derivative of a step along @p x, by steps from states up to 3 @p epsilon away; empty if one does not converge.
    */
@@ -91,7 +36,7 @@ namespace
       for (const int side : {1, -1})
         {
           StageIntegrator integrator(system, tableau, tolerance);
-          State           state = moved(system, start, x, side * j * epsilon);
+          State           state = moved(system, start, x.data(), side * j * epsilon);
           if (!integrator.step(state, h).converged)
             return {}; // too far away
           const auto there = increment(system, end, state);

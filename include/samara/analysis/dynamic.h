@@ -147,9 +147,6 @@ namespace samara
     bool                        is_family() const;
     Machinery                   make_machinery(const System &system) const;
     Machinery                   make_machinery(const System &system, const Checkpoint &memory, bool with_steps) const;
-    void                        prepare(Context &context, State &state) const;
-    /** Velocities that belong to a model turning as a whole were not possible with the ground at rest: say where. */
-    void refuse_turning_ground(const Context &context, const State &given, const State &projected, double change) const;
 
     /** @name Restarts (dynamic_restart.cc) @{ */
     Checkpoint remember(const Context &context, const State &state, const Machinery &machinery, const Output &output);

@@ -3,7 +3,6 @@
 
 #include <samara/analysis/periodic_motion.h>
 #include <samara/output/table.h>
-#include <samara/time/integrators.h>
 
 #include <Eigen/Dense>
 
@@ -91,9 +90,6 @@ namespace samara
   class TrimAnalysis : public Analysis
   {
   public:
-    /** @p integrators: for the start of the motion. */
-    explicit TrimAnalysis(const std::shared_ptr<const Integrators> &integrators);
-
     void add_parameters(Parameters &prm) override;
     void check(const std::vector<double> &rotor_speeds, Complaints &complaints) const override;
     void run(Context &context) override;
@@ -127,7 +123,6 @@ namespace samara
 
   private:
     class Run;
-    const std::shared_ptr<const Integrators> integrators;
   };
 } // namespace samara
 

@@ -1,0 +1,58 @@
+#ifndef samara_analysis_floquet_modes_h
+#define samara_analysis_floquet_modes_h
+
+#include <samara/analysis/section_map.h>
+
+namespace samara
+{
+  /** A mode of a periodic motion, x(t) = Re[p(t) exp(λ t)] with p of the period T. */
+  struct FloquetMode
+  {
+    std::complex<double> multiplier; ///< exp(λ T), over the whole period
+    std::complex<double> of_section; ///< over T/Q, Im ≥ 0
+    std::complex<double> exponent;   ///< λ [1/s]; its imaginary part ≥ 0 is that of the largest Fourier part
+    Eigen::VectorXcd     shape;      ///< increment at the start, as those of StepTangent, unit norm over its scales
+    double               residual     = 0; ///< |S v − σ v|/|σ|, or the same of what is computed in its place
+    std::complex<double> scheme_error = 0; ///< of λ, what the steps change it by if it were an undamped vibration [1/s]
+
+    /** Mean share of each body in the kinetic energy of the motion's shape over a period, largest first. */
+    std::vector<std::pair<std::string, double>> shares;
+
+    double
+    growth() const
+    {
+      return exponent.real();
+    }
+    double
+    frequency() const
+    {
+      return exponent.imag();
+    }
+  };
+
+
+
+  struct FloquetModes
+  {
+    std::vector<FloquetMode> found;               ///< largest multipliers first; of a pair the one with Im σ ≥ 0
+    unsigned int             n_columns   = 0;     ///< vectors that were taken through the section
+    unsigned int             n_vanishing = 0;     ///< not among them: so small that they are lost in round-off
+    bool                     is_all      = false; ///< nothing else moves
+  };
+
+
+
+  /** Multipliers from all columns of the map, of the increments that constraints allow. */
+  FloquetModes all_floquet_modes(SectionMap &map);
+
+  /**
+   * The @p wanted largest multipliers by Arnoldi's method, of pairs both counted, each to the relative @p tolerance.
+   * @throws NotConverged
+   */
+  FloquetModes largest_floquet_modes(SectionMap &map, unsigned int wanted, double tolerance);
+
+  /** Exponents, unwrapped frequencies and shares of the first @p n modes. */
+  void describe(SectionMap &map, FloquetModes &modes, unsigned int n);
+} // namespace samara
+
+#endif

@@ -1,0 +1,67 @@
+#ifndef samara_analysis_repeated_parts_h
+#define samara_analysis_repeated_parts_h
+
+#include <samara/model/system.h>
+
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  /**
+   * A model of which something is there Q times and comes round: after a part of the period, T/Q, each of the repeated
+   * parts is where the next one was and moves as that did. The renumbering P takes the state there to that at the start
+   * (design: the fast map): what belongs to part k becomes that of part k + 1, of the last one that of the first. All
+   * else stays, and of what turns without being repeated the axes turn back.
+   *
+   * The numbers of a node are along its own axes, so that P turns them by what its axes at the end differ from those of
+   * the node it becomes at the start: nothing for parts that carry their axes along, 2π/Q for a hub, and for parts
+   * whose axes were all alike when the model was built, −2π/Q.
+   */
+  class RepeatedParts
+  {
+  public:
+    /** Nothing is repeated. */
+    explicit RepeatedParts(const System &system);
+
+    /**
+     * @p groups: names of what is repeated, "blade 1", "blade 2", …; "lag 1", "lag 2", …, each in the order in which
+     * they come to the same place, part k where k + 1 was. Nodes, joint coordinates and states belong to the part whose
+     * name theirs contains. @p turning: names of what turns with them and is not repeated.
+     * @throws std::invalid_argument saying which name has no counterpart, or belongs to nothing
+     */
+    RepeatedParts(const System                                &system,
+                  const std::vector<std::vector<std::string>> &groups,
+                  const std::vector<std::string>              &turning);
+
+    /** Q */
+    unsigned int
+    n() const
+    {
+      return n_parts;
+    }
+
+    /** Axes are taken from these states, a Q-th of a period from each other. */
+    void align(const State &start, const State &end);
+
+    /** P x and P⁻¹ x, for increments as those of StepTangent. @{ */
+    void apply(double *x) const;
+    void apply_inverse(double *x) const;
+    /** @} */
+
+    /**
+     * What lacks to start = P(end), as an increment; whole turns of angles do not count, of what is repeated or turning
+     * neither do their Q-th parts. To be called after align().
+     */
+    std::vector<double> gap(const State &start, const State &end) const;
+
+  private:
+    const System             &system;
+    unsigned int              n_parts = 1;
+    std::vector<unsigned int> node_becomes, coordinate_becomes, state_becomes;
+    std::vector<bool>         node_turns, coordinate_turns; ///< by a Q-th of a turn
+    std::vector<Matrix3>      axes; ///< of each node at the end, as seen from those of what it becomes at the start
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,83 @@
+#ifndef samara_analysis_section_map_h
+#define samara_analysis_section_map_h
+
+#include <samara/analysis/repeated_parts.h>
+#include <samara/time/period_map.h>
+
+#include <complex>
+#include <functional>
+
+namespace samara
+{
+  /**
+   * What a change of a periodic motion becomes in one Q-th of the period, S = P Φ(T/Q), where P renumbers what is
+   * repeated Q times (RepeatedParts); Q = 1 without. S^Q is the map over the whole period, its multipliers are those of
+   * S to the power of Q. (doc/theory/floquet.md)
+   */
+  class SectionMap
+  {
+  public:
+    /** @p settings: of the section, with its own length in time and steps. */
+    SectionMap(const System &system, const PeriodSettings &settings, const RepeatedParts &parts);
+
+    /** What lacks to periodicity: the largest number of a gap over its scale, and whose unknown it is. */
+    struct Gap
+    {
+      double       size    = 0;
+      unsigned int unknown = 0;
+    };
+
+    /**
+     * Go on from @p start for @p most periods, or until the gap of a section is not above @p enough; returns where.
+     * The steps of the section before are kept, and axes aligned, so that apply() is defined.
+     */
+    State settle(const State &start, unsigned int most, double enough);
+
+    Gap          gap;                ///< of the section that is kept
+    unsigned int n_sections_run = 0; ///< by settle()
+
+    /** Replace an increment x of the start by S x. */
+    void apply(double *x);
+
+    /**
+     * Whether what comes behind the section is as S says: a random change is carried through the other sections of the
+     * period, or without symmetry through another period, and compared. Relative to its size; ≈ 1 if it is not so.
+     */
+    double difference_behind();
+
+    /**
+     * An increment and its images at all steps of the whole period, n() steps a section: f(i, re, im) for i from 0 to
+     * Q n(), real and imaginary part. @p value is the eigenvalue of S that belongs to it.
+     */
+    void follow(const Eigen::VectorXcd                                                       &shape,
+                std::complex<double>                                                          value,
+                const std::function<void(unsigned int i, const Eigen::VectorXcd &increment)> &f);
+
+    /** A basis of all increments that the constraints allow at the start; columns in terms of scales(). */
+    Eigen::MatrixXd basis();
+
+    /** What counts as one of each number of an increment. */
+    const std::vector<double> &
+    scales() const
+    {
+      return scale;
+    }
+
+    const System &system;
+    PeriodMap     map;
+    const RepeatedParts &
+    repeated() const
+    {
+      return parts;
+    }
+
+  private:
+    RepeatedParts       parts;
+    std::vector<double> scale;
+
+    Gap    gap_between(const State &start, const State &end) const;
+    double scaled_norm(const std::vector<double> &x) const;
+  };
+} // namespace samara
+
+#endif

@@ -1,0 +1,445 @@
+#include <samara/analysis/floquet.h>
+#include <samara/analysis/start_of_motion.h>
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+#include <samara/output/pictures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace samara
+{
+  namespace
+  {
+    /** Gaps below which a motion is not let settle further, and above which one is warned about. @{ */
+    constexpr double settled_gap = 1e-10, doubtful_gap = 1e-6;
+    /** @} */
+
+    /** What a change carried on may be different by from what multipliers were found of. */
+    constexpr double allowed_difference = 1e-6;
+
+    /** Up to this many columns all of them are cheaper than Arnoldi's method. */
+    constexpr int most_columns = 60;
+
+    /** |multiplier| − 1 that does not tell: free motions, and what is not damped. */
+    constexpr double undecided = 1e-6;
+  } // namespace
+
+
+
+  void
+  FloquetAnalysis::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add("Period", period, "Period of the motion; 0: from the turns of a joint [s].", Double(0));
+    prm.add("Turns of",
+            turns_of,
+            "Joint whose rotation tells the period: that of its <Turns> at the speed that it has at the start.");
+    prm.add("Turns", turns, "Turns of that joint in a period [1].", Double(0));
+    prm.add("Steps", n_steps, "Steps a period.", Integer(1));
+    prm.add("Stages",
+            n_stages,
+            "Stages of the integrator, 1 to 3: multipliers converge with the order 2 s for spectral radius 1.",
+            Integer(1, 3));
+    prm.add(
+      "Spectral radius",
+      spectral_radius,
+      "At infinite frequency: 1 adds no damping; less takes away what the steps do not resolve, and adds damping to "
+      "what they do, which is told [1].",
+      Double(0, 1));
+    prm.add("Newton tolerance", newton_tolerance, "Of the steps of the orbit, see dynamic analysis [1].", Double(0));
+    prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
+    prm.add("Settle",
+            most_periods,
+            "Most periods that the motion is given to become periodic; it is stopped when it is.",
+            Integer(1));
+    prm.add(
+      "Largest gap",
+      largest_gap,
+      "What a motion may lack to periodicity, parts of the model's length, radians and the largest speed; more is "
+      "refused [1].",
+      Double(0));
+    prm.add(
+      "Method",
+      method,
+      "implicit: the largest multipliers by Arnoldi's method; fast: those of the part of a period in which repeated "
+      "parts take each other's places; classical: all, from all columns of the map over the period; automatic: fast "
+      "with a <Symmetry>, and all columns where they are few.",
+      Selection("automatic|implicit|fast|classical"));
+    prm.add("Wanted", wanted, "Number of multipliers, largest first; of a pair both count.", Integer(1));
+    prm.add("Tolerance", tolerance, "Of Arnoldi's method, relative to each multiplier [1].", Double(0, 1));
+    prm.add(
+      "Symmetry",
+      symmetry,
+      "Names of repeated parts, each where the next one was a part of the period before, groups behind semicolons: "
+      "blade 1, blade 2; lag 1, lag 2. Belongs to a part what has its name in its own.");
+    prm.add("Turning", turning, "Names of bodies and joints that turn with the repeated parts and are not repeated.");
+    prm.add("Animations", n_animations, "Number of modes for which a moving picture is written.", Integer(0));
+  }
+
+
+
+  void
+  FloquetAnalysis::check(const std::vector<double> &, Complaints &complaints) const
+  {
+    const auto complain = [&](const std::string &entry, const std::string &text) {
+      complaints.add(parameters.where(entry), text);
+    };
+    if ((period > 0) == !turns_of.empty())
+      complain("Period", "give either the <Period>, or the joint <Turns of> which make one");
+    if (!(turns > 0))
+      complain("Turns", "the <Turns> in a period must be positive");
+    if (!(newton_tolerance > 0))
+      complain("Newton tolerance", "the <Newton tolerance> must be positive");
+    if (!(tolerance > 0))
+      complain("Tolerance", "the <Tolerance> must be positive");
+    if (method == "fast" && symmetry.empty())
+      complain("Method", "the fast map needs the <Symmetry>: which parts are repeated");
+    if (const auto g = groups(); !g.empty() && n_steps % g[0].size() != 0)
+      complain("Steps", "the <Steps> must be a multiple of the " + std::to_string(g[0].size()) + " repeated parts");
+  }
+
+
+
+  std::vector<std::vector<std::string>>
+  FloquetAnalysis::groups() const
+  {
+    std::vector<std::vector<std::string>> result;
+    if (!trim(symmetry).empty())
+      for (const auto &group : split_top_level(symmetry, ';'))
+        {
+          result.emplace_back();
+          for (const auto &name : split_top_level(group, ','))
+            result.back().push_back(trim(name));
+        }
+    return result;
+  }
+
+
+
+  bool
+  FloquetAnalysis::is_by_sections() const
+  {
+    return !groups().empty() && (method == "fast" || method == "automatic");
+  }
+
+
+
+  void
+  FloquetAnalysis::start(Context &)
+  {
+    of_speeds.reset();
+    tracking = {};
+  }
+
+
+
+  State
+  FloquetAnalysis::first_state(const Context &context) const
+  {
+    // a dynamic analysis leaves what moves already
+    if (!context.is_equilibrium && !context.state.held)
+      return context.state;
+    return start_of_motion(context, {parameters.where(), 0., true, false});
+  }
+
+
+
+  double
+  FloquetAnalysis::period_at(const Context &context, const State &state) const
+  {
+    if (turns_of.empty())
+      return period;
+    const auto &names = context.system.model.coordinates;
+    auto        found = std::find(names.begin(), names.end(), turns_of);
+    if (found == names.end())
+      found = std::find(names.begin(), names.end(), turns_of + ".rotation");
+    if (found == names.end())
+      throw InputError(parameters.where("Turns of") + ": <" + turns_of +
+                       "> is no rotation of a joint that is prescribed, has a spring, or is asked for" +
+                       did_you_mean(turns_of, names));
+    const double rate = std::abs(state.rates[found - names.begin()]);
+    if (!(rate > 0))
+      throw InputError(parameters.where("Turns of") + ": <" + turns_of + "> does not turn at the start");
+    return turns * 2 * M_PI / rate;
+  }
+
+
+
+  RepeatedParts
+  FloquetAnalysis::repeated_parts(const System &system) const
+  {
+    if (!is_by_sections())
+      return RepeatedParts(system);
+    try
+      {
+        return RepeatedParts(system, groups(), turning);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        throw InputError(parameters.where("Symmetry") + ": " + problem.what());
+      }
+  }
+
+
+
+  void
+  FloquetAnalysis::run(Context &context)
+  {
+    const System       &system = context.system;
+    const State         first  = first_state(context);
+    const double        T      = period_at(context, first);
+    const RepeatedParts parts  = repeated_parts(system);
+    SectionMap          map(system,
+                   {T / parts.n(), n_steps / parts.n(), n_stages, spectral_radius, newton_tolerance, max_iterations},
+                   parts);
+    try
+      {
+        map.settle(first, most_periods, settled_gap);
+        check_gap(context, map);
+        check_corners(context, map);
+        check_behind(map, map.difference_behind());
+        FloquetModes found = find(map);
+        n_columns          = found.n_columns;
+        if (found.found.empty())
+          throw NotConverged("floquet analysis: nothing moves that could grow or decay");
+        describe(map, found, wanted);
+        modes = found.found;
+        report(context, found, T);
+      }
+    catch (const NotConverged &problem)
+      {
+        const std::string text = problem.what();
+        throw NotConverged(text.find("floquet analysis") == 0 ? text : "floquet analysis: " + text);
+      }
+    if (!context.sweep.empty())
+      add_to_speeds(context, T);
+    if (context.pictures && context.is_shown() && !context.folder.empty())
+      for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
+        animate(context, map, k);
+  }
+
+
+
+  void
+  FloquetAnalysis::check_gap(const Context &context, const SectionMap &map) const
+  {
+    const std::string text = "the motion lacks " + number_to_text("%.1e", map.gap.size) + " to periodicity after " +
+                             short_text(double(map.n_sections_run) / map.repeated().n()) + " periods, most at " +
+                             context.system.layout.name_of(map.gap.unknown);
+    if (!(map.gap.size <= largest_gap))
+      throw NotConverged(
+        "floquet analysis: " + text +
+        ".\n  Multipliers belong to a motion that repeats itself. Is the period right? Damping lets it settle in more "
+        "periods (<Settle>); what is unstable never does by itself: begin nearer to the periodic motion" +
+        (map.repeated().n() > 1 ? ". Parts that are not alike, in another order, or <Turning> ones that are not named, "
+                                  "look like this, too: try Method = implicit" :
+                                  "") +
+        ".");
+    if (map.gap.size > doubtful_gap)
+      context.log.warning("floquet", text + "; so much do multipliers lack, too");
+  }
+
+
+
+  void
+  FloquetAnalysis::check_behind(const SectionMap &map, const double difference) const
+  {
+    if (difference <= allowed_difference + 100 * map.gap.size)
+      return;
+    const std::string by = number_to_text("%.1e", difference) + " of its size";
+    if (map.repeated().n() > 1)
+      throw NotConverged(
+        "floquet analysis: the <Symmetry> is none: a change of the motion is different by " + by +
+        " after a part of the period from what the repeated parts say.\n  All of them must be alike, in "
+        "the order in which they come round, what carries them too; if they are not, set Method = "
+        "implicit.");
+    throw NotConverged("floquet analysis: the motion is periodic, but a change of it is different by " + by +
+                       " in the next period.\n  Is the period right? Something that depends on time does not repeat "
+                       "itself with it.");
+  }
+
+
+
+  void
+  FloquetAnalysis::check_corners(const Context &context, const SectionMap &map) const
+  {
+    const auto  &states = map.map.states();
+    const double begin = states.front().time, end = states.back().time, h = (end - begin) / (states.size() - 1);
+    for (double t = context.system.next_corner(begin, end); t < end; t = context.system.next_corner(t, end))
+      if (std::abs(std::remainder(t - begin, h)) > 1e-9 * h)
+        return context.log.warning(
+          "floquet",
+          "something prescribed has a corner or a jump at t = " + number_to_text("%.6g", t) +
+            " s, within a step: multipliers converge slowly there; take <Steps> that end at it");
+  }
+
+
+
+  FloquetModes
+  FloquetAnalysis::find(SectionMap &map) const
+  {
+    if (method == "classical")
+      return all_floquet_modes(map);
+    if (method != "implicit")
+      {
+        const Layout &layout = map.system.layout;
+        const int     n      = layout.n_kinematic() + layout.of_multiplier(0) - 2 * int(layout.n_multipliers);
+        if (n <= most_columns)
+          return all_floquet_modes(map);
+      }
+    return largest_floquet_modes(map, wanted, tolerance);
+  }
+
+
+
+  void
+  FloquetAnalysis::report(const Context &context, const FloquetModes &found, const double T) const
+  {
+    const unsigned int parts = is_by_sections() ? groups()[0].size() : 1;
+    const double       h     = T / n_steps;
+    context.log.line("floquet: period " + number_to_text("%.6g", T) + " s, " + std::to_string(n_steps) + " steps; " +
+                     (found.is_all ? "all " : "Arnoldi's method, ") + std::to_string(found.n_columns) +
+                     " columns of the map over " +
+                     (parts > 1 ? "a part of " + std::to_string(parts) : std::string("the period")));
+    Table  table({"mode",
+                  "multiplier",
+                  "multiplier real",
+                  "multiplier imaginary",
+                  "growth rate [1/s]",
+                  "frequency [rad/s]",
+                  "frequency mod period [rad/s]",
+                  "damping ratio",
+                  "steps a cycle",
+                  "error by steps, growth [1/s]",
+                  "error by steps, frequency [rad/s]",
+                  "residual",
+                  "most in",
+                  "share"});
+    double largest = 0;
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      {
+        const FloquetMode &m    = modes[i];
+        const double       size = std::abs(m.multiplier);
+        largest                 = std::max(largest, size);
+        const bool has_share    = !m.shares.empty() && m.shares[0].second > 0;
+        table.add_row({i + 1,
+                       size,
+                       m.multiplier.real(),
+                       m.multiplier.imag(),
+                       m.growth(),
+                       m.frequency(),
+                       std::abs(std::arg(m.multiplier)) / T,
+                       std::abs(m.exponent) > 0 ? -m.growth() / std::abs(m.exponent) : 0.,
+                       Table::Cell::optional(m.frequency() > 0 ? 2 * M_PI / (m.frequency() * h) : std::nan("")),
+                       m.scheme_error.real(),
+                       m.scheme_error.imag(),
+                       m.residual,
+                       has_share ? m.shares[0].first : "",
+                       has_share ? m.shares[0].second : 0.});
+        std::ostringstream line;
+        line << "  mode " << i + 1 << ": |multiplier| " << number_to_text("%.8g", size) << ", growth rate "
+             << number_to_text("%.6g", m.growth()) << " 1/s, " << number_to_text("%.6g", m.frequency()) << " rad/s  (";
+        for (unsigned int k = 0; has_share && k < std::min<std::size_t>(3, m.shares.size()); ++k)
+          if (k == 0 || m.shares[k].second > 0.02)
+            line << (k > 0 ? ", " : "") << m.shares[k].first << " " << std::lround(100 * m.shares[k].second) << " %";
+        context.log.line(line.str() + ")");
+        if (std::abs(m.scheme_error) > 0.01 * std::max(std::abs(m.exponent), 1e-3 / T))
+          context.log.warning("floquet",
+                              "mode " + std::to_string(i + 1) + " is not resolved: there are " +
+                                number_to_text("%.2g", 2 * M_PI / (m.frequency() * h)) +
+                                " steps a cycle; take more <Steps>");
+        else if (-m.scheme_error.real() > 0.01 * std::abs(m.growth()) + 1e-9 * m.frequency())
+          context.log.warning("floquet",
+                              "mode " + std::to_string(i + 1) + ": the steps add a damping of about " +
+                                number_to_text("%.2g", -m.scheme_error.real()) +
+                                " 1/s; take more <Steps>, or <Spectral radius = 1>");
+      }
+    context.log.line(
+      std::string("  the motion is ") +
+      (largest > 1 + undecided ? "unstable: the largest multiplier is " :
+       largest < 1 - undecided ? "stable: the largest multiplier is " :
+                                 "neither stable nor unstable to first order: the largest multiplier is ") +
+      number_to_text("%.10g", largest));
+    if (context.folder.empty())
+      return;
+    if (!context.sweep.empty())
+      table.write(context.folder + "/floquet_" + short_text(context.speeds[0]) + ".csv");
+    if (context.is_shown())
+      table.write(context.folder + "/floquet.csv");
+  }
+
+
+
+  void
+  FloquetAnalysis::add_to_speeds(const Context &context, const double T)
+  {
+    if (!of_speeds)
+      of_speeds = std::make_unique<Table>(std::vector<std::string>{"speed [rad/s]",
+                                                                   "branch",
+                                                                   "multiplier",
+                                                                   "growth rate [1/s]",
+                                                                   "frequency [rad/s]",
+                                                                   "frequency mod period [rad/s]"});
+    std::vector<Mode> shapes;
+    for (const auto &mode : modes)
+      {
+        Mode shape;
+        shape.lambda = mode.exponent;
+        shape.shape  = mode.shape.head(context.system.layout.n_kinematic());
+        shapes.push_back(shape);
+      }
+    SparseMatrix M(context.system.layout.pattern);
+    context.system.mass(M);
+    const auto branches = tracking.follow(shapes, M);
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      of_speeds->add_row({context.speeds[0],
+                          branches[i],
+                          std::abs(modes[i].multiplier),
+                          modes[i].growth(),
+                          modes[i].frequency(),
+                          std::abs(std::arg(modes[i].multiplier)) / T});
+  }
+
+
+
+  void
+  FloquetAnalysis::animate(const Context &context, SectionMap &map, const unsigned int k) const
+  {
+    const System                 &system = context.system;
+    const FloquetMode            &mode   = modes[k];
+    std::vector<Eigen::VectorXcd> images;
+    map.follow(mode.shape, mode.of_section, [&](const unsigned int, const Eigen::VectorXcd &x) {
+      images.push_back(x);
+    });
+    // without growth, the largest displacement a twentieth of the model
+    images.resize(map.map.settings.n_steps);
+    double largest = 0;
+    for (unsigned int i = 0; i < images.size(); ++i)
+      {
+        images[i] *= std::exp(-mode.growth() * map.map.settings.period / map.map.settings.n_steps * double(i));
+        for (int j = 0; j < system.layout.of_coordinate(0); ++j)
+          largest = std::max(largest, std::abs(images[i](j)) / map.scales()[j]);
+      }
+    if (!(largest > 0))
+      return;
+    Pictures pictures(context.folder, "floquet_" + std::to_string(k + 1));
+    for (unsigned int i = 0; i < images.size(); ++i)
+      {
+        const Eigen::VectorXd x     = images[i].real() * (0.05 / largest);
+        const State          &state = map.map.states()[i];
+        pictures.add(system.draw(moved(system, state, x.data())), state.time);
+      }
+    pictures.finish();
+  }
+
+
+
+  void
+  FloquetAnalysis::finish(Context &context)
+  {
+    if (of_speeds && !context.folder.empty())
+      of_speeds->write(context.folder + "/floquet_speeds.csv");
+  }
+} // namespace samara

@@ -1,0 +1,245 @@
+#include <samara/analysis/floquet_modes.h>
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+#include <samara/solvers/krylov_schur.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace samara
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /** Images of the basis that leave the space it spans by more are none of the map over a period. */
+    constexpr double allowed_remainder = 1e-6;
+
+    /** Multipliers smaller than this, over the size of the map, are round-off of it. */
+    constexpr double round_off = 1e-12;
+
+
+
+    /** What the vibration exp(iωt) has in place of the exponent iω when it is computed by steps of h. */
+    Complex
+    error_of_scheme(const Tableau &tableau, const double omega, const double h)
+    {
+      const Complex    z(0, omega * h);
+      Eigen::MatrixXcd A(tableau.s, tableau.s);
+      Eigen::VectorXcd b(tableau.s);
+      for (unsigned int k = 0; k < tableau.s; ++k)
+        {
+          b(k) = tableau.b(k);
+          for (unsigned int l = 0; l < tableau.s; ++l)
+            A(k, l) = (k == l ? 1. : 0.) - z * tableau.a_alpha(k, l);
+        }
+      const Complex R = 1. + z * (b.transpose() * A.partialPivLu().solve(Eigen::VectorXcd::Ones(tableau.s)))(0, 0);
+      // arg R lies within a turn of ωh
+      const double beyond = std::remainder(std::arg(R) - omega * h, 2 * M_PI);
+      return Complex(std::log(std::abs(R)), beyond) / h;
+    }
+
+
+
+    void
+    apply_scaled(SectionMap &map, const double *x, double *y)
+    {
+      const auto         &scale = map.scales();
+      std::vector<double> z(scale.size());
+      for (unsigned int i = 0; i < z.size(); ++i)
+        z[i] = x[i] * scale[i];
+      map.apply(z.data());
+      for (unsigned int i = 0; i < z.size(); ++i)
+        y[i] = z[i] / scale[i];
+    }
+
+
+
+    /** Only one of each pair. */
+    bool
+    is_wanted(const Complex value)
+    {
+      return value.imag() >= 0;
+    }
+
+
+
+    FloquetMode
+    mode_of(const SectionMap &map, const Complex value, const Eigen::VectorXcd &scaled_shape, const double residual)
+    {
+      FloquetMode mode;
+      mode.of_section = value;
+      mode.multiplier = std::pow(value, int(map.repeated().n()));
+      mode.shape      = scaled_shape.normalized();
+      for (int i = 0; i < mode.shape.size(); ++i)
+        mode.shape(i) *= map.scales()[i];
+      mode.residual = std::abs(value) > 0 ? residual / std::abs(value) : residual;
+      return mode;
+    }
+
+
+
+    /** Largest first; those lost in round-off of a map of this @p size are taken away. */
+    void
+    put_in_order(FloquetModes &modes, const double size)
+    {
+      auto &found = modes.found;
+      std::stable_sort(found.begin(), found.end(), [](const FloquetMode &a, const FloquetMode &b) {
+        return std::abs(a.of_section) > std::abs(b.of_section) * (1 + 1e-12);
+      });
+      while (!found.empty() && std::abs(found.back().of_section) <= round_off * size)
+        {
+          found.pop_back();
+          ++modes.n_vanishing;
+        }
+    }
+
+
+
+    /** ζᴴ M ζ of each node's increments. */
+    double
+    energy_of(const System &system, const Eigen::VectorXcd &shape, const unsigned int node)
+    {
+      const Eigen::Matrix<Complex, 6, 1> z = shape.segment<6>(system.layout.of_node(node));
+      return (z.adjoint() * system.model.nodes[node].inertia * z)(0, 0).real();
+    }
+
+
+
+    /** |c|² of a shape, for finding which part is largest: in kinetic energy, or of states where nothing has any. */
+    double
+    size_of(const SectionMap &map, const Eigen::VectorXcd &shape, const bool by_energy)
+    {
+      double sum = 0;
+      if (by_energy)
+        for (unsigned int node = 1; node < map.system.layout.n_nodes; ++node)
+          sum += energy_of(map.system, shape, node);
+      else
+        for (unsigned int i = 0; i < map.map.first_velocity(); ++i)
+          sum += std::norm(shape(i) / map.scales()[i]);
+      return sum;
+    }
+
+
+
+    std::vector<std::pair<std::string, double>>
+    sorted_shares(const std::map<std::string, double> &energies)
+    {
+      double total = 0;
+      for (const auto &[name, energy] : energies)
+        total += energy;
+      std::vector<std::pair<std::string, double>> shares;
+      for (const auto &[name, energy] : energies)
+        shares.emplace_back(name, total > 0 ? energy / total : 0.);
+      std::stable_sort(shares.begin(), shares.end(), [](const auto &a, const auto &b) { return a.second > b.second; });
+      return shares;
+    }
+
+
+
+    /** The harmonic of the period that is largest in a mode: λ of the section's principal value plus i m 2π/T. */
+    int
+    largest_harmonic(SectionMap &map, FloquetMode &mode, const Complex principal)
+    {
+      const unsigned int            n = map.map.settings.n_steps * map.repeated().n();
+      const double                  h = map.map.settings.period / map.map.settings.n_steps;
+      std::vector<Eigen::VectorXcd> periodic(n);
+      std::map<std::string, double> energies;
+      map.follow(mode.shape, mode.of_section, [&](const unsigned int i, const Eigen::VectorXcd &increment) {
+        periodic[i] = increment * std::exp(-principal * (i * h));
+        for (unsigned int node = 1; node < map.system.layout.n_nodes; ++node)
+          energies[map.system.model.nodes[node].name] += energy_of(map.system, periodic[i], node);
+      });
+      mode.shares          = sorted_shares(energies);
+      const bool by_energy = !mode.shares.empty() && mode.shares[0].second > 0;
+
+      const int most    = (int(n) - 1) / 2;
+      int       result  = 0;
+      double    largest = -1;
+      for (int m = -most; m <= most; ++m)
+        {
+          Eigen::VectorXcd part = Eigen::VectorXcd::Zero(mode.shape.size());
+          for (unsigned int i = 0; i < n; ++i)
+            part += std::polar(1. / n, -2 * M_PI * m * double(i) / n) * periodic[i];
+          // of equal ones, as in pairs, that of the lower frequency
+          const double size =
+            size_of(map, part, by_energy) * (1 - 1e-9 * std::abs(principal.imag() * h * n / (2 * M_PI) + m) / n);
+          if (size > largest)
+            {
+              largest = size;
+              result  = m;
+            }
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  FloquetModes
+  all_floquet_modes(SectionMap &map)
+  {
+    const Eigen::MatrixXd B = map.basis();
+    Eigen::MatrixXd       images(B.rows(), B.cols());
+    for (int j = 0; j < B.cols(); ++j)
+      apply_scaled(map, B.col(j).data(), images.col(j).data());
+    const Eigen::MatrixXd A         = B.transpose() * images;
+    const double          remainder = (images - B * A).norm() / std::max(images.norm(), 1e-300);
+    if (!(remainder < allowed_remainder))
+      throw NotConverged("floquet analysis: changes that constraints allow become such that they do not, by " +
+                         number_to_text("%.1e", remainder) +
+                         " of their size.\n  Take more <Steps>, or let the motion settle better");
+    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
+    FloquetModes                              result;
+    result.n_columns = B.cols();
+    result.is_all    = true;
+    for (int i = 0; i < A.cols(); ++i)
+      if (const Complex value = eigen.eigenvalues()(i); is_wanted(value))
+        result.found.push_back(mode_of(map,
+                                       value,
+                                       B * eigen.eigenvectors().col(i),
+                                       (A * eigen.eigenvectors().col(i) - value * eigen.eigenvectors().col(i)).norm()));
+    put_in_order(result, A.norm());
+    return result;
+  }
+
+
+
+  FloquetModes
+  largest_floquet_modes(SectionMap &map, const unsigned int wanted, const double tolerance)
+  {
+    const unsigned int n = map.map.size();
+    ArnoldiSettings    settings;
+    settings.tolerance     = tolerance;
+    settings.largest_basis = 2 * wanted + 10;
+    settings.most_products = 1000;
+    const EigenPairs pairs = arnoldi(
+      n, [&](const double *x, double *y) { apply_scaled(map, x, y); }, std::min(wanted, n), settings);
+    FloquetModes result;
+    result.n_columns = pairs.n_products;
+    for (unsigned int i = 0; i < pairs.values.size(); ++i)
+      if (is_wanted(pairs.values[i]))
+        result.found.push_back(mode_of(map, pairs.values[i], pairs.vectors.col(i), pairs.residuals[i]));
+    put_in_order(result, std::abs(pairs.values[0]));
+    return result;
+  }
+
+
+
+  void
+  describe(SectionMap &map, FloquetModes &modes, const unsigned int n)
+  {
+    const double section = map.map.settings.period, T = section * map.repeated().n(),
+                 h = section / map.map.settings.n_steps;
+    const Tableau tableau(map.map.settings.n_stages, map.map.settings.spectral_radius);
+    modes.found.resize(std::min<std::size_t>(n, modes.found.size()));
+    for (auto &mode : modes.found)
+      {
+        const Complex principal = std::log(mode.of_section) / section;
+        const int     m         = largest_harmonic(map, mode, principal);
+        mode.exponent           = {principal.real(), std::abs(principal.imag() + m * 2 * M_PI / T)};
+        mode.scheme_error       = error_of_scheme(tableau, mode.frequency(), h);
+      }
+  }
+} // namespace samara

@@ -1,0 +1,266 @@
+#include <samara/analysis/repeated_parts.h>
+#include <samara/base/text.h>
+#include <samara/time/increment.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace samara
+{
+  namespace
+  {
+    /** Where @p part stands in @p name as a word of its own, "blade 1" not in "blade 10"; npos: nowhere. */
+    std::size_t
+    find_word(const std::string &name, const std::string &part)
+    {
+      const auto is_of_word = [&](const std::size_t i) {
+        return i < name.size() && std::isalnum(static_cast<unsigned char>(name[i]));
+      };
+      for (auto at = name.find(part); at != std::string::npos; at = name.find(part, at + 1))
+        if ((at == 0 || !is_of_word(at - 1)) && !is_of_word(at + part.size()))
+          return at;
+      return std::string::npos;
+    }
+
+
+
+    /** What is called by names: nodes, of which several have one name, coordinates, states. */
+    struct Named
+    {
+      std::vector<std::string>                         names;
+      std::map<std::string, std::vector<unsigned int>> by_name;
+
+      explicit Named(const std::vector<std::string> &names)
+        : names(names)
+      {
+        for (unsigned int i = 0; i < names.size(); ++i)
+          by_name[names[i]].push_back(i);
+      }
+    };
+
+
+
+    using Groups = std::vector<std::vector<std::string>>;
+
+    /** The name with the next part in place of one; empty if no part is in it. Longer names of parts go first. */
+    std::string
+    next_name(const std::string &name, const Groups &groups, std::set<std::string> &seen)
+    {
+      std::string part, next;
+      for (const auto &group : groups)
+        for (unsigned int k = 0; k < group.size(); ++k)
+          if (group[k].size() > part.size() && find_word(name, group[k]) != std::string::npos)
+            {
+              part = group[k];
+              next = group[(k + 1) % group.size()];
+            }
+      if (part.empty())
+        return "";
+      seen.insert(part);
+      std::string result = name;
+      return result.replace(find_word(name, part), part.size(), next);
+    }
+
+
+
+    /** What each becomes. @throws std::invalid_argument for one without counterpart. */
+    std::vector<unsigned int>
+    successors(const Named &all, const Groups &groups, std::set<std::string> &seen, const std::string &noun)
+    {
+      std::vector<unsigned int> result(all.names.size());
+      for (const auto &[name, numbers] : all.by_name)
+        {
+          const std::string next = next_name(name, groups, seen);
+          if (next.empty())
+            {
+              for (const auto i : numbers)
+                result[i] = i;
+              continue;
+            }
+          const auto of_next = all.by_name.find(next);
+          if (of_next == all.by_name.end() || of_next->second.size() != numbers.size())
+            throw std::invalid_argument(
+              noun + " of <" + name + "> should become that of <" + next + ">, which has " +
+              (of_next == all.by_name.end() ? "none" : std::to_string(of_next->second.size())) + " in place of " +
+              std::to_string(numbers.size()) +
+              "; are parts welded to each other? Then what joins them should stand before them in the file");
+          for (unsigned int k = 0; k < numbers.size(); ++k)
+            result[numbers[k]] = of_next->second[k];
+        }
+      return result;
+    }
+
+
+
+    std::vector<std::string>
+    names_of_nodes(const Model &model)
+    {
+      std::vector<std::string> names;
+      for (const auto &node : model.nodes)
+        names.push_back(node.name);
+      return names;
+    }
+
+
+
+    std::vector<std::string>
+    names_of_states(const Model &model)
+    {
+      std::vector<std::string> names;
+      for (const auto &state : model.states)
+        names.push_back(state.name);
+      return names;
+    }
+
+
+
+    /** Angle of @p R to the nearest multiple of @p part, with its axis. */
+    Vector3
+    rotation_beyond_parts(const Matrix3 &R, const double part)
+    {
+      const Vector3 r     = vector_of_rotation(R);
+      const double  angle = r.norm();
+      return angle > 0 ? Vector3(r / angle * std::remainder(angle, part)) : Vector3::Zero();
+    }
+  } // namespace
+
+
+
+  RepeatedParts::RepeatedParts(const System &system)
+    : RepeatedParts(system, {}, {})
+  {}
+
+
+
+  RepeatedParts::RepeatedParts(const System &system, const Groups &groups, const std::vector<std::string> &turning)
+    : system(system)
+    , node_turns(system.layout.n_nodes, false)
+    , coordinate_turns(system.layout.n_coordinates, false)
+    , axes(system.layout.n_nodes, Matrix3::Identity())
+  {
+    for (const auto &group : groups)
+      if (group.size() < 2 || group.size() != groups[0].size())
+        throw std::invalid_argument("all groups of repeated parts must have the same number of names, two or more");
+    if (!groups.empty())
+      n_parts = groups[0].size();
+    std::set<std::string> seen;
+    const Named           nodes(names_of_nodes(system.model)), coordinates(system.model.coordinates);
+    node_becomes       = successors(nodes, groups, seen, "a node");
+    coordinate_becomes = successors(coordinates, groups, seen, "a coordinate");
+    state_becomes      = successors(Named(names_of_states(system.model)), groups, seen, "a state");
+    for (const auto &group : groups)
+      for (const auto &part : group)
+        if (seen.count(part) == 0)
+          throw std::invalid_argument("nothing that moves belongs to <" + part + ">" + did_you_mean(part, nodes.names));
+
+    for (unsigned int i = 0; i < node_becomes.size(); ++i)
+      node_turns[i] = node_becomes[i] != i;
+    for (const auto &part : turning)
+      {
+        bool is_known = false;
+        for (unsigned int i = 1; i < nodes.names.size(); ++i)
+          if (find_word(nodes.names[i], part) != std::string::npos)
+            node_turns[i] = is_known = true;
+        for (unsigned int i = 0; i < coordinates.names.size(); ++i)
+          if (find_word(coordinates.names[i], part) != std::string::npos)
+            coordinate_turns[i] = is_known = true;
+        if (!is_known)
+          throw std::invalid_argument("nothing that moves is called <" + part + ">" + did_you_mean(part, nodes.names));
+      }
+  }
+
+
+
+  void
+  RepeatedParts::align(const State &start, const State &end)
+  {
+    for (unsigned int node = 1; node < axes.size(); ++node)
+      if (node_turns[node])
+        axes[node] = start.triad(node_becomes[node]).transpose() * end.triad(node);
+  }
+
+
+
+  void
+  RepeatedParts::apply(double *x) const
+  {
+    if (n_parts == 1)
+      return;
+    const Layout             &layout = system.layout;
+    const std::vector<double> before(x, x + size_of_increment(layout));
+    for (const int velocities : {0, layout.of_multiplier(0)})
+      {
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          for (const int part : {0, 3})
+            Eigen::Map<Vector3>(x + velocities + layout.of_node(node_becomes[node]) + part).noalias() =
+              axes[node] * Eigen::Map<const Vector3>(&before[velocities + layout.of_node(node) + part]);
+        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+          x[velocities + layout.of_coordinate(coordinate_becomes[i])] = before[velocities + layout.of_coordinate(i)];
+      }
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      x[layout.of_state(state_becomes[i])] = before[layout.of_state(i)];
+  }
+
+
+
+  void
+  RepeatedParts::apply_inverse(double *x) const
+  {
+    if (n_parts == 1)
+      return;
+    const Layout             &layout = system.layout;
+    const std::vector<double> before(x, x + size_of_increment(layout));
+    for (const int velocities : {0, layout.of_multiplier(0)})
+      {
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          for (const int part : {0, 3})
+            Eigen::Map<Vector3>(x + velocities + layout.of_node(node) + part).noalias() =
+              axes[node].transpose() *
+              Eigen::Map<const Vector3>(&before[velocities + layout.of_node(node_becomes[node]) + part]);
+        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+          x[velocities + layout.of_coordinate(i)] = before[velocities + layout.of_coordinate(coordinate_becomes[i])];
+      }
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      x[layout.of_state(i)] = before[layout.of_state(state_becomes[i])];
+  }
+
+
+
+  std::vector<double>
+  RepeatedParts::gap(const State &start, const State &end) const
+  {
+    if (n_parts == 1)
+      return increment(system, start, end, true);
+    const Layout       &layout = system.layout;
+    std::vector<double> x(size_of_increment(layout), 0.);
+    double *const       velocities = x.data() + layout.of_multiplier(0);
+    const double        turn       = 2 * M_PI / n_parts;
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      {
+        const unsigned int  to = node_becomes[node];
+        const Matrix3       D = start.triad(to), relative = D.transpose() * end.triad(node);
+        Eigen::Map<Vector6> place(&x[layout.of_node(to)]), velocity(velocities + layout.of_node(to));
+        place.head<3>() = D.transpose() * (end.position(node) - start.position(to));
+        place.tail<3>() = node_turns[node] ? rotation_beyond_parts(relative, turn) : vector_of_rotation(relative);
+        const Eigen::Map<const Vector3> v(&end.y[6 * node]), spin(&end.y[6 * node + 3]);
+        velocity << axes[node] * v, axes[node] * spin;
+        velocity -= Eigen::Map<const Vector6>(&start.y[6 * to]);
+      }
+    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+      {
+        const unsigned int to     = coordinate_becomes[i];
+        double             change = end.coordinates[i] - start.coordinates[to];
+        if (system.model.coordinate_units[i] == "rad")
+          change = std::remainder(change, coordinate_turns[i] ? turn : 2 * M_PI);
+        x[layout.of_coordinate(to)]          = change;
+        velocities[layout.of_coordinate(to)] = end.rates[i] - start.rates[to];
+      }
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      x[layout.of_state(state_becomes[i])] = end.states[i] - start.states[state_becomes[i]];
+    return x;
+  }
+} // namespace samara

@@ -1,0 +1,191 @@
+#include <samara/analysis/section_map.h>
+#include <samara/base/interrupt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace samara
+{
+  SectionMap::SectionMap(const System &system, const PeriodSettings &settings, const RepeatedParts &parts)
+    : system(system)
+    , map(system, settings)
+    , parts(parts)
+    , scale(scales_of_increment(system, settings.period * parts.n() / (2 * M_PI)))
+  {}
+
+
+
+  SectionMap::Gap
+  SectionMap::gap_between(const State &start, const State &end) const
+  {
+    const std::vector<double> x = parts.gap(start, end);
+    // speeds count by the largest that there are
+    double       speed       = 1;
+    unsigned int n_positions = system.layout.of_multiplier(0);
+    for (int i = 0; i < system.layout.of_coordinate(0); ++i)
+      speed = std::max(speed, std::abs(start.y[6 + i]) / scale[n_positions + i]);
+    Gap result;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      if (const double size = std::abs(x[i]) / scale[i] / (i < n_positions ? 1. : speed); !(size <= result.size))
+        result = {size, i < n_positions ? i : i - n_positions};
+    return result;
+  }
+
+
+
+  State
+  SectionMap::settle(const State &start, const unsigned int most, const double enough)
+  {
+    State state = start;
+    map.project(state);
+    for (unsigned int i = 0;; ++i)
+      {
+        throw_if_interrupted();
+        const bool  is_last = i + 1 >= std::max(1u, most) * parts.n();
+        const State before  = state;
+        state               = map.march(before);
+        parts.align(before, state);
+        gap            = gap_between(before, state);
+        n_sections_run = i + 1;
+        if (is_last || gap.size <= enough || !std::isfinite(gap.size))
+          {
+            map.linearize(before);
+            return before;
+          }
+      }
+  }
+
+
+
+  void
+  SectionMap::apply(double *x)
+  {
+    throw_if_interrupted();
+    map.apply(x);
+    parts.apply(x);
+  }
+
+
+
+  double
+  SectionMap::scaled_norm(const std::vector<double> &x) const
+  {
+    double sum = 0;
+    for (unsigned int i = 0; i < x.size(); ++i)
+      sum += (x[i] / scale[i]) * (x[i] / scale[i]);
+    return std::sqrt(sum);
+  }
+
+
+
+  double
+  SectionMap::difference_behind()
+  {
+    std::mt19937                           generator(map.size());
+    std::uniform_real_distribution<double> number(-1., 1.);
+    std::vector<double>                    by_map(map.size());
+    for (unsigned int i = 0; i < by_map.size(); ++i)
+      by_map[i] = number(generator) * scale[i];
+    std::vector<double> carried = by_map;
+    map.apply(carried.data());
+    apply(by_map.data());
+    State  state  = map.states().back();
+    double result = 0;
+    for (unsigned int j = 1; j < std::max(2u, parts.n()); ++j)
+      {
+        throw_if_interrupted();
+        state = map.carry(state, carried.data());
+        apply(by_map.data());
+        std::vector<double> back = carried;
+        for (unsigned int i = 0; i <= j; ++i)
+          parts.apply(back.data());
+        const double size = scaled_norm(by_map);
+        for (unsigned int i = 0; i < back.size(); ++i)
+          back[i] -= by_map[i];
+        result = std::max(result, scaled_norm(back) / size);
+      }
+    return result;
+  }
+
+
+
+  void
+  SectionMap::follow(const Eigen::VectorXcd                                                       &shape,
+                     const std::complex<double>                                                    value,
+                     const std::function<void(unsigned int i, const Eigen::VectorXcd &increment)> &f)
+  {
+    const unsigned int            n = map.settings.n_steps;
+    std::vector<Eigen::VectorXcd> images;
+    Eigen::VectorXd               re = shape.real(), im = shape.imag();
+    const bool                    is_real = im.isZero(0.);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        images.push_back(re.cast<std::complex<double>>() + std::complex<double>(0, 1) * im);
+        map.apply_step(re.data(), i);
+        if (!is_real)
+          map.apply_step(im.data(), i);
+      }
+    // behind the section: Φ(s) P⁻¹ S v = σ P⁻¹ Φ(s) v
+    for (unsigned int part = 0; part < parts.n(); ++part)
+      {
+        for (unsigned int i = 0; i < n; ++i)
+          f(part * n + i, images[i]);
+        for (auto &image : images)
+          {
+            re = image.real();
+            im = image.imag();
+            parts.apply_inverse(re.data());
+            parts.apply_inverse(im.data());
+            image = value * (re.cast<std::complex<double>>() + std::complex<double>(0, 1) * im);
+          }
+      }
+  }
+
+
+
+  Eigen::MatrixXd
+  SectionMap::basis()
+  {
+    const Layout       &layout      = system.layout;
+    const State        &start       = map.states().front();
+    const unsigned int  n_positions = layout.of_multiplier(0), n_velocities = layout.n_kinematic();
+    SparseMatrix        K(layout.pattern);
+    std::vector<double> no_multipliers(layout.n_multipliers, 0.);
+    Point<double>       point = start.point();
+    point.held                = false;
+    point.multipliers         = no_multipliers.data();
+    system.add_constraint_tangent(point, K);
+    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(layout.n_multipliers, n_positions);
+    for (unsigned int j = 0; j < n_positions; ++j)
+      for (int k = K.pattern->column_start[j]; k < K.pattern->column_start[j + 1]; ++k)
+        if (const int i = K.pattern->rows[k] - int(n_positions); i >= 0)
+          G(i, j) = K.values[k] * scale[j];
+    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+      if (const double norm = G.row(i).norm(); norm > 0)
+        G.row(i) /= norm;
+
+    const auto kernel = [](const Eigen::MatrixXd &A) {
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
+      qr.setThreshold(1e-10);
+      return Eigen::MatrixXd(Eigen::MatrixXd(qr.householderQ()).rightCols(A.cols() - qr.rank()));
+    };
+    Eigen::MatrixXd of_positions = G;
+    for (const auto i : layout.nonholonomic)
+      of_positions.row(i).setZero();
+    const Eigen::MatrixXd positions = kernel(of_positions), velocities = kernel(G.leftCols(n_velocities));
+    Eigen::MatrixXd       result = Eigen::MatrixXd::Zero(map.size(), positions.cols() + velocities.cols());
+    for (int j = 0; j < positions.cols(); ++j)
+      {
+        std::vector<double> x(map.size(), 0.);
+        for (unsigned int i = 0; i < n_positions; ++i)
+          x[i] = positions(i, j) * scale[i];
+        map.project_increment(start, x.data());
+        for (unsigned int i = 0; i < x.size(); ++i)
+          result(i, j) = x[i] / scale[i];
+      }
+    result.bottomRightCorner(n_velocities, velocities.cols()) = velocities;
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(result).householderQ() *
+           Eigen::MatrixXd::Identity(result.rows(), result.cols());
+  }
+} // namespace samara
