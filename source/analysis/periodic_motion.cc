@@ -75,8 +75,9 @@ namespace samara
           }
         catch (const SingularMatrix &problem)
           {
-            throw NotConverged("t = " + number_to_text("%.6g", state.time) + " s: forces are not determined" +
-                               (problem.unknown >= 0 ? " at " + system.layout.name_of(problem.unknown) : std::string()));
+            throw NotConverged(
+              "t = " + number_to_text("%.6g", state.time) + " s: forces are not determined" +
+              (problem.unknown >= 0 ? " at " + system.layout.name_of(problem.unknown) : std::string()));
           }
         seen = &reported;
       }

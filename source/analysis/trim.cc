@@ -75,8 +75,8 @@ namespace samara
         const Control &control = controls.back();
         const double   value   = context.state.states[i];
         if (!(control.lower <= value && value <= control.upper && control.lower < control.upper))
-          throw InputError(trim.parameters.where("Controls") + ": <" + given.name + "> is " + number_to_text("%.6g", value) +
-                           " " + unit + " at the start, outside of its limits");
+          throw InputError(trim.parameters.where("Controls") + ": <" + given.name + "> is " +
+                           number_to_text("%.6g", value) + " " + unit + " at the start, outside of its limits");
       }
   }
 
@@ -177,7 +177,8 @@ namespace samara
   {
     double share = 1;
     for (unsigned int j = 0; j < controls.size(); ++j)
-      if (const double room = (du(j) > 0 ? controls[j].upper : controls[j].lower) - u(j); std::abs(du(j)) > std::abs(room))
+      if (const double room = (du(j) > 0 ? controls[j].upper : controls[j].lower) - u(j);
+          std::abs(du(j)) > std::abs(room))
         share = std::min(share, room / du(j));
     return std::max(share, 0.);
   }
@@ -187,11 +188,10 @@ namespace samara
   void
   TrimAnalysis::Run::start()
   {
-    // where laws do not fit the position at the start, controls grow from zero in the first period
-    const VectorX u     = controls_of(context.state);
-    State         begin = context.state;
-    begin.held          = false;
-    begin.time          = trim.start_time;
+    // where laws do not fit the position at the start, what keeps still grows from zero in the first period
+    State begin = context.state;
+    begin.held  = false;
+    begin.time  = trim.start_time;
     std::vector<double> r(system.size() + 6, 0.);
     system.add_gaps(begin.point(), r.data());
     for (const auto i : system.released_multipliers())
@@ -204,15 +204,20 @@ namespace samara
         }));
     const bool grows = largest > 1e-6 * std::max(1., model_length(system.model));
 
-    Context from = context;
+    Context             from   = context;
+    std::vector<double> values = begin.states, rates(values.size());
+    system.state_rates(begin.point(), rates.data());
     if (grows)
-      set_controls(from.state, VectorX::Zero(u.size()));
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        if (rates[i] == 0)
+          from.state.states[i] = 0;
     state = start_of_motion(from, {trim.parameters.where(), trim.start_time});
     require_controls(state);
     State end = state;
     motion->turn(end, [&](State &now, const unsigned int step, const std::vector<double> &) {
-      if (grows)
-        set_controls(now, double(step + 1) / trim.n_steps * u);
+      for (unsigned int i = 0; grows && i < rates.size(); ++i)
+        if (rates[i] == 0)
+          now.states[i] = double(step + 1) / trim.n_steps * values[i];
     });
     motion->begin_again(state, end);
     state = end;
@@ -251,7 +256,8 @@ namespace samara
     result.gap      = motion->gap(from, result.end);
     result.miss = result.largest_gap = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
-      if (const double miss = std::abs(result.averages(k) - targets[k].value) / targets[k].scale; !(miss <= result.miss))
+      if (const double miss = std::abs(result.averages(k) - targets[k].value) / targets[k].scale;
+          !(miss <= result.miss))
         {
           result.miss         = miss;
           result.worst_target = k;
@@ -310,12 +316,11 @@ namespace samara
                      number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
                      number_to_text("%.1e", found.miss) + " of their scales");
     for (unsigned int j = 0; j < controls.size(); ++j)
-      context.log.line("  " + controls[j].name + " = " + number_to_text("%.8g", trim.report.controls[j]) +
-                       (controls[j].unit == "1"   ? "" :
-                        controls[j].unit == "rad" ? " rad (" +
-                                                      number_to_text("%.6g", trim.report.controls[j] * 180 / M_PI) +
-                                                      " deg)" :
-                                                    " " + controls[j].unit));
+      context.log.line(
+        "  " + controls[j].name + " = " + number_to_text("%.8g", trim.report.controls[j]) +
+        (controls[j].unit == "1"   ? "" :
+         controls[j].unit == "rad" ? " rad (" + number_to_text("%.6g", trim.report.controls[j] * 180 / M_PI) + " deg)" :
+                                     " " + controls[j].unit));
   }
 
 

@@ -77,7 +77,7 @@ namespace samara
     /** What entry @p i of an increment is, for messages. */
     std::string name_of(unsigned int i) const;
 
-    unsigned int n_turns = 0; ///< that have been marched
+    unsigned int n_turns   = 0;                                         ///< that have been marched
     unsigned int n_marched = 0, n_iterations = 0, n_factorizations = 0; ///< steps, and what they took
 
   private:

@@ -117,7 +117,7 @@ namespace samara
     std::vector<TrimTarget>  targets;
     std::vector<LateNumber>  scales;
     std::string              method = "Newton-Krylov";
-    double                   period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
+    double period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
            time_constant = 2;
     unsigned int n_steps = 60, n_stages = 3, settle = 3, most_turns = 200, max_iterations = 50, most_products = 60;
 
