@@ -145,7 +145,7 @@ namespace samara
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
     analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
-    analyses.add<TrimAnalysis>("trim", "controls for which a periodic motion meets its targets", integrators);
+    analyses.add<TrimAnalysis>("trim", "controls for which a periodic motion meets its targets");
     analyses.add<FloquetAnalysis>("floquet", "stability of periodic motion");
     analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");
   }

@@ -1,7 +1,8 @@
 #include <samara/analysis/periodic_motion.h>
+#include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/text.h>
 #include <samara/model/probe_needs.h>
-#include <samara/solvers/newton.h>
 #include <samara/time/projection.h>
 #include <samara/time/stage_integrator.h>
 #include <samara/time/stepper.h>
@@ -10,73 +11,6 @@
 
 namespace samara
 {
-  namespace increment
-  {
-    unsigned int
-    size(const System &system)
-    {
-      return system.layout.of_multiplier(0) + system.layout.n_kinematic();
-    }
-
-
-
-    State
-    moved(const System &system, const State &state, const std::vector<double> &x)
-    {
-      const Layout &layout     = system.layout;
-      const int     velocities = layout.of_multiplier(0);
-      State         result     = state;
-      for (unsigned int node = 1; node < layout.n_nodes; ++node)
-        {
-          const Eigen::Map<const Vector6> zeta(&x[layout.of_node(node)]);
-          Eigen::Map<Vector3>             place(&result.q[12 * node]);
-          Eigen::Map<Matrix3>             D(&result.q[12 * node + 3]);
-          place += D * zeta.head<3>();
-          D = (D * rotation_of_vector(Vector3(zeta.tail<3>()))).eval();
-          Eigen::Map<Vector6>(&result.y[6 * node]) +=
-            Eigen::Map<const Vector6>(&x[velocities + layout.of_node(node)]);
-        }
-      for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-        {
-          result.coordinates[i] += x[layout.of_coordinate(i)];
-          result.rates[i] += x[velocities + layout.of_coordinate(i)];
-        }
-      for (unsigned int i = 0; i < layout.n_states; ++i)
-        result.states[i] += x[layout.of_state(i)];
-      system.stresses(result, result.stress);
-      return result;
-    }
-
-
-
-    std::vector<double>
-    between(const System &system, const State &from, const State &to)
-    {
-      const Layout       &layout     = system.layout;
-      const int           velocities = layout.of_multiplier(0);
-      std::vector<double> x(size(system));
-      for (unsigned int node = 1; node < layout.n_nodes; ++node)
-        {
-          const Matrix3 D = from.triad(node);
-          Eigen::Map<Vector6>(&x[layout.of_node(node)]) << D.transpose() * (to.position(node) - from.position(node)),
-            vector_of_rotation(D.transpose() * to.triad(node));
-          Eigen::Map<Vector6> velocity(&x[velocities + layout.of_node(node)]);
-          velocity =
-            Eigen::Map<const Vector6>(&to.y[6 * node]) - Eigen::Map<const Vector6>(&from.y[6 * node]);
-        }
-      for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-        {
-          x[layout.of_coordinate(i)]              = to.coordinates[i] - from.coordinates[i];
-          x[velocities + layout.of_coordinate(i)] = to.rates[i] - from.rates[i];
-        }
-      for (unsigned int i = 0; i < layout.n_states; ++i)
-        x[layout.of_state(i)] = to.states[i] - from.states[i];
-      return x;
-    }
-  } // namespace increment
-
-
-
   namespace
   {
     double
@@ -103,7 +37,7 @@ namespace samara
                                  const std::vector<PeriodAverage> &averages)
     : period(period)
     , n_steps(n_steps)
-    , context(context)
+    , scales(scales_of_increment(context.system, period / (2 * M_PI)))
     , system(context.system)
     , settings(settings)
     , averages(averages)
@@ -114,17 +48,6 @@ namespace samara
     const ProbeNeeds needs(probes);
     needs_velocities = needs.velocities;
     needs_forces     = needs.forces;
-
-    const Layout &layout = system.layout;
-    const double  length = model_length(system.model), rate = 2 * M_PI / period;
-    scales.assign(increment::size(system), 1.);
-    for (int i = 0; i < layout.n_kinematic(); ++i)
-      {
-        scales[i]                            = layout.is_length(i) ? length : 1.;
-        scales[layout.of_multiplier(0) + i] = scales[i] * rate;
-      }
-    for (unsigned int i = 0; i < layout.n_states; ++i)
-      scales[layout.of_state(i)] = system.model.states[i].scale;
   }
 
 
@@ -146,7 +69,16 @@ namespace samara
     if (needs_velocities || needs_forces)
       {
         reported = state;
-        projection.report(reported, needs_forces);
+        try
+          {
+            projection.report(reported, needs_forces);
+          }
+        catch (const SingularMatrix &problem)
+          {
+            throw NotConverged(
+              "t = " + number_to_text("%.6g", state.time) + " s: forces are not determined" +
+              (problem.unknown >= 0 ? " at " + system.layout.name_of(problem.unknown) : std::string()));
+          }
         seen = &reported;
       }
     std::vector<double> result;
@@ -158,9 +90,9 @@ namespace samara
 
 
   std::vector<double>
-  PeriodicMotion::turn(State &state, const Observer &observer, const unsigned int n_done)
+  PeriodicMotion::turn(State &state, const Observer &observer)
   {
-    const double        h = period / n_steps, start = state.time - n_done * h;
+    const double        h = period / n_steps, start = state.time;
     StageIntegrator     integrator(system, settings);
     Stepper             stepper(system, integrator, h, 1e-3 * h);
     Projection          projection(system);
@@ -169,10 +101,8 @@ namespace samara
       for (unsigned int k = 0; k < sums.size(); ++k)
         sums[k] += weight * weighted(k, y[k], state.time);
     };
-    const unsigned int n = n_steps - n_done;
-    if (n == n_steps)
-      add(values(state, projection), 0.5 / n);
-    for (unsigned int i = n_done; i < n_steps; ++i)
+    add(values(state, projection), 0.5 / n_steps);
+    for (unsigned int i = 0; i < n_steps; ++i)
       {
         throw_if_interrupted();
         const double goal = start + (i + 1) * h;
@@ -183,7 +113,7 @@ namespace samara
             ++n_marched;
           }
         const auto y = values(state, projection);
-        add(y, (i + 1 < n_steps || n < n_steps ? 1. : 0.5) / n);
+        add(y, (i + 1 < n_steps ? 1. : 0.5) / n_steps);
         if (observer)
           {
             const auto before = state.states;
@@ -193,7 +123,7 @@ namespace samara
           }
       }
     require_finite_state(system, state);
-    n_turns += double(n) / n_steps;
+    ++n_turns;
     n_factorizations += integrator.n_factorizations;
     return sums;
   }
@@ -214,10 +144,6 @@ namespace samara
   std::vector<double>
   PeriodicMotion::gap(const State &start, const State &end) const
   {
-    auto x = increment::between(system, start, end);
-    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-      if (const int at = system.layout.of_coordinate(i); !system.layout.is_length(at))
-        x[at] -= whole_turns(x[at]);
-    return x;
+    return increment(system, start, end, true);
   }
 } // namespace samara

@@ -114,6 +114,15 @@ namespace samara
   {
     const System &system = context.system;
     State         state  = context.state;
+    if (!context.is_equilibrium && !state.held)
+      {
+        // a motion goes on
+        if (std::abs(how.time - state.time) > 1e-9 * std::max(1., std::abs(state.time)))
+          throw InputError(how.where + ": the motion before it has come to t = " + number_to_text("%.9g", state.time) +
+                           " s; give this <Start time>, at which it goes on");
+        check_positions(system, state);
+        return state;
+      }
     if (context.is_equilibrium && state.factor != 1)
       context.log.warning("",
                           "the static analysis has ended at the load factor " + short_text(state.factor) +

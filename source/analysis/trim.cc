@@ -1,6 +1,6 @@
 // A search for trim: what the controls and targets are, where the motion starts, and what is said in the end.
 
-#include <samara/analysis/dynamic.h>
+#include <samara/analysis/start_of_motion.h>
 #include <samara/analysis/trim_run.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace samara
 {
@@ -76,8 +75,8 @@ namespace samara
         const Control &control = controls.back();
         const double   value   = context.state.states[i];
         if (!(control.lower <= value && value <= control.upper && control.lower < control.upper))
-          throw InputError(trim.parameters.where("Controls") + ": <" + given.name + "> is " + number_to_text("%.6g", value) +
-                           " " + unit + " at the start, outside of its limits");
+          throw InputError(trim.parameters.where("Controls") + ": <" + given.name + "> is " +
+                           number_to_text("%.6g", value) + " " + unit + " at the start, outside of its limits");
       }
   }
 
@@ -178,7 +177,8 @@ namespace samara
   {
     double share = 1;
     for (unsigned int j = 0; j < controls.size(); ++j)
-      if (const double room = (du(j) > 0 ? controls[j].upper : controls[j].lower) - u(j); std::abs(du(j)) > std::abs(room))
+      if (const double room = (du(j) > 0 ? controls[j].upper : controls[j].lower) - u(j);
+          std::abs(du(j)) > std::abs(room))
         share = std::min(share, room / du(j));
     return std::max(share, 0.);
   }
@@ -188,11 +188,10 @@ namespace samara
   void
   TrimAnalysis::Run::start()
   {
-    // where laws do not fit the position at the start, controls grow from zero in the first period
-    const VectorX u     = controls_of(context.state);
-    State         begin = context.state;
-    begin.held          = false;
-    begin.time          = trim.start_time;
+    // where laws do not fit the position at the start, what keeps still grows from zero in the first period
+    State begin = context.state;
+    begin.held  = false;
+    begin.time  = trim.start_time;
     std::vector<double> r(system.size() + 6, 0.);
     system.add_gaps(begin.point(), r.data());
     for (const auto i : system.released_multipliers())
@@ -205,49 +204,23 @@ namespace samara
         }));
     const bool grows = largest > 1e-6 * std::max(1., model_length(system.model));
 
-    std::ostringstream said;
-    Log                log(said, true);
-    Context            inner{system, log, "", {}, false, context.state, context.speeds, {}};
-    inner.is_equilibrium = context.is_equilibrium;
-    inner.least_norm     = context.least_norm;
+    Context             from   = context;
+    std::vector<double> values = begin.states, rates(values.size());
+    system.state_rates(begin.point(), rates.data());
     if (grows)
-      set_controls(inner.state, VectorX::Zero(u.size()));
-    DynamicAnalysis first(trim.integrators);
-    first.add_parameters(first.parameters);
-    first.start_time       = trim.start_time;
-    first.step             = trim.period / trim.n_steps;
-    first.end_time         = trim.start_time + first.step;
-    first.n_stages         = trim.n_stages;
-    first.spectral_radius  = trim.spectral_radius;
-    first.newton_tolerance = trim.newton_tolerance;
-    first.max_iterations   = trim.max_iterations;
-    first.n_pictures       = 0;
-    first.energy_balance   = "warn";
-    try
-      {
-        first.run(inner);
-      }
-    catch (const InputError &error)
-      {
-        const std::string text = error.what();
-        throw InputError(trim.parameters.where() + (text.rfind(": ", 0) == 0 ? text : ": " + text));
-      }
-    std::istringstream lines(said.str());
-    for (std::string line; std::getline(lines, line);)
-      context.log.warning("trim", line.substr(line.find("warning: ") + 9));
-
-    require_controls(inner.state);
-    State end = inner.state;
-    motion->turn(
-      end,
-      [&](State &now, const unsigned int step, const std::vector<double> &) {
-        if (grows)
-          set_controls(now, double(step + 1) / trim.n_steps * u);
-      },
-      1);
-    motion->begin_again(inner.state, end);
-    end.time = trim.start_time;
-    state    = end;
+      for (unsigned int i = 0; i < rates.size(); ++i)
+        if (rates[i] == 0)
+          from.state.states[i] = 0;
+    state = start_of_motion(from, {trim.parameters.where(), trim.start_time});
+    require_controls(state);
+    State end = state;
+    motion->turn(end, [&](State &now, const unsigned int step, const std::vector<double> &) {
+      for (unsigned int i = 0; grows && i < rates.size(); ++i)
+        if (rates[i] == 0)
+          now.states[i] = double(step + 1) / trim.n_steps * values[i];
+    });
+    motion->begin_again(state, end);
+    state = end;
     for (unsigned int i = 1; i < trim.settle; ++i)
       {
         motion->turn(end);
@@ -275,7 +248,7 @@ namespace samara
   TrimAnalysis::Run::look(const State &from, const PeriodicMotion::Observer &observer)
   {
     if (motion->n_turns >= trim.most_turns)
-      fail("it is not found in " + number_to_text("%g", trim.most_turns) + " turns (<Most turns>)");
+      fail("it is not found in " + std::to_string(trim.most_turns) + " turns (<Most turns>)");
     Look result;
     result.start    = from;
     result.end      = from;
@@ -283,7 +256,8 @@ namespace samara
     result.gap      = motion->gap(from, result.end);
     result.miss = result.largest_gap = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
-      if (const double miss = std::abs(result.averages(k) - targets[k].value) / targets[k].scale; !(miss <= result.miss))
+      if (const double miss = std::abs(result.averages(k) - targets[k].value) / targets[k].scale;
+          !(miss <= result.miss))
         {
           result.miss         = miss;
           result.worst_target = k;
@@ -338,16 +312,15 @@ namespace samara
     confirm(found);
     leave(found);
     write(found);
-    context.log.line("trim: found in " + number_to_text("%.4g", motion->n_turns) + " turns; the orbit closes to " +
+    context.log.line("trim: found in " + std::to_string(motion->n_turns) + " turns; the orbit closes to " +
                      number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
                      number_to_text("%.1e", found.miss) + " of their scales");
     for (unsigned int j = 0; j < controls.size(); ++j)
-      context.log.line("  " + controls[j].name + " = " + number_to_text("%.8g", trim.report.controls[j]) +
-                       (controls[j].unit == "1"   ? "" :
-                        controls[j].unit == "rad" ? " rad (" +
-                                                      number_to_text("%.6g", trim.report.controls[j] * 180 / M_PI) +
-                                                      " deg)" :
-                                                    " " + controls[j].unit));
+      context.log.line(
+        "  " + controls[j].name + " = " + number_to_text("%.8g", trim.report.controls[j]) +
+        (controls[j].unit == "1"   ? "" :
+         controls[j].unit == "rad" ? " rad (" + number_to_text("%.6g", trim.report.controls[j] * 180 / M_PI) + " deg)" :
+                                     " " + controls[j].unit));
   }
 
 

@@ -136,12 +136,6 @@ namespace samara
 
 
 
-  TrimAnalysis::TrimAnalysis(const std::shared_ptr<const Integrators> &integrators)
-    : integrators(integrators)
-  {}
-
-
-
   void
   TrimAnalysis::add_parameters(Parameters &prm)
   {
@@ -150,14 +144,16 @@ namespace samara
             controls,
             "States of first order that keep still, as those of type <control>, with their limits: collective from -5 "
             "deg to 20 deg, lateral, longitudinal.");
-    prm.add("Targets",
-            targets,
-            "As many probes, means over a period or harmonics 2/T times the integral of y cos(n 2 pi t/T), and the values they shall "
-            "have: flow.thrust = 30 kN, cos 1 of flap.rotation = 0 deg, sin 1 of flap.rotation = 0 deg.");
-    prm.add("Scales",
-            scales,
-            "One for each target: what the tolerance is a part of. Not given: the values wanted, none of which may be zero "
-            "then.");
+    prm.add(
+      "Targets",
+      targets,
+      "As many probes, means over a period or harmonics 2/T times the integral of y cos(n 2 pi t/T), and the "
+      "values they shall have: flow.thrust = 30 kN, cos 1 of flap.rotation = 0 deg, sin 1 of flap.rotation = 0 deg.");
+    prm.add(
+      "Scales",
+      scales,
+      "One for each target: what the tolerance is a part of. Not given: the values wanted, none of which may be zero "
+      "then.");
     prm.add("Period", period, "Of the motion: 2*pi/Omega for a rotor [s].");
     prm.add("Steps", n_steps, "Time steps a period.", Integer(4));
     prm.add("Method",
@@ -168,11 +164,12 @@ namespace samara
     prm.add("Start time", start_time, "Time at which the period starts, and the orbit is left [s].");
     prm.add("Settle", settle, "Periods before the first look, and of discrete corrections after each.", Integer(1));
     prm.add("Most turns", most_turns, "Periods after which trim is given up.", Integer(1));
-    prm.add("Tolerance",
-            tolerance,
-            "Of targets, as a part of their <Scales>; and of the periodicity, as a part of the model's length, rad, and "
-            "these over T/2 pi [1].",
-            Double(0, 1));
+    prm.add(
+      "Tolerance",
+      tolerance,
+      "Of targets, as a part of their <Scales>; and of the periodicity, as a part of the model's length, rad, and "
+      "these over T/2 pi [1].",
+      Double(0, 1));
     prm.add("Time constant", time_constant, "Of the auto-pilot, in periods [1].", Double(0));
     prm.add("Most products",
             most_products,
@@ -184,7 +181,10 @@ namespace samara
             "Of the integrator at infinite frequency, below 1: what does not obey the constraints must die away within "
             "a period [1].",
             Double(0, 1));
-    prm.add("Newton tolerance", newton_tolerance, "Of the steps: change of velocities, relative to the largest [1].", Double(0));
+    prm.add("Newton tolerance",
+            newton_tolerance,
+            "Of the steps: change of velocities, relative to the largest [1].",
+            Double(0));
     prm.add("Iterations", max_iterations, "Most Newton iterations of a step with one factorisation.", Integer(2));
   }
 

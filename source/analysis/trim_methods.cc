@@ -20,7 +20,9 @@ namespace samara
     constexpr double loosest_forcing = 1e-2, tightest_forcing = 1e-4;
     /** @} */
 
-    constexpr double       shortest_step = 1. / 64; ///< of Newton's method
+    const std::string beyond_limits = "the targets lie beyond the limits of the controls";
+
+    constexpr double       shortest_step     = 1. / 64; ///< of Newton's method
     constexpr unsigned int most_newton_steps = 50;
 
 
@@ -64,8 +66,8 @@ namespace samara
   {
     std::vector<double> increment(x.size());
     for (unsigned int i = 0; i < x.size(); ++i)
-      increment[i] = factor * x(i) * motion->scales[i];
-    return increment::moved(system, from, increment);
+      increment[i] = x(i) * motion->scales[i];
+    return samara::moved(system, from, increment.data(), factor);
   }
 
 
@@ -86,7 +88,7 @@ namespace samara
         to = 0.;
         if (direction.norm() == 0) // where GMRES starts
           return;
-        const double                    step = difference_step / direction.norm();
+        const double  step   = difference_step / direction.norm();
         const VectorX change = run.residual(run.look(run.moved(now.start, direction, step))) - r;
         for (unsigned int i = 0; i < to.size(); ++i)
           to[i] = change(i) / step;
@@ -111,10 +113,14 @@ namespace samara
         if (iteration == most_newton_steps)
           fail("Newton's method has not found it in " + std::to_string(most_newton_steps) + " steps");
         const double forcing = std::clamp(r.norm(), tightest_forcing, loosest_forcing);
-        VectorX      dx      = newton_step(now, r, forcing), u = controls_of(now.start), du(u.size());
+        VectorX      dx = newton_step(now, r, forcing), u = controls_of(now.start), du(u.size());
         for (unsigned int j = 0; j < controls.size(); ++j)
           du(j) = dx(system.layout.of_state(controls[j].state)) * controls[j].scale;
         double step = within_limits(u, du);
+        if (step < shortest_step && !at_limits(u).empty())
+          fail(beyond_limits);
+        if (step < shortest_step)
+          fail_with_reason(now, "Newton's method asks for controls far beyond their limits");
         for (;; step /= 2)
           {
             if (step < shortest_step)
@@ -137,7 +143,7 @@ namespace samara
                 break;
               }
             // round-off is all that is left
-            if (iteration > 3 && r.norm() > 0.5 * before)
+            if (r.norm() < 1e-4 && r.norm() > 0.5 * before && before > 0)
               fail_with_reason(now, "Newton's method has come to a standstill");
           }
         tell(now);
@@ -152,14 +158,16 @@ namespace samara
   {
     const unsigned int n = controls.size();
     Eigen::MatrixXd    J(n, n);
-    const VectorX      u = controls_of(now.start);
+    const VectorX      u = controls_of(now.end);
+    // what has not yet settled is the same in all of them
+    const VectorX unchanged = settled(now.end).averages;
     for (unsigned int j = 0; j < n; ++j)
       {
         const bool   is_room = u(j) + controls[j].scale <= controls[j].upper;
         const double change  = is_room ? controls[j].scale : -controls[j].scale;
         State        from    = now.end;
         set_controls(from, u + change * VectorX::Unit(n, j));
-        J.col(j) = (settled(from).averages - now.averages) / change;
+        J.col(j) = (settled(from).averages - unchanged) / change;
       }
     return J;
   }
@@ -199,10 +207,17 @@ namespace samara
       {
         if (const std::string fault = fault_of(J); !fault.empty())
           fail(fault);
+        if (now.miss < 0.1 * trim.tolerance)
+          {
+            // targets are met, the motion is still settling
+            now = settled(now.end);
+            tell(now);
+            continue;
+          }
         const VectorX u = controls_of(now.start), wish = solve(J, wanted() - now.averages),
-                      du    = within_limits(u, wish) * wish;
+                      du = within_limits(u, wish) * wish;
         if (du.norm() < 1e-3 * wish.norm())
-          fail("the targets lie beyond the limits of the controls");
+          fail(beyond_limits);
         State from = now.end;
         set_controls(from, u + du);
         const Look next = settled(from);
@@ -210,8 +225,9 @@ namespace samara
         VectorX share = du;
         for (unsigned int j = 0; j < controls.size(); ++j)
           share(j) /= controls[j].scale * controls[j].scale;
-        if (du.norm() > 0)
-          J += (next.averages - now.averages - J * du) * share.transpose() / share.dot(du);
+        const VectorX surprise = next.averages - now.averages - J * du;
+        if (surprise.norm() < 0.5 * (J * du).norm())
+          J += surprise * share.transpose() / share.dot(du);
         now = next;
         tell(now);
       }
@@ -232,7 +248,7 @@ namespace samara
       fail(fault);
     const double        share = 1. / (trim.n_steps * trim.time_constant); // of a period, over the time constant
     std::deque<VectorX> window;                                           // the last period
-    VectorX             sum = VectorX::Zero(targets.size());
+    VectorX             sum   = VectorX::Zero(targets.size());
     const auto          pilot = [&](State &state, unsigned int, const std::vector<double> &values) {
       VectorX y(targets.size());
       for (unsigned int k = 0; k < targets.size(); ++k)

@@ -28,10 +28,9 @@ namespace samara
     for (unsigned int k = 0; k < targets.size(); ++k)
       row.emplace_back(look.averages(k) / targets[k].factor);
     history->add_row(row);
-    context.log.progress("trim: turn " + number_to_text("%.4g", motion->n_turns) + ", periodic to " +
+    context.log.progress("trim: turn " + std::to_string(motion->n_turns) + ", periodic to " +
                          number_to_text("%.1e", look.largest_gap) + " (" + motion->name_of(look.worst_gap) +
-                         "), targets missed by " +
-                         number_to_text("%.1e", look.miss) + " of their scales, most " +
+                         "), targets missed by " + number_to_text("%.1e", look.miss) + " of their scales, most " +
                          targets[look.worst_target].name);
   }
 
@@ -63,8 +62,8 @@ namespace samara
       return join(names, ", ");
     };
     return "the matrix of the controls is singular: a combination of the controls " +
-           names_in(svd.matrixV().col(n - 1), controls) + " has no effect, and the targets " +
-           names_in(svd.matrixU().col(n - 1), targets) + " cannot be met together";
+           names_in(svd.matrixV().col(n - 1), controls) + " has no effect, and a combination of the targets " +
+           names_in(svd.matrixU().col(n - 1), targets) + " cannot be met";
   }
 
 
@@ -77,9 +76,9 @@ namespace samara
       {
         const double width = 1e-6 * controls[j].scale;
         if (u(j) <= controls[j].lower + width || u(j) >= controls[j].upper - width)
-          text += (text.empty() ? "" : ", ") + ("<" + controls[j].name + "> is at its " +
-                                                (u(j) <= controls[j].lower + width ? "lower" : "upper") + " limit, " +
-                                                number_to_text("%.6g", u(j)) + " " + controls[j].unit);
+          text += (text.empty() ? "" : ", ") +
+                  ("<" + controls[j].name + "> is at its " + (u(j) <= controls[j].lower + width ? "lower" : "upper") +
+                   " limit, " + number_to_text("%.6g", u(j)) + " " + controls[j].unit);
       }
     return text;
   }

@@ -462,6 +462,55 @@ subsection Loads
   end
 end
 )";
+
+  /** A mass on a hard spring that is shaken by two controls. */
+  const std::string shaken = R"(
+set Analyses = trim, dynamic
+subsection States
+  subsection push
+    set Type = control
+    set Unit = N
+  end
+  subsection swing
+    set Type  = control
+    set Unit  = N
+    set Value = 0.1
+  end
+end
+subsection Bodies
+  subsection mass
+    set Type    = rigid body
+    set Mass    = 2
+    set Inertia = 1, 1, 1
+  end
+end
+subsection Joints
+  subsection slide
+    set Type   = prismatic
+    set Body A = ground
+    set Body B = mass.centre
+    set Axis   = 1, 0, 0
+    subsection displacement
+      set Damper = 20
+      set Force  = push + swing*cos(2*pi*t/(1 s)) - 200 N/m*slide.displacement - 1e6 N/m^3*slide.displacement^3
+    end
+  end
+end
+subsection Trim
+  set Controls = push, swing from -5 N to 5 N
+  set Targets  = slide.displacement = 1 mm, cos 1 of slide.displacement = 1 mm
+  set Period   = 1 s
+  set Steps    = 12
+end
+subsection Dynamic
+  set End time = 0.2
+  set Step     = 0.1
+  set Pictures = 0
+end
+subsection Output
+  set Probes = slide.displacement, push, swing
+end
+)";
 } // namespace samara::models
 
 #endif

@@ -81,6 +81,32 @@ TEST_F(Catalogued, Dynamics)
 
 
 
+TEST_F(Catalogued, Trim)
+{
+  const std::string discrete = "Trim/Method = discrete", pilot = "Trim/Method = auto-pilot", loose = "Trim/Tolerance = 1e-3";
+  check("trim",
+        models::shaken,
+        "Trim",
+        {{"Controls", "swing from -5 N to 5 N, push"},
+         {"Targets", "slide.displacement = 2 mm, cos 1 of slide.displacement = 1 mm"},
+         {"Scales", "1 m, 1 m"},
+         {"Period", "0.8 s"},
+         {"Steps", "8"},
+         {"Method", "discrete"},
+         {"Start time", "0.1 s", {"Dynamic/Start time = 0.1"}},
+         {"Settle", "2"},
+         {"Most turns", "4", {}, true},
+         {"Tolerance", "1e-2"},
+         {"Time constant", "1", {pilot, loose}},
+         {"Most products", "1"},
+         {"Stages", "1"},
+         {"Spectral radius", "0"},
+         {"Newton tolerance", "1e-3"}},
+        {{"Iterations", "numbers of steps do not depend on it, as in Dynamic"}});
+}
+
+
+
 TEST_F(Catalogued, Model)
 {
   check("model",

@@ -50,6 +50,7 @@ TEST_F(Catalogued, AllKinds)
                                    "I",
                                    "C",
                                    "first order",
+                                   "control",
                                    "PID",
                                    "transfer function",
                                    "state space",
@@ -102,6 +103,7 @@ TEST_F(Catalogued, AllKinds)
                                    "static",
                                    "modal",
                                    "dynamic",
+                                   "trim",
                                    "section",
                                    "subsystem",
                                    "study",
@@ -280,6 +282,24 @@ TEST_F(Catalogued, States)
         model,
         "States/it",
         {{"Rate", "3*sin(t) - it"}, {"Initial", "0.7"}, {"Unit", "m"}, {"Scale", "1e6"}});
+}
+
+
+
+TEST_F(Catalogued, Controls)
+{
+  const std::string model =
+    "set Analyses = dynamic\n" +
+    on_a_slide("subsection it\n set Type = control\n set Value = 0.3\n end\n subsection other\n set Rate = -slide.displacement\n"
+               " end\n",
+               "set Force = -2*it") +
+    "subsection Dynamic\n set End time = 0.5\n set Step = 0.05\n set Newton tolerance = 1e-4\nend\n"
+    "subsection Output\n set Probes = it, slide.displacement\nend\n";
+  check("control",
+        model,
+        "States/it",
+        {{"Value", "0.7"}, {"Unit", "m", {"Joints/slide/displacement/Force = -2*it/(1 m)"}}},
+        {{"Scale", "only trim looks at it: tests/trim"}});
 }
 
 

@@ -2,30 +2,13 @@
 #define samara_analysis_periodic_motion_h
 
 #include <samara/analysis/analysis.h>
+#include <samara/time/increment.h>
 #include <samara/time/integrator.h>
 
 #include <cmath>
 
 namespace samara
 {
-  /**
-   * An increment that leads from one state to another: x = (ζ, δc, δz, δy, δċ) as StepTangent has them, twists ζ that
-   * move nodes in their own frames, 6 a node without the ground; joint coordinates; states of first order; changes of
-   * nodal twists and of the rates of coordinates. Multipliers are not in it.
-   */
-  namespace increment
-  {
-    unsigned int size(const System &system);
-
-    /** Where @p x leads from @p state. Its stresses are those of the new configuration. */
-    State moved(const System &system, const State &state, const std::vector<double> &x);
-
-    /** The increment that leads from @p from to @p to: moved(from, x) is @p to. */
-    std::vector<double> between(const System &system, const State &from, const State &to);
-  } // namespace increment
-
-
-
   /** The mean over a period of a probe, or one of its harmonics: 2/T ∫ y cos(n 2π t/T) dt. */
   struct PeriodAverage
   {
@@ -71,10 +54,9 @@ namespace samara
 
     /**
      * March one period from @p state, which is then its end, at the time t₀ + T. Returns the averages.
-     * @p n_done: steps of the period that have been done before; the averages are then those of the rest.
      * @throws NotConverged
      */
-    std::vector<double> turn(State &state, const Observer &observer = {}, unsigned int n_done = 0);
+    std::vector<double> turn(State &state, const Observer &observer = {});
 
     /** The same period again: from t + T to t, with whole turns of angles as at @p start taken back. */
     void begin_again(const State &start, State &end) const;
@@ -89,17 +71,16 @@ namespace samara
       return averages[k].weighted(value, 2 * M_PI * time / period);
     }
 
-    /** Sizes of the entries of an increment: lengths, radians, scales of states; of velocities the same over T/2π. */
-    std::vector<double> scales;
+    /** Of increments, velocities over T/2π: scales_of_increment(). */
+    const std::vector<double> scales;
 
     /** What entry @p i of an increment is, for messages. */
     std::string name_of(unsigned int i) const;
 
-    double       n_turns = 0; ///< that have been marched
+    unsigned int n_turns   = 0;                                         ///< that have been marched
     unsigned int n_marched = 0, n_iterations = 0, n_factorizations = 0; ///< steps, and what they took
 
   private:
-    const Context                   &context;
     const System                    &system;
     const IntegratorSettings         settings;
     const std::vector<PeriodAverage> averages;

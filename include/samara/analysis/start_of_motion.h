@@ -17,9 +17,11 @@ namespace samara
   /**
    * The state from which a motion begins: that of the context, an equilibrium at rest or in steady rotation or the
    * reference configuration, with the velocities of the steady rotations and of the bodies, made to obey the
-   * constraints. The ground is at rest, steady rotations no longer hold their joints.
+   * constraints. The ground is at rest, steady rotations no longer hold their joints. A motion that an analysis has left,
+   * as trim does, goes on as it is.
    *
-   * @throws InputError if constraints are violated, or the model turns with its ground
+   * @throws InputError if constraints are violated, the model turns with its ground, or the motion that goes on has come
+   * to another time
    */
   State start_of_motion(const Context &context, const StartOfMotion &how);
 } // namespace samara

@@ -3,7 +3,6 @@
 
 #include <samara/analysis/periodic_motion.h>
 #include <samara/output/table.h>
-#include <samara/time/integrators.h>
 
 #include <Eigen/Dense>
 
@@ -91,9 +90,6 @@ namespace samara
   class TrimAnalysis : public Analysis
   {
   public:
-    /** @p integrators: for the start of the motion. */
-    explicit TrimAnalysis(const std::shared_ptr<const Integrators> &integrators);
-
     void add_parameters(Parameters &prm) override;
     void check(const std::vector<double> &rotor_speeds, Complaints &complaints) const override;
     void run(Context &context) override;
@@ -121,13 +117,12 @@ namespace samara
     std::vector<TrimTarget>  targets;
     std::vector<LateNumber>  scales;
     std::string              method = "Newton-Krylov";
-    double                   period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
+    double period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
            time_constant = 2;
     unsigned int n_steps = 60, n_stages = 3, settle = 3, most_turns = 200, max_iterations = 50, most_products = 60;
 
   private:
     class Run;
-    const std::shared_ptr<const Integrators> integrators;
   };
 } // namespace samara
 

@@ -50,16 +50,16 @@ namespace samara
       }
     };
 
-    TrimAnalysis        &trim;
-    Context             &context;
-    const System        &system;
-    std::vector<Control> controls;
-    std::vector<Target>  targets;
+    TrimAnalysis                   &trim;
+    Context                        &context;
+    const System                   &system;
+    std::vector<Control>            controls;
+    std::vector<Target>             targets;
     std::unique_ptr<PeriodicMotion> motion;
-    State                state; ///< at the start of the next period
-    Look                 best;
-    std::optional<Table> history;
-    unsigned int         n_looks = 0;
+    State                           state; ///< at the start of the next period
+    Look                            best;
+    std::optional<Table>            history;
+    unsigned int                    n_looks = 0;
 
     std::vector<PeriodAverage> find_targets();
     void                       find_controls();
@@ -96,8 +96,8 @@ namespace samara
     /** @name What is said @{ */
     void tell(const Look &look);
     /** What of J cannot be solved: a control without effect, a target that nothing moves; empty if it can. */
-    std::string fault_of(const Eigen::MatrixXd &J) const;
-    std::string at_limits(const VectorX &u) const;
+    std::string       fault_of(const Eigen::MatrixXd &J) const;
+    std::string       at_limits(const VectorX &u) const;
     [[noreturn]] void fail(const std::string &why);
     /** The same with what of the control matrix explains it. */
     [[noreturn]] void fail_with_reason(const Look &now, const std::string &why);

@@ -1,0 +1,286 @@
+/*
+ * Problem:   controls for which a periodic motion meets its targets
+ * Reference: a shaken mass in closed form; a flapping rotor in forward flight,
+ * tests/reference/rotor/trim_flapping_rotor.csv, and the textbook's closed form
+ */
+
+#include <samara/analysis/dynamic.h>
+#include <samara/analysis/trim.h>
+#include <samara/base/errors.h>
+
+#include "../reference.h"
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace samara;
+
+namespace
+{
+  const std::string mass = "prm/examples/trim/shaken_mass.prm", rotor = "prm/rotorcraft/flapping_rotor.prm";
+
+  const TrimAnalysis &
+  trimmed(Scene &scene)
+  {
+    auto &trim = scene.analysis<TrimAnalysis>();
+    trim.run(scene.context);
+    return trim;
+  }
+
+  /** What a search that fails says. */
+  std::string
+  failure_of(Scene &scene)
+  {
+    try
+      {
+        trimmed(scene);
+      }
+    catch (const NotConverged &problem)
+      {
+        return problem.what();
+      }
+    return "";
+  }
+
+  bool
+  contains(const std::string &text, const std::string &part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+} // namespace
+
+
+
+// For a linear system the controls are known, whichever way they are found.
+TEST(Trim, ShakenMassInClosedForm)
+{
+  const double m = 2, c = 20, k = 200, omega = 8, a = 0.005, b = 0;
+  const double expected[] = {k * 0.01,
+                             (k - m * omega * omega) * a + c * omega * b,
+                             (k - m * omega * omega) * b - c * omega * a};
+  for (const std::string method : {"Newton-Krylov", "discrete", "auto-pilot"})
+    {
+      Scene       scene(mass, {"Trim/Method = " + method, "Trim/Tolerance = 1e-9"});
+      const auto &trim = trimmed(scene);
+      for (unsigned int j = 0; j < 3; ++j)
+        EXPECT_NEAR(trim.report.controls[j], expected[j], 1e-6) << method;
+      EXPECT_LT(trim.report.periodicity, 1e-9) << method;
+      EXPECT_LT(trim.report.turns, method == "Newton-Krylov" ? 25 : 90) << method;
+    }
+}
+
+
+
+// The error of the controls is that of the integrator: 2s - 1 where it dissipates.
+TEST(Trim, OrderOfControls)
+{
+  const auto error = [](const unsigned int s, const unsigned int n) {
+    Scene       scene(mass,
+                {"Trim/Stages = " + std::to_string(s), "Trim/Steps = " + std::to_string(n), "Trim/Tolerance = 1e-10"});
+    const auto &trim = trimmed(scene);
+    return std::hypot(trim.report.controls[1] - 72 * 0.005, trim.report.controls[2] + 160 * 0.005);
+  };
+  EXPECT_NEAR(std::log2(error(1, 20) / error(1, 40)), 1, 0.2);
+  EXPECT_NEAR(std::log2(error(2, 10) / error(2, 20)), 3, 0.4);
+}
+
+
+
+// The motion after it is the one that was found: no start of its own.
+TEST(Trim, MotionGoesOn)
+{
+  Scene scene(mass);
+  trimmed(scene);
+  const State start  = scene.context.state;
+  auto       &motion = scene.analysis<DynamicAnalysis>();
+  double      sum = 0, cosine = 0;
+  unsigned    n   = 0;
+  const Probe x   = scene.input.model.probe("slide.displacement");
+  motion.observer = [&](const State &state) {
+    if (n++ == 0)
+      return; // the first is the last
+    sum += x.value(state) / 24;
+    cosine += 2 * x.value(state) * std::cos(8 * state.time) / 24;
+  };
+  motion.run(scene.context);
+  EXPECT_EQ(n, 25u);
+  EXPECT_NEAR(sum, 0.01, 1e-9);
+  EXPECT_NEAR(cosine, 0.005, 1e-9);
+  EXPECT_NEAR(x.value(scene.context.state), x.value(start), 1e-9);
+
+  Scene late(mass, {"Dynamic/Start time = 0.1"});
+  trimmed(late);
+  try
+    {
+      late.analysis<DynamicAnalysis>().run(late.context);
+      FAIL() << "The motion begins at another time.";
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_TRUE(contains(error.what(), "has come to t = 0 s")) << error.what();
+    }
+}
+
+
+
+// A start at another time is another phase of the same orbit.
+TEST(Trim, StartTime)
+{
+  Scene       scene(mass, {"Trim/Start time = 0.31"});
+  const auto &trim = trimmed(scene);
+  EXPECT_NEAR(trim.report.controls[1], 72 * 0.005, 1e-6);
+  EXPECT_NEAR(trim.report.controls[2], -160 * 0.005, 1e-6);
+  EXPECT_DOUBLE_EQ(scene.context.state.time, 0.31);
+}
+
+
+
+TEST(Trim, LimitsOfControls)
+{
+  for (const std::string method : {"Newton-Krylov", "discrete", "auto-pilot"})
+    {
+      Scene             scene(mass,
+                  {"Trim/Method = " + method,
+                               "Trim/Most turns = 60",
+                               "Trim/Controls = bias, cosine from 0 N to 0.2 N, sine"});
+      const std::string text = failure_of(scene);
+      EXPECT_TRUE(contains(text, "<cosine> is at its upper limit, 0.2 N")) << method << ": " << text;
+      EXPECT_TRUE(contains(text, "slide.displacement> is")) << method << ": " << text;
+      // the best is kept
+      EXPECT_LE(scene.analysis<TrimAnalysis>().report.controls[1], 0.2 + 1e-12);
+      EXPECT_GT(scene.analysis<TrimAnalysis>().report.controls[0], 0);
+    }
+}
+
+
+
+TEST(Trim, SingularControls)
+{
+  const std::string force = "Joints/slide/displacement/Force = ";
+  struct Case
+  {
+    std::string force, says;
+  };
+  for (const Case &c :
+       {Case{"bias + cosine*cos(omega*t)", "the control <sine> has no effect on any target"},
+        Case{"bias + cosine*cos(omega*t) + 2*sine*cos(omega*t)", "the matrix of the controls is singular"},
+        Case{"bias*cos(omega*t) + cosine*cos(omega*t) + sine*sin(omega*t)",
+             "targets <slide.displacement> cannot be met"}})
+    for (const std::string method : {"Newton-Krylov", "discrete", "auto-pilot"})
+      {
+        Scene             scene(mass, {force + c.force, "Trim/Method = " + method});
+        const std::string text = failure_of(scene);
+        EXPECT_TRUE(contains(text, c.says)) << method << ": " << text;
+      }
+}
+
+
+
+// What acts has half the period that is given, or twice, or none.
+TEST(Trim, WrongPeriod)
+{
+  for (const std::string method : {"Newton-Krylov", "discrete"})
+    {
+      Scene scene(
+        mass,
+        {"Trim/Method = " + method,
+         "Joints/slide/displacement/Force = bias + cosine*cos(omega*t) + sine*sin(omega*t) + 0.5*cos(omega*t/2)"});
+      const std::string text = failure_of(scene);
+      EXPECT_TRUE(contains(text, "does not have this <Period>")) << method << ": " << text;
+    }
+}
+
+
+
+TEST(Trim, Refusals)
+{
+  struct Case
+  {
+    std::string entry, says;
+  };
+  for (
+    const Case &c :
+    {Case{"Trim/Controls = bias, cosine, sin", "there is no state <sin>; did you mean <sine>?"},
+     Case{"Trim/Controls = bias, cosine", "there are 2 <Controls> and 3 <Targets>"},
+     Case{"Trim/Controls = bias, cosine, bias", "<bias> is there twice"},
+     Case{"Trim/Controls = bias from 1 N to 2 N, cosine, sine", "<bias> is 0 N at the start, outside of its limits"},
+     Case{"Trim/Controls = bias from -1 m, cosine, sine", "<bias>"},
+     Case{
+       "Trim/Targets = slide.displacement = 1 N, cos 1 of slide.displacement = 0 m, sin 1 of slide.displacement = 0 m",
+       "<slide.displacement>"},
+     Case{
+       "Trim/Targets = slide.displacment = 1 m, cos 1 of slide.displacement = 0 m, sin 1 of slide.displacement = 0 m",
+       "slide.displacment"},
+     Case{
+       "Trim/Targets = slide.displacement = 1 m, cos 12 of slide.displacement = 0 m, sin 1 of slide.displacement = 0 m",
+       "harmonic 12"},
+     Case{"Trim/Scales = 1 m, 1 N, 1 m", "<slide.displacement>"},
+     Case{"Trim/Scales = 1 m, 1 m", "and 2 <Scales>"},
+     Case{"Trim/Scales = 1 m, 0 m, 1 m", "must not be zero"},
+     Case{"Trim/Period = 0", "the <Period> must be positive"},
+     Case{"Trim/Spectral radius = 1", "at most 0.95"}})
+    {
+      SCOPED_TRACE(c.entry);
+      try
+        {
+          Scene scene(mass, {c.entry});
+          trimmed(scene);
+          ADD_FAILURE() << "It was not refused.";
+        }
+      catch (const InputError &error)
+        {
+          EXPECT_TRUE(contains(error.what(), c.says)) << error.what();
+        }
+    }
+  Scene moving(mass, {"States/sine/Type = first order", "States/sine/Rate = 1 N/s", "States/sine/Scale = 1"});
+  EXPECT_THROW(trimmed(moving), InputError);
+}
+
+
+
+// Statics leave a control as it is given; in motion it keeps still.
+TEST(Trim, ControlInStatics)
+{
+  Scene scene(mass, {"States/bias/Value = 3 N", "States/cosine/Value = 0 N"});
+  scene.context.state.states[0] = 7;
+  scene.equilibrium();
+  EXPECT_NEAR(scene.value("bias"), 3, 1e-12);
+  EXPECT_NEAR(scene.value("slide.displacement"), 3. / 200, 1e-9);
+  const auto &trim = trimmed(scene);
+  EXPECT_NEAR(trim.report.controls[0], 2, 1e-6);
+}
+
+
+
+// Rigid blades on flap hinges, strips of linear lift: prescribed pitch by controls, inflow, means of what turns.
+TEST(Trim, FlappingRotor)
+{
+  struct Case
+  {
+    std::string model, type, method;
+    double      mu;
+  };
+  const auto reference = reference_rows("rotor/trim_flapping_rotor.csv");
+  for (const Case &c : {Case{"glauert", "uniform inflow", "discrete", 0.1},
+                        Case{"pitt-peters", "Pitt-Peters inflow", "Newton-Krylov", 0.2}})
+    {
+      SCOPED_TRACE(c.model + ", mu = " + std::to_string(c.mu));
+      Scene       scene(rotor,
+                  {"Aerodynamics/flow/Type = " + c.type,
+                         "Constants/mu = " + std::to_string(c.mu),
+                         "Constants/tilt = " + std::to_string(20 * c.mu) + " deg",
+                         "Trim/Method = " + c.method,
+                         "Trim/Steps = 30"});
+      const auto &trim  = trimmed(scene);
+      bool        found = false;
+      for (const auto &row : reference)
+        if (row.at("inflow") == c.model && std::abs(std::stod(row.at("mu")) - c.mu) < 1e-9)
+          {
+            found = true;
+            for (const auto &[j, name] : {std::pair{0, "th0_deg"}, {1, "th1c_deg"}, {2, "th1s_deg"}})
+              EXPECT_NEAR(trim.report.controls[j] * 180 / M_PI, std::stod(row.at(name)), 1e-5) << name;
+          }
+      EXPECT_TRUE(found);
+    }
+}
