@@ -12,6 +12,7 @@
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
 #include <samara/cosserat/table_section.h>
+#include <samara/joints/body_contact.h>
 #include <samara/joints/distributing.h>
 #include <samara/joints/fixed_springs.h>
 #include <samara/joints/flexible_joint.h>
@@ -91,6 +92,9 @@ namespace samara
     joints.add<Distributing>("distributing", "attaches a body to the mean motion of edges of shells");
     joints.add<RollingDisc>("rolling disc", "wheel that rolls and tilts on a plane without slipping");
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
+    joints.add<BallOnPlane>("ball on plane", "contact of a ball and a plane, with friction");
+    joints.add<BallOnBall>("ball on ball", "contact of two balls, or of a ball in a hollow one, with friction");
+    joints.add<BallOnCylinder>("ball on cylinder", "contact of a ball and a cylinder, or of a ball in a tube, with friction");
 
     Registry<Item> loads;
     loads.add<Gravity>("gravity", "weight of everything");

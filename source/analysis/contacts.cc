@@ -32,6 +32,10 @@ namespace samara
   void
   Contacts::add(const StepResult &step, const double from, const double to)
   {
+    creep.resize(std::max(creep.size(), step.creep.size()), 0.);
+    for (unsigned int i = 0; i < step.creep.size(); ++i)
+      creep[i] += step.creep[i];
+
     std::vector<unsigned int> left;
     for (const auto &[stop, contact] : open)
       if (std::none_of(step.touched_stops.begin(), step.touched_stops.end(), [stop = stop](const TouchedStop &s) {
@@ -139,6 +143,21 @@ namespace samara
               (sum.n == 1 ? "once" : std::to_string(sum.n) + " times") +
               ", first at t = " + number_to_text("%.6g", sum.first) + " s, at most by " +
               number_to_text("%.3g", sum.depth) + (open.count(stop) > 0 ? "; touched at the end" : "");
+    return text;
+  }
+
+
+
+  std::string
+  Contacts::creep_summary(const Layout &layout) const
+  {
+    std::string text;
+    for (unsigned int i = 0; i < creep.size(); ++i)
+      if (creep[i] > 0)
+        text += (text.empty() ? "  " : "\n  ") + layout.frictions[i].name + ": crept " +
+                number_to_text("%.3g", creep[i]) + " m where it should stick, slower than " +
+                number_to_text("%.3g", FrictionLaw::creeping * layout.frictions[i].law.sticking_speed) +
+                " m/s; a smaller <Sticking speed> makes it less";
     return text;
   }
 } // namespace samara

@@ -29,6 +29,7 @@ namespace samara
                             budget.loads,
                             budget.drives,
                             budget.viscous,
+                            budget.friction,
                             budget.dissipated,
                             budget.balance()});
     // every few rows: it costs the strains of the beams
@@ -102,6 +103,7 @@ namespace samara
     budget.loads += step.work_of_loads + potential - budget.potential;
     budget.drives += step.work_of_drives;
     budget.viscous += step.viscous_loss;
+    budget.friction += step.friction_loss;
     budget.dissipated += step.dissipated;
     budget.kinetic   = energy.kinetic;
     budget.strain    = energy.strain;
@@ -167,10 +169,13 @@ namespace samara
     context.log.line(text);
     if (!contacts.all().empty())
       context.log.line(contacts.summary(context.system.layout));
+    if (const std::string creep = contacts.creep_summary(context.system.layout); !creep.empty())
+      context.log.line(creep);
     if (report.n_exact_steps > 0)
       context.log.line(
-        "  " + std::to_string(report.n_exact_steps) +
-        " steps were repeated with the exact matrix of all stages: is the mechanism near a singular position?");
+        "  " + std::to_string(report.n_exact_steps) + " steps were repeated with the exact matrix of all stages: " +
+        (context.system.layout.frictions.empty() ? "is the mechanism near a singular position?" :
+                                                   "so it is where something begins to stick or to slip"));
     if (report.n_exchanges > 0)
       context.log.line("  redundant constraints: other rows were chosen to be left out " +
                        std::to_string(report.n_exchanges) + " times");

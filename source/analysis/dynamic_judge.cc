@@ -51,7 +51,7 @@ namespace samara
       }
     // whatever the tolerance, a sum is not known better than its terms are
     const double terms = budget.kinetic + budget.strain + std::abs(budget.potential) + std::abs(budget.start) +
-                         std::abs(budget.loads) + std::abs(budget.drives) + budget.viscous + budget.dissipated;
+                         std::abs(budget.loads) + std::abs(budget.drives) + budget.viscous + budget.friction + budget.dissipated;
     round_off_of_sum       = std::max(round_off_of_sum, 2 * std::numeric_limits<double>::epsilon() * terms);
     const double miss      = std::abs(budget.balance() - balance_before);
     report.largest_gap     = std::max(report.largest_gap, std::abs(budget.balance()));

@@ -45,6 +45,7 @@ namespace samara
                                                                                  {"work of loads", "J"},
                                                                                  {"work of drives", "J"},
                                                                                  {"damper loss", "J"},
+                                                                                 {"friction loss", "J"},
                                                                                  {"numerical dissipation", "J"},
                                                                                  {"balance", "J"}},
                                 after,
@@ -87,6 +88,7 @@ namespace samara
     return {{"work of loads", &budget.loads},
             {"work of drives", &budget.drives},
             {"damper loss", &budget.viscous},
+            {"friction loss", &budget.friction},
             {"numerical dissipation", &budget.dissipated},
             {"energy at start", &budget.start},
             {"energy floor", &energy_floor},
@@ -123,7 +125,8 @@ namespace samara
                          {"step error", memory.of_error},
                          {"steady twists", memory.steady_twists},
                          {"progress", memory.window},
-                         {"contacts", contacts.to_numbers()}};
+                         {"contacts", contacts.to_numbers()},
+                         {"creep", contacts.creep}};
     for (const auto &[name, number] : remembered_numbers())
       checkpoint.numbers[name] = *number;
     checkpoint.numbers["steps of the grid"] = n_grid;
@@ -180,6 +183,7 @@ namespace samara
     report.worst_left_out   = "one before the restart";
     report.worst_place      = "a place before the restart";
     contacts.set_numbers(checkpoint.arrays.at("contacts"));
+    contacts.creep = checkpoint.arrays.at("creep");
     n_grid =
       with_steps ? checkpoint.numbers.at("steps of the grid") : std::floor((state.time - start_time) / step + 1e-6);
     return checkpoint;

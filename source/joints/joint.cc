@@ -72,6 +72,7 @@ namespace samara
     if (!rows.empty())
       add_constraints(layout);
     add_springs(layout);
+    add_friction(layout);
   }
 
 
@@ -110,23 +111,46 @@ namespace samara
   Joint::add_stops(Layout &layout)
   {
     stops.clear();
+    contacts.clear();
     for (unsigned int i = 0; i < used.size(); ++i)
-      {
-        if (used[i]->has_lower_stop)
-          stops.push_back({i, used[i]->lower_stop, -1.});
-        if (used[i]->has_upper_stop)
-          stops.push_back({i, used[i]->upper_stop, 1.});
-      }
-    for (const Stop &s : stops)
-      {
-        const FreeMotion &m = *used[s.motion];
-        layout.stops.push_back({static_cast<unsigned int>(m.coordinate),
-                                s.place,
-                                s.side,
-                                m.stop_stiffness,
-                                m.stop_damping,
-                                "joint " + name + (s.side > 0 ? ", upper" : ", lower") + " stop of the " + m.name});
-      }
+      for (const double side : {-1., 1.})
+        {
+          const FreeMotion &m = *used[i];
+          if (!(side < 0 ? m.has_lower_stop : m.has_upper_stop))
+            continue;
+          const double place = side < 0 ? m.lower_stop : m.upper_stop;
+          if (m.stop_law.is_linear())
+            stops.push_back({i, place, side});
+          contacts.add_stop(layout,
+                            *this,
+                            {static_cast<unsigned int>(m.coordinate),
+                             place,
+                             side,
+                             m.stop_law,
+                             !m.stop_law.is_linear(),
+                             "joint " + name + (side > 0 ? ", upper" : ", lower") + " stop of the " + m.name});
+        }
+  }
+
+
+
+  void
+  Joint::add_friction(Layout &layout)
+  {
+    for (const auto *m : used)
+      if (m->friction.is_given())
+        {
+          Layout::Friction friction;
+          friction.coordinates = {static_cast<unsigned int>(m->coordinate)};
+          friction.arm         = m->is_angle() ? m->friction.radius : 1.;
+          friction.law         = m->friction_law;
+          friction.preload     = m->friction.preload;
+          friction.name        = "joint " + name + ", friction of the " + m->name;
+          for (unsigned int i = 0; i < locked.size(); ++i)
+            if (locked[i].function.kind == PairFunction::gap)
+              friction.multipliers.push_back(first_multiplier + i);
+          contacts.add_friction(layout, *this, friction);
+        }
   }
 
 

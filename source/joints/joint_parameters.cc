@@ -3,6 +3,7 @@
 #include <samara/base/text.h>
 #include <samara/joints/joint.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace samara
@@ -30,8 +31,9 @@ namespace samara
     prm.add("Damper", damper, "Viscous damping " + damping + ".", Double(0));
     prm.add("Lower stop", lower_stop, what + " below which" + none);
     prm.add("Upper stop", upper_stop, what + " above which" + none);
-    prm.add("Stop stiffness", stop_stiffness, "Stiffness of the stops " + stiffness + ".", Double(0));
-    prm.add("Stop damping", stop_damping, "Viscous damping while a stop is touched " + damping + ".", Double(0));
+    stop.add_parameters(prm, "Stop ", turns);
+    if (may_rub)
+      friction.add_parameters(prm, true, turns);
     if (turns)
       {
         prm.add("Moment",
@@ -63,11 +65,14 @@ namespace samara
     is_prescribed  = prm.is_set("Prescribed");
     has_lower_stop = prm.is_set("Lower stop");
     has_upper_stop = prm.is_set("Upper stop");
-    if ((has_lower_stop || has_upper_stop) && stop_stiffness == 0.)
+    if ((has_lower_stop || has_upper_stop) && !stop.is_given())
       complaints.add(prm.where(prm.is_set("Stop stiffness") ? "Stop stiffness" :
                                has_upper_stop               ? "Upper stop" :
                                                               "Lower stop"),
                      "the stop of the " + name + " needs a <Stop stiffness> above zero");
+    stop_law = stop.law(prm, "Stop ", "the stop of the " + name, complaints);
+    if (friction.is_given())
+      friction_law = friction.law(prm, "friction of the " + name, complaints);
     if (has_lower_stop && has_upper_stop && lower_stop >= upper_stop)
       complaints.add(prm.where("Upper stop"), "the <Upper stop> of the " + name + " must be above its <Lower stop>");
   }
@@ -78,7 +83,7 @@ namespace samara
   FreeMotion::is_used() const
   {
     return spring != 0 || damper != 0 || !spring_law.is_zero() || !force.is_zero() || is_prescribed || has_lower_stop ||
-           has_upper_stop;
+           has_upper_stop || friction.is_given();
   }
 
 
@@ -246,8 +251,14 @@ namespace samara
   void
   Joint::add_motions(Parameters &prm)
   {
+    // on a plane friction acts against the slip in both directions at once; the force on a thread is no reaction
+    const auto is_displacement = [](const FreeMotion &m) { return m.first.kind == PairFunction::gap; };
+    const bool is_on_plane     = std::count_if(free.begin(), free.end(), is_displacement) > 1;
     for (auto &motion : free)
-      motion.add_parameters(prm.subsection(motion.name));
+      {
+        motion.may_rub = !is_screw && !(is_on_plane && is_displacement(motion));
+        motion.add_parameters(prm.subsection(motion.name));
+      }
   }
 
 
@@ -356,7 +367,27 @@ namespace samara
         motion.check_parameters(parameters.subsection(motion.name), m.complaints);
         if (motion.is_used() || is_screw)
           use_coordinate(m, motion.name);
+        if (motion.friction.is_given())
+          check_friction(m, motion);
       }
+  }
+
+
+
+  void
+  Joint::check_friction(Model &model, const FreeMotion &motion)
+  {
+    const Parameters &prm      = parameters.subsection(motion.name);
+    const auto        complain = [&](const std::string &entry, const std::string &text) {
+      model.complaints.add(prm.where(entry), "joint <" + name + ">: " + text);
+    };
+    if (motion.is_angle() && motion.friction.radius == 0)
+      complain("Friction", "the friction of the " + motion.name + " needs a <Friction radius> above zero");
+    if (motion.friction.preload == 0 && std::none_of(locked.begin(), locked.end(), [](const Locked &l) {
+          return l.function.kind == PairFunction::gap;
+        }))
+      complain("Friction",
+               "nothing presses along the " + motion.name + ": there is no friction without a <Friction preload>");
   }
 
 

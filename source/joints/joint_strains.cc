@@ -152,7 +152,7 @@ namespace samara
     for (const auto *m : used)
       *stress++ = m->spring * *e++ + m->damper * *rates++;
     for (const auto &s : stops)
-      *stress++ = motion_of(s).stop_stiffness * *e++ + motion_of(s).stop_damping * *rates++;
+      *stress++ = motion_of(s).stop_law.stiffness * *e++ + motion_of(s).stop_law.damping * *rates++;
   }
 
 
@@ -182,7 +182,7 @@ namespace samara
     for (const auto *m : used)
       twice += m->spring * std::pow(*e++, 2);
     for (const auto &s : stops)
-      twice += motion_of(s).stop_stiffness * std::pow(*e++, 2);
+      twice += motion_of(s).stop_law.stiffness * std::pow(*e++, 2);
     return 0.5 * twice;
   }
 
@@ -201,7 +201,7 @@ namespace samara
     for (unsigned int i = 0; i < used.size(); ++i)
       add(i, used[i]->spring, used[i]->damper, 1.);
     for (const auto &s : stops)
-      add(s.motion, motion_of(s).stop_stiffness, motion_of(s).stop_damping, touches(point, s));
+      add(s.motion, motion_of(s).stop_law.stiffness, motion_of(s).stop_law.damping, touches(point, s));
   }
 
 
@@ -214,7 +214,7 @@ namespace samara
     for (unsigned int i = 0; i < used.size(); ++i)
       block.add_entry(12 + i, 12 + i, used[i]->spring, K);
     for (const auto &s : stops)
-      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_stiffness, K);
+      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_law.stiffness, K);
   }
 
 
@@ -227,7 +227,7 @@ namespace samara
     for (unsigned int i = 0; i < used.size(); ++i)
       block.add_entry(12 + i, 12 + i, used[i]->damper, C);
     for (const auto &s : stops)
-      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_damping, C);
+      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_law.damping, C);
   }
 
 
@@ -236,7 +236,8 @@ namespace samara
   Joint::Springs::is_viscous() const
   {
     return std::any_of(used.begin(), used.end(), [](const FreeMotion *m) {
-      return m->damper != 0 || ((m->has_lower_stop || m->has_upper_stop) && m->stop_damping != 0);
+      return m->damper != 0 ||
+             ((m->has_lower_stop || m->has_upper_stop) && m->stop_law.is_linear() && m->stop_law.damping != 0);
     });
   }
 

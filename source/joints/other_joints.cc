@@ -244,6 +244,11 @@ namespace samara
     prm.add("Ratio",
             ratio,
             "Rotation of B per rotation of A, each seen from its own body A; negative: opposite sense [1].");
+    prm.add("Backlash",
+            backlash,
+            "By which B can turn to and fro while A is held; not given: the teeth are rigid and have none [rad].",
+            dealii::Patterns::Double(0));
+    mesh.add_parameters(prm, "Mesh ", true);
   }
 
 
@@ -267,6 +272,19 @@ namespace samara
         }
     if (are_known && coordinates[0] == coordinates[1])
       model.complaints.add(parameters.where("Joint B"), "gear <" + name + "> connects a rotation to itself");
+    has_backlash = parameters.is_set("Backlash");
+    if (!has_backlash && mesh.is_given())
+      model.complaints.add(parameters.where("Mesh stiffness"),
+                           "gear <" + name + ">: teeth that are not rigid need a <Backlash> above zero");
+    if (!has_backlash)
+      return;
+    if (backlash == 0)
+      model.complaints.add(parameters.where("Backlash"), "gear <" + name + ">: the <Backlash> must be above zero");
+    if (!mesh.is_given())
+      model.complaints.add(parameters.where("Backlash"),
+                           "gear <" + name + ">: with a <Backlash> the teeth need a <Mesh stiffness> above zero");
+    law            = mesh.law(parameters, "Mesh ", "gear <" + name + ">", model.complaints);
+    coordinates[2] = model.add_coordinate(name + ".play", "rad");
   }
 
 
@@ -275,8 +293,20 @@ namespace samara
   Gear::connect(Layout &layout)
   {
     multiplier = layout.add_multipliers({"gear " + name});
-    layout.couple(block, {}, {coordinates[0], coordinates[1]}, {multiplier});
+    row        = has_backlash ? 3 : 2;
+    layout.couple(block, {}, {coordinates, coordinates + row}, {multiplier});
     layout.add(*this, *this);
+    teeth.clear();
+    if (has_backlash)
+      for (const double side : {-1., 1.})
+        teeth.add_stop(layout,
+                       *this,
+                       {coordinates[2],
+                        0.5 * side * backlash,
+                        side,
+                        law,
+                        true,
+                        "gear " + name + (side > 0 ? ", teeth in front" : ", teeth behind")});
   }
 
 
@@ -288,7 +318,11 @@ namespace samara
     const Number lambda = point.multipliers[multiplier];
     r[block.row(0)] -= ratio * lambda;
     r[block.row(1)] += lambda;
-    r[block.row(2)] += point.coordinates[coordinates[1]] - ratio * point.coordinates[coordinates[0]];
+    r[block.row(row)] += point.coordinates[coordinates[1]] - ratio * point.coordinates[coordinates[0]];
+    if (!has_backlash)
+      return;
+    r[block.row(2)] -= lambda;
+    r[block.row(row)] -= point.coordinates[coordinates[2]];
   }
 
 
@@ -296,10 +330,12 @@ namespace samara
   void
   Gear::tangent(const Point<double> &, SparseMatrix &K) const
   {
-    block.add_entry(0, 2, -ratio, K);
-    block.add_entry(2, 0, -ratio, K);
-    block.add_entry(1, 2, 1., K);
-    block.add_entry(2, 1, 1., K);
+    const double slopes[] = {-ratio, 1., -1.};
+    for (unsigned int i = 0; i < row; ++i)
+      {
+        block.add_entry(i, row, slopes[i], K);
+        block.add_entry(row, i, slopes[i], K);
+      }
   }
 
 
@@ -308,6 +344,8 @@ namespace samara
   Gear::rates(const Point<double> &point, double *rates) const
   {
     rates[multiplier] = point.rates[coordinates[1]] - ratio * point.rates[coordinates[0]];
+    if (has_backlash)
+      rates[multiplier] -= point.rates[coordinates[2]];
   }
 
 
@@ -315,6 +353,8 @@ namespace samara
   std::optional<Probe>
   Gear::probe(const std::string &path) const
   {
+    if (path == "play" && has_backlash)
+      return Probe{path, "deg", [this](const State &state) { return state.coordinates[coordinates[2]] * 180 / M_PI; }};
     if (path != "moment")
       return {};
     return Probe{path, "N m", [this](const State &state) { return -state.multipliers[multiplier]; }};
@@ -325,7 +365,7 @@ namespace samara
   std::vector<std::string>
   Gear::probe_names() const
   {
-    return {"moment"};
+    return has_backlash ? std::vector<std::string>{"moment", "play"} : std::vector<std::string>{"moment"};
   }
 
 

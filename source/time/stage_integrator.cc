@@ -150,7 +150,13 @@ namespace samara
     start_springs(state);
     predict(state, h);
     bool converged = false;
-    if (is_step(factored_step, h))
+    if (has_many_contacts())
+      {
+        converged = iterate_exactly(state, h, false, result);
+        if (!converged)
+          predict(state, h);
+      }
+    if (!converged && is_step(factored_step, h))
       {
         converged = iterate(state, h, slow_with_old_factors, result);
         if (!converged && !(result.last_correction < near))
@@ -181,7 +187,7 @@ namespace samara
           }
       }
     if (!converged)
-      converged = iterate_exactly(state, h, result);
+      converged = iterate_exactly(state, h, true, result);
     n_iterations += result.iterations;
     judge_factors(result.iterations);
     // nothing moves where a body is held in its place: velocities do not tell whether the force there converges

@@ -17,13 +17,16 @@ namespace samara
 
 
   bool
-  StageIntegrator::iterate_exactly(const State &state, const double h, StepResult &result)
+  StageIntegrator::iterate_exactly(const State &state, const double h, const bool again, StepResult &result)
   {
     make_exact();
-    ++n_exact_steps;
-    step_of_factors = 0; // no good here
-    previous_step   = 0; // the extrapolated start did not help
-    predict(state, h);
+    if (again)
+      {
+        ++n_exact_steps;
+        step_of_factors = 0; // no good here
+        previous_step   = 0; // the extrapolated start did not help
+        predict(state, h);
+      }
     is_exact       = true;
     bool converged = false;
     try
@@ -36,6 +39,20 @@ namespace samara
       }
     is_exact = false;
     return converged;
+  }
+
+
+
+  bool
+  StageIntegrator::has_many_contacts() const
+  {
+    constexpr unsigned int many = 150; // unknowns
+    unsigned int           n    = 0;
+    for (const Device &device : devices)
+      if (const int stop = device.is_friction ? system.layout.frictions[device.number].stop : int(device.number);
+          stop < 0 || gaps[stop] > 0)
+        n += device.n_ports;
+    return tableau.s * n > many;
   }
 
 

@@ -339,21 +339,6 @@ namespace samara
 
 
   void
-  StageIntegrator::add_slopes_of_stops()
-  {
-    for (unsigned int i = 0; i < stop_forces_now.size(); ++i)
-      if (stop_forces_now[i].is_touched)
-        for (unsigned int k = 0; k < tableau.s; ++k)
-          for (unsigned int l = 0; l < tableau.s; ++l)
-            {
-              const int row = system.layout.of_coordinate(system.layout.stops[i].coordinate);
-              exact->add(k, row, l, row, stop_forces_now[i].slope[k][l]);
-            }
-  }
-
-
-
-  void
   StageIntegrator::solve_exactly_for_increments(const double h)
   {
     std::vector<Point<double>> points;
@@ -364,7 +349,7 @@ namespace samara
         d_exact[k] = stages[k].residual;
       }
     exact->assemble(points, h, is_active);
-    add_slopes_of_stops();
+    add_slopes_of_stops(h);
     add_slopes_of_springs(h);
     exact->solve(d_exact);
     ++n_factorizations;

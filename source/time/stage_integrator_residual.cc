@@ -80,8 +80,8 @@ namespace samara
   bool
   StageIntegrator::can_predict() const
   {
-    return !is_exact && !wants_estimates && system.layout.stops.empty() && system.layout.nonlinear_springs.empty() &&
-           system.layout.n_states == 0;
+    return !is_exact && !wants_estimates && system.layout.stops.empty() && system.layout.frictions.empty() &&
+           system.layout.nonlinear_springs.empty() && system.layout.n_states == 0;
   }
 
 

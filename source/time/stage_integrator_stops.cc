@@ -1,10 +1,14 @@
-// Stops in the stages: their forces, and what they do to the corrections of Newton's method.
+// Stops and friction in the stages: their forces, and what they do to the corrections of Newton's method.
 //
-// The factors know nothing of stops. With the compliance of the rest at the stops, W = P A⁻¹ Pᵀ, the forces that belong
-// to a correction are solved for exactly, stage by stage, however stiff they are and whichever of them open or close:
+// The factors know nothing of them. With the compliance of the rest at their ports, W = P A⁻¹ Pᵀ, the forces that
+// belong to a correction are solved for exactly, stage by stage, however stiff they are and whichever of them open or
+// close, stick or slip:
 //
-//     η = η₀ − W (f(ġ + η) − f(ġ)),     η₀ the correction of the gaps' rates that the factors give.
+//     η = η₀ − W (f(u + η) − f(u)),     u rates and multipliers at the ports, η₀ their correction that the factors
+//     give.
 
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -12,13 +16,55 @@
 
 namespace samara
 {
+  void
+  StageIntegrator::make_devices()
+  {
+    const Layout &layout = system.layout;
+    const auto    add    = [&](const bool is_friction, const unsigned int number, const auto &add_ports) {
+      devices.push_back({static_cast<unsigned int>(ports.size()), 0, is_friction, number});
+      add_ports();
+      devices.back().n_ports = ports.size() - devices.back().first_port;
+    };
+    for (unsigned int i = 0; i < layout.stops.size(); ++i)
+      add(false, i, [&]() {
+        ports.push_back({layout.of_coordinate(layout.stops[i].coordinate), layout.stops[i].side, false, true});
+      });
+    for (unsigned int i = 0; i < layout.frictions.size(); ++i)
+      add(true, i, [&]() {
+        const Layout::Friction &friction = layout.frictions[i];
+        for (const auto coordinate : friction.coordinates)
+          ports.push_back({layout.of_coordinate(coordinate), 1., false, true});
+        if (friction.stop >= 0)
+          {
+            Port gap      = ports[friction.stop];
+            gap.has_force = false;
+            ports.push_back(gap);
+          }
+        for (const auto multiplier : friction.multipliers)
+          ports.push_back({layout.of_multiplier(multiplier), 1., true, false});
+      });
+    columns.resize(layout.n_coordinates);
+    free_changes.resize(tableau.s * ports.size());
+    device_forces_now.setZero(tableau.s * ports.size());
+  }
+
+
+
   const double *
   StageIntegrator::gap_rates(const unsigned int i, double *const rates) const
   {
-    const Layout::Stop &stop = system.layout.stops[i];
     for (unsigned int k = 0; k < tableau.s; ++k)
-      rates[k] = stop.side * stages[k].rates[stop.coordinate];
+      rates[k] = port_value(ports[devices[i].first_port], k);
     return rates;
+  }
+
+
+
+  double
+  StageIntegrator::port_value(const Port &port, const unsigned int k) const
+  {
+    return port.side * (port.is_multiplier ? stages[k].multipliers[port.row - system.layout.of_multiplier(0)] :
+                                             stages[k].rates[port.row - system.layout.of_coordinate(0)]);
   }
 
 
@@ -26,13 +72,42 @@ namespace samara
   void
   StageIntegrator::start_stops(const State &state)
   {
-    const auto &stops = system.layout.stops;
-    gaps.resize(stops.size());
-    stop_forces_now.resize(stops.size());
-    free_rates.resize(tableau.s * stops.size());
-    columns.resize(system.layout.n_coordinates);
-    for (unsigned int i = 0; i < stops.size(); ++i)
-      gaps[i] = stops[i].side * (state.coordinates[stops[i].coordinate] - stops[i].place);
+    const Layout &layout = system.layout;
+    if (layout.stops.empty() && layout.frictions.empty())
+      return;
+    if (devices.empty())
+      make_devices();
+    gaps.resize(layout.stops.size());
+    stop_forces_now.resize(gaps.size());
+    for (unsigned int i = 0; i < gaps.size(); ++i)
+      gaps[i] = layout.stops[i].side * (state.coordinates[layout.stops[i].coordinate] - layout.stops[i].place);
+    for (const auto &friction : layout.frictions)
+      for (const auto multiplier : friction.multipliers)
+        if (!is_active[multiplier])
+          throw NotConverged("t = " + number_to_text("%.6g", state.time) + " s: " + friction.name +
+                             " depends on a reaction that is not unique, <" + layout.multiplier_names[multiplier] +
+                             ">: constraints are redundant there. Take away those that repeat others");
+  }
+
+
+
+  void
+  StageIntegrator::device_forces(const Device               &device,
+                                 const double               *values,
+                                 const double                h,
+                                 Eigen::Ref<Eigen::VectorXd> force,
+                                 Eigen::MatrixXd            *slopes) const
+  {
+    if (device.is_friction)
+      return friction_forces(device, values, h, force, slopes);
+    const StopForces f = stop_forces(system.layout.stops[device.number], tableau, gaps[device.number], values, h);
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        force(k) = f.force[k];
+        if (slopes != nullptr)
+          for (unsigned int l = 0; l < tableau.s; ++l)
+            (*slopes)(k, l) = f.slope[k][l];
+      }
   }
 
 
@@ -40,13 +115,28 @@ namespace samara
   void
   StageIntegrator::evaluate_stops(const double h)
   {
-    double rates[3];
-    for (unsigned int i = 0; i < gaps.size(); ++i)
+    std::array<double, 30> values;
+    for (unsigned int i = 0; i < devices.size(); ++i)
       {
-        const Layout::Stop &stop = system.layout.stops[i];
-        stop_forces_now[i]       = stop_forces(stop, tableau, gaps[i], gap_rates(i, rates), h);
-        for (unsigned int k = 0; k < tableau.s; ++k)
-          stages[k].residual[system.layout.of_coordinate(stop.coordinate)] += stop.side * stop_forces_now[i].force[k];
+        const Device &device = devices[i];
+        const auto    force  = device_forces_now.segment(tableau.s * device.first_port, tableau.s * device.n_ports);
+        if (device.is_friction)
+          {
+            for (unsigned int p = 0; p < device.n_ports; ++p)
+              for (unsigned int k = 0; k < tableau.s; ++k)
+                values[tableau.s * p + k] = port_value(ports[device.first_port + p], k);
+            friction_forces(device, values.data(), h, force, nullptr);
+          }
+        else
+          {
+            stop_forces_now[i] = stop_forces(system.layout.stops[i], tableau, gaps[i], gap_rates(i, values.data()), h);
+            for (unsigned int k = 0; k < tableau.s; ++k)
+              device_forces_now(tableau.s * device.first_port + k) = stop_forces_now[i].force[k];
+          }
+        for (unsigned int p = device.first_port; p < device.first_port + device.n_ports; ++p)
+          if (ports[p].has_force)
+            for (unsigned int k = 0; k < tableau.s; ++k)
+              stages[k].residual[ports[p].row] += ports[p].side * device_forces_now(tableau.s * p + k);
       }
   }
 
@@ -86,43 +176,63 @@ namespace samara
 
 
 
-  /** η₀ of stop i in stage k. */
+  /** η₀ of a port in stage k. */
   double
-  StageIntegrator::free_rate(const unsigned int i, const unsigned int k, const double h) const
+  StageIntegrator::free_change(const Port &port, const unsigned int k, const double h) const
   {
-    const Layout::Stop &stop = system.layout.stops[i];
-    const int           row  = system.layout.of_coordinate(stop.coordinate);
-    double              rate = 0;
+    double change = 0;
     for (unsigned int j = 0; j < factors.size(); ++j)
       {
         const auto                &eigenvalue = tableau.eigenvalues[j];
-        const std::complex<double> hm         = h * eigenvalue.mu;
-        rate += factors[j].real ? eigenvalue.right(k).real() / hm.real() * x_real[row] :
-                                  2 * (eigenvalue.right(k) / hm * x[row]).real();
+        const std::complex<double> hm = h * eigenvalue.mu, unit = port.is_multiplier ? hm * hm : hm;
+        change += factors[j].real ? eigenvalue.right(k).real() / unit.real() * x_real[port.row] :
+                                    2 * (eigenvalue.right(k) / unit * x[port.row]).real();
       }
-    return stop.side * rate;
+    return port.side * change;
   }
 
 
 
-  /** Add the block of W between the stops a and b: rates of the gap of a by forces of b. */
+  /** Set the block of W between two ports: what changes at a by forces at b. */
   void
-  StageIntegrator::compliance(const unsigned int a, const unsigned int b, const double h, Eigen::Ref<Eigen::MatrixXd> W)
+  StageIntegrator::compliance(const Port &a, const Port &b, const double h, Eigen::Ref<Eigen::MatrixXd> W)
   {
-    const Layout::Stop &stop_a = system.layout.stops[a], &stop_b = system.layout.stops[b];
-    const Column       &c   = column(stop_b.coordinate);
-    const int           row = system.layout.of_coordinate(stop_a.coordinate);
     W.setZero();
+    if (!b.has_force)
+      return;
+    const Column &c = column(b.row - system.layout.of_coordinate(0));
     for (unsigned int j = 0; j < factors.size(); ++j)
       {
         const auto                &eigenvalue = tableau.eigenvalues[j];
-        const std::complex<double> hm         = h * eigenvalue.mu;
+        const std::complex<double> unit       = a.is_multiplier ? 1. : h * eigenvalue.mu;
         if (factors[j].real)
-          W += hm.real() * c.real[row] * (eigenvalue.right * eigenvalue.left.transpose()).real();
+          W += unit.real() * c.real[a.row] * (eigenvalue.right * eigenvalue.left.transpose()).real();
         else
-          W += 2 * (hm * c.complex[row] * eigenvalue.right * eigenvalue.left.transpose()).real();
+          W += 2 * (unit * c.complex[a.row] * eigenvalue.right * eigenvalue.left.transpose()).real();
       }
-    W *= stop_a.side * stop_b.side;
+    W *= a.side * b.side;
+  }
+
+
+
+  void
+  StageIntegrator::use_ports_of_touched(const double h)
+  {
+    const unsigned int s = tableau.s;
+    touched_ports.clear();
+    for (const auto i : touched)
+      for (unsigned int p = 0; p < devices[i].n_ports; ++p)
+        touched_ports.push_back(devices[i].first_port + p);
+    const unsigned int n = s * touched_ports.size();
+    touched_free.resize(n);
+    touched_compliance.resize(n, n);
+    for (unsigned int i = 0; i < touched_ports.size(); ++i)
+      {
+        for (unsigned int k = 0; k < s; ++k)
+          touched_free(s * i + k) = free_changes[s * touched_ports[i] + k];
+        for (unsigned int j = 0; j < touched_ports.size(); ++j)
+          compliance(ports[touched_ports[i]], ports[touched_ports[j]], h, touched_compliance.block(s * i, s * j, s, s));
+      }
   }
 
 
@@ -131,45 +241,52 @@ namespace samara
   StageIntegrator::find_stop_forces(const double h, const bool from_free)
   {
     constexpr unsigned int max_iterations = 30;
-    const unsigned int     s = tableau.s, n = s * touched.size();
-    double                 rates[3];
+    const unsigned int     s = tableau.s, n = s * touched_ports.size();
     // what would not be noticed in a step counts as small, as in the corrections of all unknowns
     double     scale = 1e-3 / h, size = 0;
-    const auto unit = [&](const unsigned int i) {
-      return system.model.coordinate_units[system.layout.stops[touched[i]].coordinate] == "m" ? length : 1.;
+    const auto unit = [&](const Port &port) {
+      return system.model.coordinate_units[port.row - system.layout.of_coordinate(0)] == "m" ? length : 1.;
     };
-    StopForces forces;
-    rate_changes = from_free ? stop_free : Eigen::VectorXd::Zero(n).eval();
+    Eigen::VectorXd values(n);
+    Eigen::MatrixXd slopes;
+    port_changes = from_free ? touched_free : Eigen::VectorXd::Zero(n).eval();
     force_changes.resize(n);
-    stop_slopes.setZero(n, n);
+    touched_slopes.setZero(n, n);
     for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
       {
-        for (unsigned int i = 0; i < touched.size(); ++i)
+        for (unsigned int i = 0; i < touched_ports.size(); ++i)
+          for (unsigned int k = 0; k < s; ++k)
+            {
+              const Port &port  = ports[touched_ports[i]];
+              values(s * i + k) = port_value(port, k) + port_changes(s * i + k);
+              if (!port.is_multiplier)
+                scale = std::max(scale, std::abs(values(s * i + k)) / unit(port));
+            }
+        unsigned int first = 0;
+        for (const auto i : touched)
           {
-            gap_rates(touched[i], rates);
-            for (unsigned int k = 0; k < s; ++k)
-              scale = std::max(scale, std::abs(rates[k] += rate_changes(s * i + k)) / unit(i));
-            forces = stop_forces(system.layout.stops[touched[i]], tableau, gaps[touched[i]], rates, h);
-            for (unsigned int k = 0; k < s; ++k)
-              {
-                force_changes(s * i + k) = forces.force[k] - stop_forces_now[touched[i]].force[k];
-                for (unsigned int l = 0; l < s; ++l)
-                  stop_slopes(s * i + k, s * i + l) = forces.slope[k][l];
-              }
+            const Device      &device = devices[i];
+            const unsigned int m      = s * device.n_ports;
+            slopes.setZero(m, m);
+            device_forces(device, values.data() + first, h, force_changes.segment(first, m), &slopes);
+            force_changes.segment(first, m) -= device_forces_now.segment(s * device.first_port, m);
+            touched_slopes.block(first, first, m, m) = slopes;
+            first += m;
           }
-        stop_matrix.noalias() = stop_compliance * stop_slopes;
-        stop_matrix.diagonal().array() += 1;
+        touched_matrix.noalias() = touched_compliance * touched_slopes;
+        touched_matrix.diagonal().array() += 1;
         const Eigen::VectorXd change =
-          stop_matrix.partialPivLu().solve(stop_free - rate_changes - stop_compliance * force_changes);
+          touched_matrix.partialPivLu().solve(touched_free - port_changes - touched_compliance * force_changes);
         if (!change.allFinite())
           return false;
         size = 0;
-        for (unsigned int i = 0; i < touched.size(); ++i)
-          size = std::max(size, change.segment(s * i, s).lpNorm<Eigen::Infinity>() / unit(i));
-        rate_changes += change;
+        for (unsigned int i = 0; i < touched_ports.size(); ++i)
+          if (const Port &port = ports[touched_ports[i]]; !port.is_multiplier)
+            size = std::max(size, change.segment(s * i, s).lpNorm<Eigen::Infinity>() / unit(port));
+        port_changes += change;
         // Forces belong to the change itself, not to rates that are rounded: of these, stiff stops make forces with
         // errors k h ε|ġ|, of which the compliance makes rates with errors k h² ε|ġ|/m.
-        force_changes.noalias() += stop_slopes * change;
+        force_changes.noalias() += touched_slopes * change;
         if (size < 1e-15 * scale || (iteration > 3 && size < 1e-11 * scale))
           return true;
       }
@@ -179,60 +296,73 @@ namespace samara
 
 
   bool
+  StageIntegrator::acts(const Device &device, const double *values, const double h) const
+  {
+    return device.is_friction ||
+           stop_forces(system.layout.stops[device.number], tableau, gaps[device.number], values, h).is_touched;
+  }
+
+
+
+  /** Forces of those that are touched may bring others into touch. */
+  void
+  StageIntegrator::find_further_touches(const double h)
+  {
+    const unsigned int    s = tableau.s;
+    std::vector<bool>     is_touched(devices.size(), false);
+    std::array<double, 3> rates;
+    Eigen::MatrixXd       W(s, s);
+    for (const auto i : touched)
+      is_touched[i] = true;
+    for (unsigned int i = 0; i < gaps.size(); ++i)
+      if (!is_touched[i])
+        {
+          const Port &port = ports[devices[i].first_port];
+          for (unsigned int k = 0; k < s; ++k)
+            rates[k] = port_value(port, k) + free_changes[s * devices[i].first_port + k];
+          for (unsigned int j = 0; j < touched_ports.size(); ++j)
+            if (ports[touched_ports[j]].has_force)
+              {
+                compliance(port, ports[touched_ports[j]], h, W);
+                const Eigen::VectorXd change = W * force_changes.segment(s * j, s);
+                for (unsigned int k = 0; k < s; ++k)
+                  rates[k] -= change(k);
+              }
+          if (acts(devices[i], rates.data(), h))
+            {
+              touched.push_back(i);
+              is_touched[i] = true;
+            }
+        }
+    for (unsigned int i = gaps.size(); i < devices.size(); ++i)
+      if (const int stop = system.layout.frictions[devices[i].number].stop;
+          !is_touched[i] && (stop < 0 || is_touched[stop]))
+        touched.push_back(i);
+  }
+
+
+
+  bool
   StageIntegrator::correct_for_stops(const double h)
   {
     const unsigned int s = tableau.s;
-    if (gaps.empty())
+    if (devices.empty())
       return true;
-    double     rates[3];
-    const auto is_touched = [&](const unsigned int i) {
-      gap_rates(i, rates);
+    for (unsigned int p = 0; p < ports.size(); ++p)
       for (unsigned int k = 0; k < s; ++k)
-        rates[k] += free_rates[s * i + k];
-      return stop_forces_now[i].is_touched ||
-             stop_forces(system.layout.stops[i], tableau, gaps[i], rates, h).is_touched;
-    };
+        free_changes[s * p + k] = free_change(ports[p], k, h);
     touched.clear();
+    touched_ports.clear();
     for (unsigned int i = 0; i < gaps.size(); ++i)
+      if (stop_forces_now[i].is_touched)
+        touched.push_back(i);
+    find_further_touches(h);
+    for (unsigned int n_before = 0; touched.size() > n_before; find_further_touches(h))
       {
-        for (unsigned int k = 0; k < s; ++k)
-          free_rates[s * i + k] = free_rate(i, k, h);
-        if (is_touched(i))
-          touched.push_back(i);
-      }
-    for (unsigned int n_before = 0; touched.size() > n_before;)
-      {
-        // forces of those that are touched may bring others into touch
-        n_before             = touched.size();
-        const unsigned int n = s * touched.size();
-        stop_free.resize(n);
-        stop_compliance.resize(n, n);
-        for (unsigned int i = 0; i < touched.size(); ++i)
-          {
-            for (unsigned int k = 0; k < s; ++k)
-              stop_free(s * i + k) = free_rates[s * touched[i] + k];
-            for (unsigned int j = 0; j < touched.size(); ++j)
-              compliance(touched[i], touched[j], h, stop_compliance.block(s * i, s * j, s, s));
-          }
+        n_before = touched.size();
+        use_ports_of_touched(h);
         if (!find_stop_forces(h, false) && !find_stop_forces(h, true))
           return false;
-        for (unsigned int i = 0; i < gaps.size(); ++i)
-          if (std::find(touched.begin(), touched.begin() + n_before, i) == touched.begin() + n_before)
-            {
-              gap_rates(i, rates);
-              Eigen::MatrixXd W(s, s);
-              for (unsigned int k = 0; k < s; ++k)
-                rates[k] += free_rates[s * i + k];
-              for (unsigned int j = 0; j < n_before; ++j)
-                {
-                  compliance(i, touched[j], h, W);
-                  const Eigen::VectorXd change = W * force_changes.segment(s * j, s);
-                  for (unsigned int k = 0; k < s; ++k)
-                    rates[k] -= change(k);
-                }
-              if (stop_forces(system.layout.stops[i], tableau, gaps[i], rates, h).is_touched)
-                touched.push_back(i);
-            }
       }
     add_stop_reactions(h);
     return true;
@@ -244,10 +374,12 @@ namespace samara
   StageIntegrator::add_stop_reactions(const double h)
   {
     const unsigned int s = tableau.s;
-    for (unsigned int i = 0; i < touched.size(); ++i)
+    for (unsigned int i = 0; i < touched_ports.size(); ++i)
       {
-        const Layout::Stop &stop = system.layout.stops[touched[i]];
-        const Column       &c    = column(stop.coordinate);
+        const Port &port = ports[touched_ports[i]];
+        if (!port.has_force)
+          continue;
+        const Column &c = column(port.row - system.layout.of_coordinate(0));
         for (unsigned int j = 0; j < factors.size(); ++j)
           {
             const auto                &eigenvalue = tableau.eigenvalues[j];
@@ -255,7 +387,7 @@ namespace samara
             std::complex<double>       force      = 0;
             for (unsigned int k = 0; k < s; ++k)
               force += eigenvalue.left(k) * force_changes(s * i + k);
-            force *= stop.side * hm * hm;
+            force *= port.side * hm * hm;
             if (factors[j].real)
               for (unsigned int m = 0; m < x_real.size(); ++m)
                 x_real[m] -= force.real() * c.real[m];
@@ -263,6 +395,38 @@ namespace samara
               for (unsigned int m = 0; m < x.size(); ++m)
                 x[m] -= force * c.complex[m];
           }
+      }
+  }
+
+
+
+  void
+  StageIntegrator::add_slopes_of_stops(const double h)
+  {
+    std::array<double, 30> values;
+    Eigen::MatrixXd        slopes;
+    Eigen::VectorXd        force;
+    for (const Device &device : devices)
+      {
+        for (unsigned int p = 0; p < device.n_ports; ++p)
+          for (unsigned int k = 0; k < tableau.s; ++k)
+            values[tableau.s * p + k] = port_value(ports[device.first_port + p], k);
+        const unsigned int n = tableau.s * device.n_ports;
+        slopes.setZero(n, n);
+        force.resize(n);
+        device_forces(device, values.data(), h, force, &slopes);
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              const Port &row    = ports[device.first_port + i / tableau.s],
+                         &column = ports[device.first_port + j / tableau.s];
+              if (slopes(i, j) != 0) // multipliers are unknowns as h δλ
+                exact->add(i % tableau.s,
+                           row.row,
+                           j % tableau.s,
+                           column.row,
+                           row.side * column.side * slopes(i, j) / (column.is_multiplier ? h : 1.));
+            }
       }
   }
 
@@ -279,9 +443,12 @@ namespace samara
         if (!forces.is_touched)
           continue;
         result.viscous_loss += forces.loss;
+        if (system.layout.stops[i].is_load)
+          result.work_of_loads -= forces.elastic;
         result.work_defect += std::abs(forces.work_defect);
         result.touched_stops.push_back({i, forces.depth, forces.loss, gaps[i] > 0});
         add_touches(i, tableau, gaps[i], rates, state.time, h, result.touches);
       }
+    account_for_friction(h, result);
   }
 } // namespace samara

@@ -19,6 +19,8 @@ namespace samara
     const double h = previous_step;
     if (std::any_of(stop_forces_now.begin(), stop_forces_now.end(), [](const auto &stop) { return stop.is_touched; }))
       throw NotConverged("a stop is touched in the step that is to be linearised");
+    if (!system.layout.frictions.empty())
+      throw NotConverged("dry friction in a step is not linearised");
     if (!system.layout.nonlinear_springs.empty())
       throw NotConverged("what keeps the energy of nonlinear springs in a step is not linearised");
     if (!has_factors(h))

@@ -7,26 +7,6 @@ namespace samara
 {
   namespace
   {
-    /** The mean slope of U/k = ½ (g⁺)² between two gaps, and its derivative by the second. */
-    struct MeanSlope
-    {
-      double value, derivative;
-    };
-
-    MeanSlope
-    mean_slope(const double start, const double end)
-    {
-      if (start > 0 && end > 0)
-        return {0.5 * (start + end), 0.5};
-      if (start <= 0 && end <= 0)
-        return {0, 0};
-      // one of them is touched: no difference of energies, and the signs make that of the gaps a sum
-      const double touched = std::max(start, end), way = std::abs(end - start), part = touched / way;
-      return {0.5 * touched * part, end > 0 ? part * (1 - 0.5 * part) : 0.5 * part * part};
-    }
-
-
-
     /** Gaps at the stages, and at the end. */
     struct Gaps
     {
@@ -57,7 +37,7 @@ namespace samara
 
 
     void
-    add_elastic_forces(const double        stiffness,
+    add_elastic_forces(const ContactLaw   &law,
                        const Tableau      &t,
                        const double        start,
                        const Gaps         &gaps,
@@ -68,35 +48,36 @@ namespace samara
       std::array<double, 3> spring{}, slope{};
       for (unsigned int k = 0; k < t.s; ++k)
         {
-          slope[k]  = gaps.stage[k] > 0 ? stiffness : 0.;
-          spring[k] = slope[k] * gaps.stage[k];
+          slope[k]  = law.slope(gaps.stage[k]);
+          spring[k] = law.force(gaps.stage[k]);
         }
       for (unsigned int k = 0; k < t.s; ++k)
         {
           result.force[k] = spring[k];
           for (unsigned int l = 0; l < t.s; ++l)
             result.slope[k][l] = h * t.a(k, l) * slope[k];
+          result.elastic += h * t.b(k) * spring[k] * r[k];
         }
-      // the energy of a spring that never leaves is exact without correction: b_k a_kl + b_l a_lk = b_k b_l
-      if (gaps.is_touched_all_the_time)
+      // the energy of a linear spring that never leaves is exact without correction: b_k a_kl + b_l a_lk = b_k b_l
+      if (gaps.is_touched_all_the_time && law.exponent == 1 && !law.expression)
         return;
 
-      const MeanSlope mean    = mean_slope(start, gaps.end);
-      double          squares = 0, power = 0, rate = 0;
+      const ContactLaw::Mean mean    = law.mean(start, gaps.end);
+      double                 squares = 0, power = 0, rate = 0;
       for (unsigned int k = 0; k < t.s; ++k)
         {
           squares += t.b(k) * r[k] * r[k];
           rate += t.b(k) * r[k];
-          power += t.b(k) * (stiffness * mean.value - spring[k]) * r[k];
+          power += t.b(k) * (mean.force - spring[k]) * r[k];
         }
       result.work_defect = h * power;
+      result.elastic += h * power;
       if (!(squares > 0))
         return;
       const double tau = power / squares;
       for (unsigned int l = 0; l < t.s; ++l)
         {
-          double change =
-            t.b(l) * (stiffness * mean.value - spring[l]) + h * t.b(l) * rate * stiffness * mean.derivative;
+          double change = t.b(l) * (mean.force - spring[l]) + h * t.b(l) * rate * mean.slope;
           for (unsigned int k = 0; k < t.s; ++k)
             change -= t.b(k) * r[k] * h * t.a(k, l) * slope[k];
           const double change_of_tau = (change - 2 * tau * t.b(l) * r[l]) / squares;
@@ -110,7 +91,7 @@ namespace samara
 
 
     void
-    add_damper(const double        damping,
+    add_damper(const ContactLaw   &law,
                const Tableau      &t,
                const Gaps         &gaps,
                const double *const r,
@@ -120,10 +101,12 @@ namespace samara
       const double way = std::abs(gaps.change), direction = gaps.change > 0 ? 1. : -1.;
       for (unsigned int k = 0; k < t.s; ++k)
         {
-          if (!(gaps.stage[k] > 0))
+          const double gap = gaps.stage[k];
+          if (!(gap > 0))
             continue;
-          const bool   begins   = gaps.stage[k] < way;
-          const double fraction = begins ? gaps.stage[k] / way : 1., force = damping * fraction * r[k];
+          const bool   begins   = gap < way;
+          const double fraction = begins ? gap / way : 1.,
+                       c = law.damping * fraction + law.factor * law.force(gap), force = c * r[k];
           if (result.force[k] + std::min(force, 0.) < 0 && force < 0)
             {
               // it would pull: what is left of the spring is lost
@@ -138,10 +121,13 @@ namespace samara
             }
           result.force[k] += force;
           result.loss += h * t.b(k) * force * r[k];
-          result.slope[k][k] += damping * fraction;
+          result.slope[k][k] += c;
+          const double of_gap = law.factor * law.slope(gap) * r[k];
+          for (unsigned int l = 0; l < t.s; ++l)
+            result.slope[k][l] += of_gap * h * t.a(k, l);
           if (begins)
             for (unsigned int l = 0; l < t.s; ++l)
-              result.slope[k][l] += damping * r[k] * h * (t.a(k, l) - fraction * direction * t.b(l)) / way;
+              result.slope[k][l] += law.damping * r[k] * h * (t.a(k, l) - fraction * direction * t.b(l)) / way;
         }
     }
   } // namespace
@@ -157,9 +143,9 @@ namespace samara
     if (!result.is_touched)
       return result;
     result.depth = gaps.most;
-    add_elastic_forces(stop.stiffness, tableau, gap, gaps, rates, h, result);
-    if (stop.damping > 0)
-      add_damper(stop.damping, tableau, gaps, rates, h, result);
+    add_elastic_forces(stop.law, tableau, gap, gaps, rates, h, result);
+    if (stop.law.has_damping())
+      add_damper(stop.law, tableau, gaps, rates, h, result);
     return result;
   }
 

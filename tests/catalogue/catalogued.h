@@ -51,9 +51,9 @@ namespace samara
 
 
 
-  /** What the entries of a free motion are worth trying with; the lengths of springs are 2 m. */
+  /** What the entries of a free motion are worth trying with; the lengths of springs are 2 m. @p rubs: with friction. */
   inline Changes
-  changes_of_motion(const std::string &motion, const std::string &object)
+  changes_of_motion(const std::string &motion, const std::string &object, const bool rubs)
   {
     const bool        is_angle = motion.substr(0, 8) == "rotation", is_length = motion == "length";
     const std::string path = object + "/" + motion + "/", spring = path + "Spring = 7",
@@ -69,9 +69,54 @@ namespace samara
                                {"Stop damping", "3", {upper, stiff}},
                                {is_angle ? "Moment" : "Force", "2"},
                                {"Prescribed", is_length ? "2 + 0.3*t" : "0.3*t"}};
+    const std::vector<std::string> bounces = {upper, stiff, path + "Stop restitution = 0.5", path + "Stop speed = 1"},
+                                   by_force = {upper, path + "Stop force = 50*s"};
+    changes.push_back({"Stop exponent", "1.5", {upper, stiff}});
+    changes.push_back({"Stop restitution", "0.8", bounces});
+    changes.push_back({"Stop speed", "2", bounces});
+    changes.push_back({"Stop force", "80*s", by_force});
+    if (rubs)
+      {
+        std::vector<std::string> slips = {path + "Friction = 0.3", path + "Friction preload = 100"};
+        if (is_angle)
+          slips.push_back(path + "Friction radius = 0.1");
+        std::vector<std::string> sticks = slips;
+        sticks.insert(sticks.end(), {path + "Static friction = 0.5", path + "Stribeck speed = 0.5"});
+        changes.push_back({"Friction", "0.4", slips});
+        changes.push_back({"Friction preload", "50", slips});
+        if (is_angle)
+          changes.push_back({"Friction radius", "0.2", slips});
+        changes.push_back({"Static friction", "0.6", sticks});
+        changes.push_back({"Stribeck speed", "0.8", sticks});
+        changes.push_back({"Sticking speed", "0.01", slips});
+      }
     for (auto &change : changes)
       change.entry = motion + " / " + change.entry;
     return changes;
+  }
+
+  /** What the entries of a contact of bodies are worth trying with; it has a stiffness, and is touched. */
+  inline Changes
+  changes_of_contact(const std::string &object)
+  {
+    const std::string              path    = object + "/";
+    const std::vector<std::string> bounces = {path + "Restitution = 0.5", path + "Impact speed = 1"},
+                                   slips   = {path + "Friction = 0.3"};
+    std::vector<std::string>       sticks  = slips;
+    sticks.insert(sticks.end(), {path + "Static friction = 0.5", path + "Stribeck speed = 0.5"});
+    return {{"Body A", "ground"},
+            {"Body B", "ground"},
+            {"Axis 1", "0.3, 1, 0.2", slips},
+            {"Stiffness", "200"},
+            {"Damping", "3"},
+            {"Exponent", "1.5"},
+            {"Restitution", "0.8", bounces},
+            {"Impact speed", "2", bounces},
+            {"Force", "100*s", {}, true},
+            {"Friction", "0.4", slips},
+            {"Static friction", "0.6", sticks},
+            {"Stribeck speed", "0.8", sticks},
+            {"Sticking speed", "0.01", slips}};
   }
 
   inline Changes
@@ -129,7 +174,7 @@ namespace samara
     {
       std::vector<Changes> of_motions;
       for (const auto &motion : motions)
-        of_motions.push_back(changes_of_motion(motion, "Joints/it"));
+        of_motions.push_back(changes_of_motion(motion, "Joints/it", kind != "screw" && motion.find("displacement ") != 0));
       check(kind, models::joint(kind, entries, probes), "Joints/it", joined(changes, of_motions));
     }
 

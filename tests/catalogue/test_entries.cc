@@ -92,6 +92,9 @@ TEST_F(Catalogued, AllKinds)
                                    "rolling ball",
                                    "rolling disc",
                                    "knife edge",
+                                   "ball on plane",
+                                   "ball on ball",
+                                   "ball on cylinder",
                                    "support",
                                    "distributing",
                                    "gravity",
@@ -204,7 +207,43 @@ TEST_F(Catalogued, OtherJoints)
                         "1 - 0.4*sqrt(1 - 0.09/30.54)/sqrt(6), 0.4 - 0.8*sqrt(1 - 0.09/30.54)/sqrt(6), "
                         "0.2 + 0.4*sqrt(1 - 0.09/30.54)/sqrt(6)"}}}));
   check_joint("knife edge", tilted, "it.force 1", joined(ends, {axis}));
-  check("gear", models::gear, "Joints/it", {{"Joint A", "on c"}, {"Joint B", "on c.rotation"}, {"Ratio", "-1.5"}});
+  const std::vector<std::string> teeth = {"Joints/it/Backlash = 0.001", "Joints/it/Mesh stiffness = 1000"};
+  std::vector<std::string>       bounces = teeth;
+  bounces.insert(bounces.end(), {"Joints/it/Mesh restitution = 0.5", "Joints/it/Mesh speed = 1"});
+  check("gear",
+        models::gear,
+        "Joints/it",
+        {{"Joint A", "on c"},
+         {"Joint B", "on c.rotation"},
+         {"Ratio", "-1.5"},
+         {"Backlash", "0.01", teeth},
+         {"Mesh stiffness", "2000", teeth},
+         {"Mesh damping", "3", teeth},
+         {"Mesh exponent", "1.5", teeth},
+         {"Mesh restitution", "0.8", bounces},
+         {"Mesh speed", "2", bounces},
+         {"Mesh force", "50*s", teeth, true}});
+}
+
+
+
+TEST_F(Catalogued, Contacts)
+{
+  const std::string entries = "\n    set Radius = 0.2\n    set Stiffness = 100\n    set Friction = 0";
+  check_joint("ball on plane",
+              "    set Axis = 1, 2, -1\n    set Position = 0.9, 0.3, 0.3" + entries,
+              "it.gap, it.force",
+              joined(changes_of_contact("Joints/it"),
+                     {{{"Axis", "0.3, 1, 0.2"}, {"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}}}));
+  const Changes other = {{"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}, {"Radius A", "0.15"}, {"Side", "inside", {}, true}};
+  check_joint("ball on ball",
+              "    set Position = 0.9, 0.3, 0.3\n    set Radius A = 0.1" + entries,
+              "it.gap, it.force",
+              joined(changes_of_contact("Joints/it"), {other, {{"Axis", "0.3, 1, 0.2", {"Joints/it/Friction = 0.3", "Output/Probes = it.friction 3"}}}}));
+  check_joint("ball on cylinder",
+              "    set Position = 0.9, 0.3, 0.3\n    set Radius A = 0.1" + entries,
+              "it.gap, it.force",
+              joined(changes_of_contact("Joints/it"), {other, axis}));
 }
 
 

@@ -34,8 +34,8 @@ TEST(Stops, AreListedInTheLayout)
       EXPECT_EQ(stop.coordinate, 0u);
       EXPECT_EQ(stop.place, i == 0 ? -0.5 : 0.4);
       EXPECT_EQ(stop.side, i == 0 ? -1. : 1.);
-      EXPECT_EQ(stop.stiffness, 10.);
-      EXPECT_EQ(stop.damping, 3.);
+      EXPECT_EQ(stop.law.stiffness, 10.);
+      EXPECT_EQ(stop.law.damping, 3.);
       EXPECT_EQ(stop.name, std::string("joint j, ") + (i == 0 ? "lower" : "upper") + " stop of the rotation");
     }
 }

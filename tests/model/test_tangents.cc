@@ -102,7 +102,7 @@ end
                  ""};
     const std::string used = "set Spring = 2\n set Damper = 0.3\n set Rest = 0.2\n set Prescribed = 0.1 + 0.2*t\n"
                              " set Lower stop = 0.4\n set Upper stop = 0.5\n set Stop stiffness = 1.5\n"
-                             " set Stop damping = 0.4\n end\n";
+                             " set Stop damping = 0.4\n";
     const std::map<std::string, std::vector<std::string>> motions = {{"revolute", {"rotation"}},
                                                                      {"prismatic", {"displacement"}},
                                                                      {"screw", {"displacement", "rotation"}},
@@ -122,7 +122,13 @@ end
                                                                      {"springs in fixed axes", {}},
                                                                      {"rolling disc", {}},
                                                                      {"rolling ball", {}},
-                                                                     {"knife edge", {}}};
+                                                                     {"knife edge", {}},
+                                                                     {"ball on plane", {}},
+                                                                     {"ball on ball", {}},
+                                                                     {"ball on cylinder", {}}};
+    const std::string bounces = "set Stop exponent = 1.5\n set Stop restitution = 0.5\n set Stop speed = 3\n",
+                      rubs    = "set Friction = 0.3\n set Static friction = 0.5\n set Stribeck speed = 0.9\n"
+                                " set Sticking speed = 0.09\n";
     for (const auto &[kind, free] : motions)
       {
         std::string text = "subsection Joints\n subsection j\n set Type = " + kind +
@@ -149,8 +155,18 @@ end
           text += "set Stiffness = 1, 2, 3\n set Rotational stiffness = 4, 5, 6\n set Damping = 6, 5, 4\n"
                   "set Rotational damping = 3, 2, 1\n set Coupling = .1, .2, .1, .2, .1, "
                   ".3, .1, .2, .1, .1, .2, .1, .2, .1, .1\n";
+        if (kind.find("ball on ") == 0)
+          text += "set Radius = 5\n set Stiffness = 2\n set Exponent = 1.5\n set Restitution = 0.5\n set Impact speed = 3\n"
+                  " set Damping = 0.2\n" + rubs + (kind == "ball on plane" ? "" : "set Radius A = 0.1\n");
         for (const auto &motion : free)
-          text += "subsection " + motion + "\n " + used;
+          {
+            // one with linear stops, all others with those that are not, and with friction
+            const bool is_plain = kind == "prismatic";
+            text += "subsection " + motion + "\n " + used + (is_plain ? "" : bounces);
+            if (!is_plain && kind != "screw" && motion.find("displacement ") != 0)
+              text += rubs + "set Friction preload = 0.4\n" + (motion.find("rotation") == 0 ? "set Friction radius = 0.7\n" : "");
+            text += "end\n";
+          }
         s[kind].rest = text + "end\nend\n";
       }
     const std::string rail = R"(
@@ -186,6 +202,9 @@ subsection Joints
   end
 )";
     s["gear"].rest            = hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n end\nend\n";
+    s["gear with backlash"].rest =
+      hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n"
+              " set Backlash = 0.01\n set Mesh stiffness = 3\n set Mesh restitution = 0.5\n set Mesh speed = 2\n end\nend\n";
     s["first order"].rest =
       "subsection States\n subsection z\n set Rate = 3*z - z^2*block.far.velocity y + rod.end.position x*t\n"
       " end\nend\n";
@@ -272,6 +291,26 @@ TEST(Tangents, AgreeWithComplexStep)
             EXPECT_LT(check.error_of_damping(), 2e-14) << where << ", damping";
           }
     }
+}
+
+
+
+// Where bodies touch, bounce and rub, forces depend on velocities, normal forces on multipliers.
+TEST(Tangents, ContactsAgreeWithComplexStepWhereTheyMove)
+{
+  for (const auto &[kind, text] : scenes())
+    if (text.rest.find("restitution") != std::string::npos || text.rest.find("Restitution") != std::string::npos)
+      for (const bool orthonormal : {true, false})
+        {
+          // ComplexStep leaves the rates of strains aside where places move
+          std::string       model = text.model();
+          const std::string line  = "    set Damping = 0.1, 0.2, 0.3, 0.4, 0.5, 0.6\n";
+          model.erase(model.find(line), line.size());
+          const Scene       scene(model);
+          const ComplexStep check(scene.system, orthonormal, true, true);
+          EXPECT_LT(check.error_of_tangent(), 2e-14) << kind << orthonormal;
+          EXPECT_LT(check.error_of_damping(), 2e-14) << kind << orthonormal;
+        }
 }
 
 

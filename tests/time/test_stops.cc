@@ -19,7 +19,7 @@ namespace
   double
   energy_of_stop(const Layout::Stop &stop, const double gap)
   {
-    return gap > 0 ? 0.5 * stop.stiffness * gap * gap : 0.;
+    return stop.law.energy(gap);
   }
 
   /** A random stop, gap and rates, at scales of gaps, rates and steps that vary by ten orders. */
@@ -35,7 +35,7 @@ namespace
       const auto scale  = [&](const double decades) { return std::pow(10., decades * number(random)); };
       h                 = 1e-3 * scale(2);
       const double rate = scale(6);
-      stop              = {0, 0., 1., scale(5), damping, ""};
+      stop              = {0, 0., 1., {scale(5), damping, 1, 0, nullptr}, false, ""};
       gap               = number(random) * h * rate * scale(0.5);
       for (double &r : rates)
         r = rate * number(random);
@@ -142,7 +142,7 @@ TEST(StopForces, SlopeIsTheDerivative)
 TEST(StopForces, DamperDoesNotPull)
 {
   const Tableau      t(2, 1.);
-  const Layout::Stop stop{0, 0., 1., 100., 1e4, ""};
+  const Layout::Stop stop{0, 0., 1., {100., 1e4, 1, 0, nullptr}, false, ""};
   const double       leaving[3] = {-0.1, -0.1, 0}, pressing[3] = {0.1, 0.1, 0};
   const auto         f = stop_forces(stop, t, 1., leaving, 0.1), g = stop_forces(stop, t, 1., pressing, 0.1);
   for (unsigned int k = 0; k < 2; ++k)

@@ -49,6 +49,12 @@ namespace samara
     /** A line a stop that was touched: how often, when first, and the largest depth. */
     std::string summary(const Layout &layout) const;
 
+    /** Of Layout::frictions: how far slips have gone that were so slow that they should stick [m]. */
+    std::vector<double> creep;
+
+    /** A line for each that did; empty if there is none. */
+    std::string creep_summary(const Layout &layout) const;
+
   private:
     std::vector<Contact>                contacts;
     std::map<unsigned int, std::size_t> open; ///< those that are not over, by their stops

@@ -90,14 +90,14 @@ namespace samara
     struct Budget
     {
       double kinetic = 0, strain = 0, potential = 0;
-      double loads = 0, drives = 0, viscous = 0, dissipated = 0;
+      double loads = 0, drives = 0, viscous = 0, friction = 0, dissipated = 0;
       double start = 0; ///< kinetic + strain + potential energy at the start
 
       /** What does not close; round-off. */
       double
       balance() const
       {
-        return kinetic + strain + potential - start - loads - drives + viscous + dissipated;
+        return kinetic + strain + potential - start - loads - drives + viscous + friction + dissipated;
       }
     };
     Budget budget;

@@ -2,6 +2,8 @@
 #define samara_joints_joint_h
 
 #include <samara/joints/angle.h>
+#include <samara/joints/contact_entries.h>
+#include <samara/joints/contact_terms.h>
 #include <samara/joints/pair.h>
 #include <samara/model/relative_motion.h>
 #include <samara/model/response.h>
@@ -28,11 +30,17 @@ namespace samara
     bool         is_on_b   = false; ///< whether that is an axis of B, not of A
 
     // entries
-    double         spring = 0, rest = 0, damper = 0;
-    double         lower_stop = 0, upper_stop = 0, stop_stiffness = 0, stop_damping = 0;
-    bool           has_lower_stop = false, has_upper_stop = false;
-    Law            force, prescribed, spring_law;
-    bool           is_prescribed = false;
+    double          spring = 0, rest = 0, damper = 0;
+    double          lower_stop = 0, upper_stop = 0;
+    bool            has_lower_stop = false, has_upper_stop = false;
+    ContactEntries  stop;
+    FrictionEntries friction;
+    Law             force, prescribed, spring_law;
+    bool            is_prescribed = false;
+    bool            may_rub       = true; ///< whether it knows dry friction
+
+    ContactLaw  stop_law;     ///< what the entries of the stops say
+    FrictionLaw friction_law; ///< what those of friction say
 
     /** Of the force and of what is prescribed, where they depend on the model's state. */
     std::unique_ptr<Response> response, drive;
@@ -179,9 +187,10 @@ namespace samara
    *     screw             d − p θ = 0
    *     no slip           0; b·y = 0 is a constraint on velocities alone, its tangent row is b
    *
-   * Four terms: these constraints; the forces along the motions in use; those of nonlinear springs, which have a
+   * Terms: these constraints; the forces along the motions in use; those of nonlinear springs, which have a
    * potential; springs, dampers and stops, with the strains d − rest of the motions in use, then d − stop of their
-   * stops, 0 while the stop is not touched. In time steps of the integrator family Layout::stops stand for them.
+   * stops, 0 while the stop is not touched; contacts that are not linear, and friction. In time steps of the integrator
+   * family Layout::stops and Layout::frictions stand for them.
    */
   class Joint : public Item, public RelativeMotions
   {
@@ -307,7 +316,7 @@ namespace samara
     /** @} */
 
   private:
-    /** A spring and damper that act on a motion while it is beyond the place of the stop. */
+    /** A spring and damper with constant coefficients that act on a motion beyond the place of the stop. */
     struct Stop
     {
       unsigned int motion;      ///< number among those used
@@ -326,7 +335,8 @@ namespace samara
 
     unsigned int      first_row      = 0;     ///< of the multipliers in the residual
     bool              with_axes_of_b = false; ///< whether any function needs them
-    std::vector<Stop> stops;
+    std::vector<Stop> stops; ///< linear ones
+    ContactTerms      contacts;
 
     /** What acts along (force) or about (moment) joint axis @p axis; nothing if nothing does. */
     std::function<double(const State &)> action(bool is_moment, unsigned int axis) const;
@@ -337,7 +347,9 @@ namespace samara
     std::shared_ptr<Signal> tension();
 
     void find_nonlinear_spring(Model &model, FreeMotion &motion);
+    void check_friction(Model &model, const FreeMotion &motion);
     void number_rows(Layout &layout);
+    void add_friction(Layout &layout);
     void add_constraints(Layout &layout);
     void add_nonlinear_springs(Layout &layout);
 

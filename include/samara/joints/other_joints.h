@@ -107,6 +107,9 @@ namespace samara
   /**
    * A gear between the rotations of two joints that share a housing: θ_B = n θ_A. The axes may point anywhere; the
    * moments on both shafts and on the housing follow from the joints' own reactions.
+   *
+   * With a backlash b [rad], which B can turn by while A is held, the teeth touch by a law: δ = θ_B − n θ_A is an
+   * unknown, and two stops of it press back where |δ| > b/2. In the reference configuration it is in the middle.
    */
   class Gear : public Item, public Evaluated<Gear, Constraint>
   {
@@ -124,10 +127,15 @@ namespace samara
     std::vector<std::string> probe_names() const override;
 
   private:
-    std::string  joint_a, joint_b;
-    double       ratio          = 1;
-    unsigned int coordinates[2] = {0, 0}, multiplier = 0;
-    Block        block;
+    std::string    joint_a, joint_b;
+    double         ratio = 1, backlash = 0;
+    ContactEntries mesh;
+    ContactLaw     law;
+    bool           has_backlash   = false;
+    unsigned int   coordinates[3] = {0, 0, 0}, multiplier = 0; ///< of A, of B, δ
+    unsigned int   row = 2;                                    ///< of the multiplier in the block
+    Block          block;
+    ContactTerms   teeth;
   };
 
   // instantiated where the templates of the classes are defined

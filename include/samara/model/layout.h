@@ -1,7 +1,8 @@
 #ifndef samara_model_layout_h
 #define samara_model_layout_h
 
-#include <samara/base/spring_law.h>
+#include <samara/base/contact_law.h>
+#include <samara/base/friction_law.h>
 #include <samara/model/model.h>
 #include <samara/model/terms.h>
 
@@ -102,16 +103,33 @@ namespace samara
 
     /**
      * What presses on a joint coordinate from one side only: with the gap g = side (coordinate − place), positive where
-     * it is touched, the force k g⁺ + c ġ against growing g, never pulling.
+     * it is touched, a force by its law against growing g, never pulling.
      */
     struct Stop
     {
       unsigned int coordinate;
-      double       place, side;        ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
-      double       stiffness, damping; ///< k [N/m] or [N m/rad], c [N s/m] or [N m s/rad]
-      std::string  name;               ///< for messages: "joint hinge, upper stop of the rotation"
+      double       place, side; ///< [m] or [rad]; side 1 for an upper stop, -1 for a lower one
+      ContactLaw   law;
+      bool         is_load; ///< its energy is a potential of the loads, not strain energy
+      std::string  name;    ///< for messages: "joint hinge, upper stop of the rotation"
     };
     std::vector<Stop> stops;
+
+    /**
+     * Dry friction against the rates of one to three joint coordinates, which together are a slip: w = arm times the
+     * rates. The normal force is that of a stop or the size of the reactions of some multipliers, and a preload.
+     */
+    struct Friction
+    {
+      std::vector<unsigned int> coordinates;
+      double                    arm = 1; ///< radius of what turns [m]; 1 for displacements
+      FrictionLaw               law;
+      int                       stop = -1; ///< number in stops; -1: none
+      std::vector<unsigned int> multipliers;
+      double                    preload = 0; ///< [N], not negative
+      std::string               name;        ///< for messages: "joint hinge, friction of the rotation"
+    };
+    std::vector<Friction> frictions;
 
     /** A nonlinear spring of a joint coordinate, whose energy steps keep exactly. Its force is among the forces. */
     struct NonlinearSpring

@@ -18,6 +18,7 @@ namespace samara
     double       dissipated = 0; ///< numerically, D ≥ 0
     double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate; see wants_estimates
     double       work_of_loads = 0, viscous_loss = 0;
+    double       friction_loss   = 0; ///< of dry friction, not negative
     double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
     double       work_defect     = 0; ///< Σ|N| of stops: what their energy would change by without correction
     double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
@@ -31,6 +32,7 @@ namespace samara
 
     std::vector<Touch>       touches; ///< stops that were touched or left in the step
     std::vector<TouchedStop> touched_stops;
+    std::vector<double>      creep; ///< of Layout::frictions: way of slips so slow that they should stick [m]
     StepDifference           difference; ///< what it says about its error; see wants_estimates
   };
 
@@ -53,6 +55,7 @@ namespace samara
   {
     bool states       = false; ///< solves states of first order
     bool virtual_mass = false; ///< knows inertia that is no part of the bodies, as that of the air
+    bool friction     = false; ///< dry friction
     bool is_family    = false; ///< Integrator::family(): steps of chosen size, rows left out, restarts to the last bit
   };
 

@@ -56,7 +56,7 @@ namespace samara
                         settings.max_iterations)
     {}
 
-    static constexpr IntegratorAbilities abilities = {true, true, true};
+    static constexpr IntegratorAbilities abilities = {true, true, true, true};
 
     StepResult step(State &state, double h) override;
     void       forget_history() override;
@@ -256,9 +256,31 @@ namespace samara
     void   solve_stages(const std::vector<double> &r, std::vector<double> &X);
     double solve(double h);
 
-    /** @name Stops; gaps at the start, forces of the last evaluation @{ */
-    std::vector<double>     gaps, free_rates;
+    /**
+     * @name Stops and friction; gaps at the start, forces of the last evaluation (stage_integrator_stops.cc)
+     * @{
+     */
+    std::vector<double>     gaps;
     std::vector<StopForces> stop_forces_now;
+
+    /** An unknown that forces of stops and of friction depend on, in all stages: a rate, or a multiplier. */
+    struct Port
+    {
+      int    row;  ///< of the unknown
+      double side; ///< its sign
+      bool   is_multiplier, has_force;
+    };
+    /** What acts at some ports: a stop, or the friction of some slip. */
+    struct Device
+    {
+      unsigned int first_port, n_ports;
+      bool         is_friction;
+      unsigned int number; ///< in Layout::stops or Layout::frictions
+    };
+    std::vector<Port>   ports;
+    std::vector<Device> devices; ///< stops first
+    std::vector<double> free_changes;
+
     /** Answers of the factors to unit forces on joint coordinates. */
     struct Column
     {
@@ -267,21 +289,43 @@ namespace samara
       std::vector<std::complex<double>> complex;
     };
     std::vector<Column>       columns;
-    std::vector<unsigned int> touched;
-    Eigen::VectorXd           stop_free, rate_changes, force_changes;
-    Eigen::MatrixXd           stop_compliance, stop_slopes, stop_matrix;
+    std::vector<unsigned int> touched, touched_ports; ///< devices that act, and their ports
+    Eigen::VectorXd           device_forces_now;      ///< of all ports
+    Eigen::VectorXd           touched_free, port_changes, force_changes;
+    Eigen::MatrixXd           touched_compliance, touched_slopes, touched_matrix;
 
+    void          make_devices();
     void          start_stops(const State &state);
     void          evaluate_stops(double h);
     const Column &column(unsigned int coordinate);
     void          forget_columns();
     const double *gap_rates(unsigned int i, double *rates) const;
-    double        free_rate(unsigned int i, unsigned int k, double h) const;
-    void          compliance(unsigned int a, unsigned int b, double h, Eigen::Ref<Eigen::MatrixXd> W);
+    double        port_value(const Port &port, unsigned int k) const;
+    double        free_change(const Port &port, unsigned int k, double h) const;
+    void          compliance(const Port &a, const Port &b, double h, Eigen::Ref<Eigen::MatrixXd> W);
+    bool          acts(const Device &device, const double *values, double h) const;
+    void          device_forces(const Device                &device,
+                                const double                *values,
+                                double                       h,
+                                Eigen::Ref<Eigen::VectorXd> force,
+                                Eigen::MatrixXd             *slopes) const;
+    void          friction_forces(const Device                &device,
+                                  const double                *values,
+                                  double                       h,
+                                  Eigen::Ref<Eigen::VectorXd> force,
+                                  Eigen::MatrixXd             *slopes) const;
+    void          normal_forces(const Device    &device,
+                                const double    *values,
+                                double           h,
+                                double          *normal,
+                                Eigen::MatrixXd *slopes) const;
+    void          use_ports_of_touched(double h);
     bool          find_stop_forces(double h, bool from_free);
+    void          find_further_touches(double h);
     bool          correct_for_stops(double h);
     void          add_stop_reactions(double h);
     void          account_for_stops(const State &state, double h, StepResult &result);
+    void          account_for_friction(double h, StepResult &result) const;
     /** @} */
 
     /** @name Nonlinear springs: stretches at the start, and what keeps their energy (stage_springs.cc) @{ */
@@ -295,9 +339,14 @@ namespace samara
     void   solve_exactly_for_increments(double h);
     double solve_exactly(double h);
     void   make_exact();
-    void   add_slopes_of_stops();
-    /** Repeat a step that does not converge with the exact matrix of all stages. */
-    bool iterate_exactly(const State &state, double h, StepResult &result);
+    void   add_slopes_of_stops(double h);
+    /**
+     * A step with the exact matrix of all stages: in place of the factors, as a repetition, or for its own sake where
+     * many contacts act: it is sparse, the system of what is touched is not.
+     */
+    bool iterate_exactly(const State &state, double h, bool again, StepResult &result);
+    /** Whether that system is so large that the exact matrix costs less. */
+    bool has_many_contacts() const;
     void use_strains_of_stages();
     /** B as in the matrix of stage @p k. */
     const LinearStrains &

@@ -16,6 +16,7 @@ namespace samara
     bool                                 is_touched = false;
     double work_defect = 0; ///< N [J]: the work of U'(g) in the stages misses U_f − U_i by it
     double loss        = 0; ///< of the damper [J], not negative
+    double elastic     = 0; ///< work of f − d on the spring [J]
     double depth       = 0; ///< the largest gap in the stages and at both ends
   };
 
@@ -23,14 +24,14 @@ namespace samara
    * A stop in all stages at once, each by the sign of its own gap; nothing is located or switched
    * (doc/theory/joints.md):
    *
-   *     f_k = U'(g_k) + τ ġ_k + d_k,     U = ½ k (g⁺)²,     τ = Σ b_k (U'_m − U'(g_k)) ġ_k / Σ b_k ġ_k²
+   *     f_k = U'(g_k) + τ ġ_k + d_k,     τ = Σ b_k (U'_m − U'(g_k)) ġ_k / Σ b_k ġ_k²
    *
    * with the mean slope U'_m = (U_f − U_i)/(g_f − g_i), in a form without cancellation. Then h Σ b (f − d) ġ = U_f −
    * U_i to round-off, whatever the rates are. N = h Σ b (U'_m − U'(g_k)) ġ_k tells how well the steps resolve the
    * contact.
    *
-   * The damper is d_k = c ġ_k min(1, g_k⁺/|g_f − g_i|), cut so that the stop does not pull. The fraction lets it begin
-   * in the course of a step: with a jump to c ġ at the touch, equations of stages may have no solution.
+   * The damper is d_k = c ġ_k min(1, g_k⁺/|g_f − g_i|) + χ U'(g_k) ġ_k, cut so that the stop does not pull. The fraction
+   * lets it begin in the course of a step: with a jump to c ġ at the touch, equations of stages may have no solution.
    *
    * @param gap g_i at the start; @param rates ġ_k of the gap in the stages; @param h the step [s].
    */

@@ -1,0 +1,204 @@
+// Dry friction in time steps, of joints and of contacts: losses, and closed forms of blocks, pendulums and balls.
+
+#include <gtest/gtest.h>
+
+#include "contact_motion.h"
+
+using namespace samara;
+using namespace samara::systems;
+
+namespace
+{
+  /** A block of 1 kg on a slope that rises along x by @p angle, with a speed up it. */
+  std::string
+  block_on_slope(const double angle, const double mu, const double speed, const double epsilon)
+  {
+    const double      c = std::cos(angle), s = std::sin(angle);
+    const std::string axis = number_of(c) + ", 0, " + number_of(s);
+    return model(rigid_body("a",
+                            "set Mass = 1\n set Inertia = 1, 1, 1\n" +
+                              moving(number_of(speed * c) + ", 0, " + number_of(speed * s), "0, 0, 0")),
+                 joint("slope",
+                       "prismatic",
+                       "set Body A = ground\n set Body B = a.centre\n set Axis = " + axis + "\n" +
+                         motion("displacement",
+                                " set Friction = " + number_of(mu) + "\n set Sticking speed = " + number_of(epsilon) +
+                                  "\n")),
+                 gravity);
+  }
+
+  constexpr double g = 9.80665;
+} // namespace
+
+
+
+// Up the slope with v: it stops after v²/(2 g (sin α + μ cos α)) and creeps back with ε tan α/√(μ² − tan² α).
+TEST(DryFriction, BlockOnASlope)
+{
+  const double angle = 0.3, mu = 0.5, v = 2, epsilon = 1e-4;
+  const double way   = v * v / (2 * g * (std::sin(angle) + mu * std::cos(angle))),
+               creep = epsilon * std::tan(angle) / std::sqrt(mu * mu - std::pow(std::tan(angle), 2));
+  const Scene scene(block_on_slope(angle, mu, v, epsilon));
+  for (const auto &[s, rho] : {std::make_pair(1, 1. / 3),
+                               std::make_pair(2, 0.5),
+                               std::make_pair(3, 0.5),
+                               std::make_pair(2, 1.),
+                               std::make_pair(3, 1.)})
+    {
+      SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + number_of(rho));
+      const auto m = contact_motion(scene.system, Tableau(s, rho), 0.01, 1.);
+      EXPECT_LT(m.drift, 1e-12);
+      EXPECT_LT(m.up, 1e-12);
+      EXPECT_EQ(m.least_loss, 0);
+      EXPECT_NEAR(m.state.coordinates[0] / way, 1, 1e-3);
+      if (rho < 1)
+        {
+          EXPECT_NEAR(m.state.rates[0] / -creep, 1, 1e-5);
+        }
+      EXPECT_NEAR(m.friction_loss, 0.5 * v * v - g * std::sin(angle) * m.state.coordinates[0], 1e-4);
+    }
+  // less friction than the slope: down again, v² = 2 g s (sin α − μ cos α) behind
+  const Scene  slips(block_on_slope(angle, 0.2, v, epsilon));
+  const double up = v * v / (2 * g * (std::sin(angle) + 0.2 * std::cos(angle))), t_up = 2 * up / v,
+               a = g * (std::sin(angle) - 0.2 * std::cos(angle));
+  const auto m   = contact_motion(slips.system, Tableau(3, 0.5), 0.01, 2.);
+  EXPECT_NEAR(m.state.coordinates[0], up - 0.5 * a * std::pow(2 - t_up, 2), 1e-3);
+}
+
+
+
+// A ring of reactions: a bead that slides round a hoop without weight, N = m v²/R, v = v₀/(1 + μ v₀ t/R), as a body on
+// a revolute with its mass at the rim and a pin as large as that.
+TEST(DryFriction, NormalForceOfAReaction)
+{
+  const double mu = 0.3, R = 1, w = 2;
+  const Scene  scene(
+    model(rigid_body("a",
+                     "set Mass = 1\n set Inertia = 1e-9, 1e-9, 1e-9\n set Position = 1, 0, 0\n" +
+                       moving("0, 2, 0", "0, 0, 2")),
+          joint("hinge",
+                "revolute",
+                "set Body A = ground\n set Body B = a.centre\n set Position = 0, 0, 0\n set Axis = 0, 0, 1\n" +
+                  motion("rotation", " set Friction = 0.3\n set Friction radius = 1\n set Sticking speed = 1e-6\n"))));
+  const double end = 2, exact = w / (1 + mu * w * end / R);
+  for (const unsigned int s : {1, 2, 3})
+    {
+      double before = 0, order = 0;
+      for (const double h : {0.1, 0.05, 0.025})
+        {
+          const auto   m     = contact_motion(scene.system, Tableau(s, 1.), h, end);
+          const double error = std::abs(m.state.rates[0] - exact);
+          EXPECT_LT(m.drift, 1e-12);
+          EXPECT_EQ(m.least_loss, 0);
+          order  = before > 0 ? std::log2(before / error) : 0;
+          before = error;
+        }
+      EXPECT_GT(order, s < 3 ? 1.8 : 3.5) << s;
+      EXPECT_LT(before, s < 3 ? 1e-3 : 1e-6) << s;
+    }
+}
+
+
+
+// Stick-slip of a mass on a belt of speed V held by a spring, with the static friction above that of slip: period
+// (π + 2 atan2(V/ω, D))/ω + 2 D/V, D = (μ_s − μ_d) N/k.
+TEST(DryFriction, StickSlip)
+{
+  const double k = 10, N = g, mu_s = 0.6, mu_d = 0.4, V = 1, w = std::sqrt(k), D = (mu_s - mu_d) * N / k;
+  const double period = (M_PI + 2 * std::atan2(V / w, D)) / w + 2 * D / V;
+  const Scene  scene(
+    model(rigid_body("belt", "set Mass = 1\n set Inertia = 1, 1, 1\n" + moving("1, 0, 0", "0, 0, 0")) +
+            rigid_body("a", "set Mass = 1\n set Inertia = 1, 1, 1\n" + moving("1, 0, 0", "0, 0, 0")),
+          joint("drive",
+                "prismatic",
+                "set Body A = ground\n set Body B = belt.centre\n set Axis = 1, 0, 0\n" +
+                  motion("displacement", " set Prescribed = t\n")) +
+            joint("slip",
+                  "prismatic",
+                  "set Body A = belt.centre\n set Body B = a.centre\n set Axis = 1, 0, 0\n" +
+                    motion("displacement",
+                           " set Friction = 0.4\n set Static friction = 0.6\n set Stribeck speed = 1e-2\n"
+                            " set Sticking speed = 1e-4\n")) +
+            joint("spring",
+                  "spring",
+                  "set Body A = ground\n set Body B = a.centre\n set Position = -100, 0, 0\n" +
+                    motion("length", " set Spring = 10\n set Rest = 100\n")),
+          gravity));
+  for (const unsigned int s : {2, 3})
+    {
+      std::vector<double> starts; // of slips, when the mass leaves the speed of the belt
+      double              before = 0, t_before = 0;
+      const auto          m =
+        contact_motion(scene.system, Tableau(s, 0.5), 0.01, 14., [&](const State &state, const StepResult &) {
+          const double slip = state.rates[1];
+          if (before > -0.05 && slip <= -0.05)
+            starts.push_back(t_before + (state.time - t_before) * (before + 0.05) / (before - slip));
+          before   = slip;
+          t_before = state.time;
+        });
+      ASSERT_GE(starts.size(), 4u);
+      EXPECT_NEAR((starts.back() - starts[1]) / (starts.size() - 2) / period, 1, 0.01) << s;
+      EXPECT_LT(m.drift, 1e-10) << s;
+      EXPECT_EQ(m.least_loss, 0);
+    }
+}
+
+
+
+// A ball that is thrown along the floor slips until 2 v₀/(7 μ g), then rolls with 5/7 v₀; the loss is 1/7 m v₀². Also
+// across the axes of the floor, and where the floor is tilted with gravity along its normal.
+TEST(DryFriction, BallSlipsAndRolls)
+{
+  const double mu = 0.3, v = 2, R = 0.1, k = 1e6, depth = std::pow(g / k, 1 / 1.5);
+  for (const bool is_tilted : {false, true})
+    {
+      const Matrix3 Q    = is_tilted ? rotation_of_angles({0.4, -0.7, 0.3}, "321") : Matrix3::Identity();
+      const auto    list = [](const Vector3 &a) {
+        return number_of(a(0)) + ", " + number_of(a(1)) + ", " + number_of(a(2));
+      };
+      const Scene scene(model(
+        ball("a", R, Q * Vector3(0, 0, R - depth), Q * Vector3(1.2, 1.6, 0), {0, 0, 0}),
+        joint("floor",
+              "ball on plane",
+              "set Body A = ground\n set Body B = a.centre\n set Radius = 0.1\n set Position = 0, 0, 0\n set Axis = " +
+                list(Q.col(2)) +
+                "\n set Stiffness = 1e6\n set Exponent = 1.5\n set Friction = 0.3\n"
+                " set Sticking speed = 1e-4\n"),
+        "subsection weight\n set Type = gravity\n set Acceleration = " + list(-g * Q.col(2)) + "\n end\n"));
+      for (const unsigned int s : {2, 3})
+        {
+          const double t_roll       = 2 * v / (7 * mu * g);
+          double       slip_at_half = 0;
+          const auto   m            = contact_motion(
+            scene.system, Tableau(s, 0.5), t_roll / 40, 2 * t_roll, [&](const State &state, const StepResult &) {
+              if (std::abs(state.time - t_roll / 2) < 1e-9)
+                slip_at_half = std::hypot(state.rates[1], state.rates[2]);
+            });
+          const Vector3 velocity = Q.transpose() * m.state.triad(1) * Eigen::Map<const Vector3>(&m.state.y[6]);
+          EXPECT_NEAR(velocity(0), 5. / 7 * 1.2, 2e-4);
+          EXPECT_NEAR(velocity(1), 5. / 7 * 1.6, 2e-4);
+          EXPECT_NEAR(velocity(2), 0, 1e-6);
+          EXPECT_NEAR(slip_at_half, v - 3.5 * mu * g * t_roll / 2, 1e-5);
+          EXPECT_NEAR(m.friction_loss, v * v / 7, 1e-3);
+          EXPECT_LT(m.drift, 1e-11);
+          EXPECT_EQ(m.least_loss, 0);
+        }
+    }
+}
+
+
+
+// A body that sticks and slips on a rough block while it falls on it: two contacts of an upright pair of balls; and
+// what is redundant is refused, not computed with a reaction that is arbitrary.
+TEST(DryFriction, RedundantReactionsAreRefused)
+{
+  const std::string slide = "set Body A = ground\n set Body B = a.centre\n set Axis = 1, 0, 0\n",
+                    rough = motion("displacement", " set Friction = 0.3\n");
+  Scene           scene(model(rigid_body("a", "set Mass = 1\n set Inertia = 1, 1, 1\n" + moving("1, 0, 0", "0, 0, 0")),
+                    joint("one", "prismatic", slide + rough) + joint("two", "prismatic", slide + rough),
+                    gravity));
+  StageIntegrator integrator(scene.system, Tableau(2, 1.));
+  State           state = scene.context.state;
+  EXPECT_FALSE(state.left_out.empty() && scene.system.dropped_multipliers().empty());
+  EXPECT_THROW(integrator.step(state, 0.01), NotConverged);
+}
