@@ -393,5 +393,6 @@ namespace samara
     layout.add(*this, *term);
     add_stops(layout);
     add_springs(layout);
+    add_friction(layout); // of a preload alone
   }
 } // namespace samara

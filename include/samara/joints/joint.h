@@ -312,6 +312,8 @@ namespace samara
     void add_stops(Layout &layout);
     /** Springs, dampers and forces along the motions in use, whose rows stand in the block behind the twists. */
     void add_springs(Layout &layout);
+    /** By the forces of rows that hold a displacement, and the preload. */
+    void add_friction(Layout &layout);
     void complain(Model &model, const std::string &entry, const std::string &text) const;
     /** @} */
 
@@ -349,7 +351,6 @@ namespace samara
     void find_nonlinear_spring(Model &model, FreeMotion &motion);
     void check_friction(Model &model, const FreeMotion &motion);
     void number_rows(Layout &layout);
-    void add_friction(Layout &layout);
     void add_constraints(Layout &layout);
     void add_nonlinear_springs(Layout &layout);
 
