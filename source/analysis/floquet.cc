@@ -52,8 +52,12 @@ namespace samara
     prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
     prm.add("Settle",
             most_periods,
-            "Most periods that the motion is given to become periodic; it is stopped when it is.",
+            "Most periods that the motion is given to become periodic by itself; it is stopped when it is.",
             Integer(1));
+    prm.add("Corrections",
+            most_corrections,
+            "Most steps of Newton's method on periodicity, if the motion has not become periodic by itself.",
+            Integer(0));
     prm.add(
       "Largest gap",
       largest_gap,
@@ -187,6 +191,9 @@ namespace samara
   void
   FloquetAnalysis::run(Context &context)
   {
+    Complaints complaints;
+    check(context.sweep, complaints);
+    complaints.throw_if_any();
     const System       &system = context.system;
     const State         first  = first_state(context);
     const double        T      = period_at(context, first);
@@ -197,9 +204,13 @@ namespace samara
     try
       {
         map.settle(first, most_periods, settled_gap);
+        map.correct(most_corrections, settled_gap);
         check_gap(context, map);
         check_corners(context, map);
+        check_switches(context, map);
         check_behind(map, map.difference_behind());
+        gap                = map.gap.size;
+        orbit              = map.map.states().front();
         FloquetModes found = find(map);
         n_columns          = found.n_columns;
         if (found.found.empty())
@@ -226,7 +237,8 @@ namespace samara
   FloquetAnalysis::check_gap(const Context &context, const SectionMap &map) const
   {
     const std::string text = "the motion lacks " + number_to_text("%.1e", map.gap.size) + " to periodicity after " +
-                             short_text(double(map.n_sections_run) / map.repeated().n()) + " periods, most at " +
+                             short_text(double(map.n_sections_run) / map.repeated().n()) + " periods and " +
+                             std::to_string(map.n_corrections) + " corrections, most at " +
                              context.system.layout.name_of(map.gap.unknown);
     if (!(map.gap.size <= largest_gap))
       throw NotConverged(
@@ -277,6 +289,26 @@ namespace samara
 
 
 
+  void
+  FloquetAnalysis::check_switches(const Context &context, const SectionMap &map) const
+  {
+    std::vector<double> first, now;
+    context.system.pieces(map.map.states().front().point(), first);
+    for (const auto &state : map.map.states())
+      {
+        now.clear();
+        context.system.pieces(state.point(), now);
+        if (now != first)
+          return context.log.warning(
+            "floquet",
+            "a law switches at about t = " + number_to_text("%.6g", state.time) +
+              " s: if it jumps there, multipliers lack what the jump does; if it has a corner, "
+              "they converge slowly with the <Steps>");
+      }
+  }
+
+
+
   FloquetModes
   FloquetAnalysis::find(SectionMap &map) const
   {
@@ -299,7 +331,8 @@ namespace samara
   {
     const unsigned int parts = is_by_sections() ? groups()[0].size() : 1;
     const double       h     = T / n_steps;
-    context.log.line("floquet: period " + number_to_text("%.6g", T) + " s, " + std::to_string(n_steps) + " steps; " +
+    context.log.line("floquet: period " + number_to_text("%.6g", T) + " s, " + std::to_string(n_steps) +
+                     " steps, periodic to " + number_to_text("%.1e", gap) + "; " +
                      (found.is_all ? "all " : "Arnoldi's method, ") + std::to_string(found.n_columns) +
                      " columns of the map over " +
                      (parts > 1 ? "a part of " + std::to_string(parts) : std::string("the period")));
@@ -312,8 +345,8 @@ namespace samara
                   "frequency mod period [rad/s]",
                   "damping ratio",
                   "steps a cycle",
-                  "error by steps, growth [1/s]",
-                  "error by steps, frequency [rad/s]",
+                  "growth error by steps [1/s]",
+                  "frequency error by steps [rad/s]",
                   "residual",
                   "most in",
                   "share"});
@@ -332,7 +365,7 @@ namespace samara
                        m.frequency(),
                        std::abs(std::arg(m.multiplier)) / T,
                        std::abs(m.exponent) > 0 ? -m.growth() / std::abs(m.exponent) : 0.,
-                       Table::Cell::optional(m.frequency() > 0 ? 2 * M_PI / (m.frequency() * h) : std::nan("")),
+                       Table::Cell::optional(m.rate > 0 ? 2 * M_PI / (m.rate * h) : std::nan("")),
                        m.scheme_error.real(),
                        m.scheme_error.imag(),
                        m.residual,
@@ -348,8 +381,7 @@ namespace samara
         if (std::abs(m.scheme_error) > 0.01 * std::max(std::abs(m.exponent), 1e-3 / T))
           context.log.warning("floquet",
                               "mode " + std::to_string(i + 1) + " is not resolved: there are " +
-                                number_to_text("%.2g", 2 * M_PI / (m.frequency() * h)) +
-                                " steps a cycle; take more <Steps>");
+                                number_to_text("%.2g", 2 * M_PI / (m.rate * h)) + " steps a cycle; take more <Steps>");
         else if (-m.scheme_error.real() > 0.01 * std::abs(m.growth()) + 1e-9 * m.frequency())
           context.log.warning("floquet",
                               "mode " + std::to_string(i + 1) + ": the steps add a damping of about " +

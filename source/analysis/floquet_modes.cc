@@ -97,11 +97,11 @@ namespace samara
 
 
 
-    /** ζᴴ M ζ of each node's increments. */
+    /** ζᴴ M ζ of a node's increments, or of what begins at @p first. */
     double
-    energy_of(const System &system, const Eigen::VectorXcd &shape, const unsigned int node)
+    energy_of(const System &system, const Eigen::VectorXcd &shape, const unsigned int node, const int first = 0)
     {
-      const Eigen::Matrix<Complex, 6, 1> z = shape.segment<6>(system.layout.of_node(node));
+      const Eigen::Matrix<Complex, 6, 1> z = shape.segment<6>(first + system.layout.of_node(node));
       return (z.adjoint() * system.model.nodes[node].inertia * z)(0, 0).real();
     }
 
@@ -146,11 +146,17 @@ namespace samara
       const double                  h = map.map.settings.period / map.map.settings.n_steps;
       std::vector<Eigen::VectorXcd> periodic(n);
       std::map<std::string, double> energies;
+      double                        displacements = 0, velocities = 0;
       map.follow(mode.shape, mode.of_section, [&](const unsigned int i, const Eigen::VectorXcd &increment) {
         periodic[i] = increment * std::exp(-principal * (i * h));
         for (unsigned int node = 1; node < map.system.layout.n_nodes; ++node)
-          energies[map.system.model.nodes[node].name] += energy_of(map.system, periodic[i], node);
+          {
+            energies[map.system.model.nodes[node].name] += energy_of(map.system, periodic[i], node);
+            displacements += energy_of(map.system, periodic[i], node);
+            velocities += energy_of(map.system, periodic[i], node, map.map.first_velocity());
+          }
       });
+      mode.rate            = displacements > 0 ? std::sqrt(velocities / displacements) : 0.;
       mode.shares          = sorted_shares(energies);
       const bool by_energy = !mode.shares.empty() && mode.shares[0].second > 0;
 
@@ -239,7 +245,8 @@ namespace samara
         const Complex principal = std::log(mode.of_section) / section;
         const int     m         = largest_harmonic(map, mode, principal);
         mode.exponent           = {principal.real(), std::abs(principal.imag() + m * 2 * M_PI / T)};
-        mode.scheme_error       = error_of_scheme(tableau, mode.frequency(), h);
+        mode.rate               = std::max(mode.rate, mode.frequency());
+        mode.scheme_error       = error_of_scheme(tableau, mode.rate, h);
       }
   }
 } // namespace samara

@@ -266,8 +266,8 @@ namespace samara
     else if (unsteady == "refuse")
       throw InputError(
         (parameters.where().empty() ? "" : parameters.where() + ": ") + "modal analysis: " + why +
-        ".\n  Coefficients are periodic: there are no modes, but exponents that Floquet analysis would find, which is not "
-        "there yet. For modes of this moment set Axes = turning or Axes = fixed in subsection Modal, or Unsteady motion = "
+        ".\n  Coefficients are periodic: there are no modes, but multipliers of a periodic motion, which Analyses = floquet "
+        "finds. For modes of this moment set Axes = turning or Axes = fixed in subsection Modal, or Unsteady motion = "
         "allow for axes in which least changes.");
     else
       context.log.line("  modal: " + why + "; modes are those of this moment in " + seen.text());

@@ -1,5 +1,10 @@
 #include <samara/analysis/section_map.h>
+#include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
+
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +12,14 @@
 
 namespace samara
 {
+  namespace
+  {
+    constexpr double       smallest_part = 0.05; ///< of a Newton step
+    constexpr unsigned int most_products = 100;  ///< for one
+  }                                              // namespace
+
+
+
   SectionMap::SectionMap(const System &system, const PeriodSettings &settings, const RepeatedParts &parts)
     : system(system)
     , map(system, settings)
@@ -27,14 +40,29 @@ namespace samara
       speed = std::max(speed, std::abs(start.y[6 + i]) / scale[n_positions + i]);
     Gap result;
     for (unsigned int i = 0; i < x.size(); ++i)
-      if (const double size = std::abs(x[i]) / scale[i] / (i < n_positions ? 1. : speed); !(size <= result.size))
-        result = {size, i < n_positions ? i : i - n_positions};
+      {
+        const double size = std::abs(x[i]) / scale[i] / (i < n_positions ? 1. : speed);
+        if (!(size <= result.size))
+          result = {size, i < n_positions ? i : i - n_positions};
+        if (!std::isfinite(size))
+          break; // nothing is larger
+      }
     return result;
   }
 
 
 
-  State
+  void
+  SectionMap::keep(const State &start)
+  {
+    const State end = map.linearize(start);
+    parts.align(start, end);
+    gap = gap_between(start, end);
+  }
+
+
+
+  void
   SectionMap::settle(const State &start, const unsigned int most, const double enough)
   {
     State state = start;
@@ -49,11 +77,89 @@ namespace samara
         gap            = gap_between(before, state);
         n_sections_run = i + 1;
         if (is_last || gap.size <= enough || !std::isfinite(gap.size))
-          {
-            map.linearize(before);
-            return before;
-          }
+          return keep(before);
       }
+  }
+
+
+
+  void
+  SectionMap::correct(const unsigned int most, const double enough)
+  {
+    while (n_corrections < most && gap.size > enough)
+      {
+        if (!step_nearer(solve_for_correction(parts.gap(map.states().front(), map.states().back()))))
+          return;
+        ++n_corrections;
+      }
+  }
+
+
+
+  bool
+  SectionMap::step_nearer(const std::vector<double> &x)
+  {
+    const State start = map.states().front(), end = map.states().back();
+    for (double factor = 1; factor > smallest_part; factor /= 2)
+      try
+        {
+          throw_if_interrupted();
+          State trial = moved(system, start, x.data(), factor);
+          map.project(trial);
+          const State there = map.march(trial);
+          parts.align(trial, there);
+          if (gap_between(trial, there).size < (1 - 0.1 * factor) * gap.size)
+            {
+              keep(trial);
+              return true;
+            }
+        }
+      catch (const NotConverged &)
+        {
+          // too far
+        }
+    parts.align(start, end);
+    return false;
+  }
+
+
+
+  std::vector<double>
+  SectionMap::solve_for_correction(const std::vector<double> &lacking)
+  {
+    struct Matrix
+    {
+      SectionMap &map;
+
+      void
+      vmult(dealii::Vector<double> &to, const dealii::Vector<double> &from) const
+      {
+        std::vector<double> x(from.size());
+        for (unsigned int i = 0; i < x.size(); ++i)
+          x[i] = from[i] * map.scale[i];
+        map.apply(x.data());
+        for (unsigned int i = 0; i < x.size(); ++i)
+          to[i] = from[i] - x[i] / map.scale[i];
+      }
+    };
+    dealii::Vector<double> right(lacking.size()), solution(lacking.size());
+    for (unsigned int i = 0; i < right.size(); ++i)
+      right[i] = lacking[i] / scale[i];
+    dealii::SolverControl control(most_products, 1e-6 * right.l2_norm(), false, false);
+    dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData data(most_products + 2);
+    dealii::SolverGMRES<dealii::Vector<double>>                 gmres(control, data);
+    try
+      {
+        gmres.solve(Matrix{*this}, solution, right, dealii::PreconditionIdentity());
+      }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+        // what has been reached may lead nearer
+      }
+    std::vector<double> x(right.size());
+    for (unsigned int i = 0; i < x.size(); ++i)
+      x[i] = solution[i] * scale[i];
+    return x;
   }
 
 

@@ -98,8 +98,8 @@ namespace samara
       r = -r;
     solve(right, X);
 
-    move_nodes(x, X.data());
-    move_others(x, X.data());
+    // moves everything to where the solution leads, and looks at the constraints along it
+    residual(x, X.data(), right, true);
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
         const Eigen::Map<const Matrix3> D(&end_q[12 * node + 3]), dD(&change.end_q[12 * node + 3]);

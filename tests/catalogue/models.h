@@ -369,6 +369,83 @@ subsection Dynamic
 end
 )";
 
+  /** Two arms on lag hinges of a hub that turns, with moments once a turn, and something that turns twice as fast. */
+  const std::string turning_arms = R"(
+set Analyses = floquet
+subsection Bodies
+  subsection hub
+    set Type = rigid body
+  end
+  subsection arm 1
+    set Type     = rigid body
+    set Mass     = 1
+    set Inertia  = 0.1, 0.1, 0.1
+    set Position = 1, 0, 0
+  end
+  subsection arm 2
+    set Copy of  = arm 1
+    set Position = -1, 0, 0
+  end
+  subsection top
+    set Copy of          = arm 1
+    set Position         = 0, 0, 1
+    set Angular velocity = 0, 0, 10
+  end
+end
+subsection Joints
+  subsection shaft
+    set Type   = revolute
+    set Body A = ground
+    set Body B = hub
+    subsection rotation
+      set Prescribed = 5*t
+    end
+  end
+  subsection lag 1
+    set Type     = revolute
+    set Body A   = hub
+    set Body B   = arm 1
+    set Position = 0.2, 0, 0
+    subsection rotation
+      set Damper = 2
+      set Moment = 0.3*sin(5*t)
+    end
+  end
+  subsection lag 2
+    set Type     = revolute
+    set Body A   = hub
+    set Body B   = arm 2
+    set Position = -0.2, 0, 0
+    subsection rotation
+      set Damper = 2
+      set Moment = -0.3*sin(5*t)
+    end
+  end
+  subsection spin
+    set Type   = revolute
+    set Body A = ground
+    set Body B = top
+    subsection rotation
+      set Prescribed = 10*t
+    end
+  end
+end
+subsection Loads
+  subsection turning
+    set Type  = steady rotation
+    set Joint = shaft
+    set Speed = 5
+  end
+end
+subsection Floquet
+  set Turns of   = shaft
+  set Steps      = 8
+  set Symmetry   = arm 1, arm 2; lag 1, lag 2
+  set Turning    = hub, shaft, top, spin
+  set Animations = 0
+end
+)";
+
   /** A rotor on the ground with a body that wobbles, for modes. */
   const std::string rotor = R"(
 set Analyses = static, modal

@@ -51,6 +51,33 @@ TEST_F(Catalogued, Modes)
 
 
 
+TEST_F(Catalogued, Floquet)
+{
+  const std::string no_joint = "Floquet/Turns of =", implicit = "Floquet/Method = implicit";
+  check("floquet",
+        models::turning_arms,
+        "Floquet",
+        {{"Period", "0.8*pi", {}, false, {no_joint}},
+         {"Turns of", "spin"},
+         {"Turns", "2"},
+         {"Steps", "12"},
+         {"Stages", "2"},
+         {"Spectral radius", "0.5"},
+         {"Newton tolerance", "1e-2"},
+         {"Settle", "1"},
+         {"Corrections", "0", {"Floquet/Settle = 1"}},
+         {"Largest gap", "1e-16"},
+         {"Method", "classical"},
+         {"Wanted", "1", {implicit}},
+         {"Symmetry", "", {}, false, {"Floquet/Turning ="}},
+         {"Turning", "", {"Floquet/Settle = 2"}},
+         {"Animations", "1"}},
+        {{"Tolerance", "only how often Arnoldi's method restarts depends on it"},
+         {"Iterations", "only where Newton's method finds no solution: tests/dynamics"}});
+}
+
+
+
 TEST_F(Catalogued, Dynamics)
 {
   const std::string adaptive = "Dynamic/Step control = adaptive", fast = "Dynamic/Step = 0.2";

@@ -31,14 +31,16 @@ namespace samara
     void finish(Context &context) override;
 
     std::vector<FloquetMode> modes;         ///< of the last run
-    double                   gap       = 0; ///< what its orbit lacks to periodicity, see SectionMap::Gap
+    double                   gap = 0;       ///< what its orbit lacks to periodicity, see SectionMap::Gap
+    State                    orbit;         ///< where it begins
     unsigned int             n_columns = 0; ///< vectors taken through a section of the period
 
     // entries
     double period = 0, turns = 1, spectral_radius = 1, newton_tolerance = 1e-12, largest_gap = 1e-4, tolerance = 1e-9;
     std::string              turns_of, method = "automatic", symmetry;
     std::vector<std::string> turning;
-    unsigned int n_steps = 36, n_stages = 3, max_iterations = 50, wanted = 10, most_periods = 50, n_animations = 4;
+    unsigned int n_steps = 36, n_stages = 3, max_iterations = 50, wanted = 10, most_periods = 20, most_corrections = 10,
+                 n_animations = 4;
 
   private:
     ModeTracking           tracking;
@@ -52,6 +54,7 @@ namespace samara
     void                                  check_gap(const Context &context, const SectionMap &map) const;
     void                                  check_behind(const SectionMap &map, double difference) const;
     void                                  check_corners(const Context &context, const SectionMap &map) const;
+    void                                  check_switches(const Context &context, const SectionMap &map) const;
     FloquetModes                          find(SectionMap &map) const;
     void                                  report(const Context &context, const FloquetModes &found, double T) const;
     void                                  add_to_speeds(const Context &context, double T);

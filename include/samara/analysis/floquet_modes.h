@@ -8,12 +8,13 @@ namespace samara
   /** A mode of a periodic motion, x(t) = Re[p(t) exp(λ t)] with p of the period T. */
   struct FloquetMode
   {
-    std::complex<double> multiplier; ///< exp(λ T), over the whole period
-    std::complex<double> of_section; ///< over T/Q, Im ≥ 0
-    std::complex<double> exponent;   ///< λ [1/s]; its imaginary part ≥ 0 is that of the largest Fourier part
-    Eigen::VectorXcd     shape;      ///< increment at the start, as those of StepTangent, unit norm over its scales
-    double               residual     = 0; ///< |S v − σ v|/|σ|, or the same of what is computed in its place
-    std::complex<double> scheme_error = 0; ///< of λ, what the steps change it by if it were an undamped vibration [1/s]
+    std::complex<double> multiplier;   ///< exp(λ T), over the whole period
+    std::complex<double> of_section;   ///< over T/Q, Im ≥ 0
+    std::complex<double> exponent;     ///< λ [1/s]; its imaginary part ≥ 0 is that of the largest Fourier part
+    Eigen::VectorXcd     shape;        ///< increment at the start, as those of StepTangent, unit norm over its scales
+    double               residual = 0; ///< |S v − σ v|/|σ|, or the same of what is computed in its place
+    double               rate     = 0; ///< root mean square of velocities over that of displacements, by energy [rad/s]
+    std::complex<double> scheme_error = 0; ///< of λ, what the steps change an undamped vibration of that rate by [1/s]
 
     /** Mean share of each body in the kinetic energy of the motion's shape over a period, largest first. */
     std::vector<std::pair<std::string, double>> shares;

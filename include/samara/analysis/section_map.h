@@ -28,13 +28,21 @@ namespace samara
     };
 
     /**
-     * Go on from @p start for @p most periods, or until the gap of a section is not above @p enough; returns where.
-     * The steps of the section before are kept, and axes aligned, so that apply() is defined.
+     * Go on from @p start for @p most periods, or until the gap of a section is not above @p enough. The steps of the
+     * section before are kept, and axes aligned, so that apply() is defined.
      */
-    State settle(const State &start, unsigned int most, double enough);
+    void settle(const State &start, unsigned int most, double enough);
+
+    /**
+     * Newton's method on periodicity, from the section that is kept: x solves (I − S) x = P(end) − start, by GMRES;
+     * steps that do not come nearer are halved, and given up. At most @p most of them, or until the gap is not above @p
+     * enough.
+     */
+    void correct(unsigned int most, double enough);
 
     Gap          gap;                ///< of the section that is kept
     unsigned int n_sections_run = 0; ///< by settle()
+    unsigned int n_corrections  = 0; ///< by correct()
 
     /** Replace an increment x of the start by S x. */
     void apply(double *x);
@@ -75,8 +83,11 @@ namespace samara
     RepeatedParts       parts;
     std::vector<double> scale;
 
-    Gap    gap_between(const State &start, const State &end) const;
-    double scaled_norm(const std::vector<double> &x) const;
+    void                keep(const State &start);
+    bool                step_nearer(const std::vector<double> &x);
+    std::vector<double> solve_for_correction(const std::vector<double> &lacking);
+    Gap                 gap_between(const State &start, const State &end) const;
+    double              scaled_norm(const std::vector<double> &x) const;
   };
 } // namespace samara
 

@@ -81,13 +81,16 @@ namespace samara
       z_stress, z_strain, z_strain_2, z_residual;
     Vector e, moved_q, moved_coordinates, moved_y, moved_rates, moved_states, moved_state_rates;
 
-    /** R_x x + J X: the change of the residuals of all stages, in the order of the layout; @p x null: zero. */
-    void residual(const double *x, const double *X, Vector &result);
+    /**
+     * R_x x + J X: the change of the residuals of all stages, in the order of the layout; @p x null: zero. If @p checks,
+     * constraints that are not smooth along it are refused.
+     */
+    void residual(const double *x, const double *X, Vector &result, bool checks = false);
     void move_nodes(const double *x, const double *X);
     void move_others(const double *x, const double *X);
     void find_stresses(const double *x, const double *X);
     /** Of ġ of stage @p k, or with stages.size(), of g at the end. */
-    void differentiate_constraints(unsigned int k, const double *X, Vector &result);
+    void differentiate_constraints(unsigned int k, const double *X, Vector &result, bool checks);
     /** Values of what differentiate_constraints() differentiates, @p step along the direction. */
     void constraints_at(unsigned int k, const double *X, double step, Vector &result);
     void add_terms(unsigned int k, const double *X, double *r);

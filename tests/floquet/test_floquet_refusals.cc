@@ -1,0 +1,119 @@
+// What has no multipliers, or other ones than those of its file, is told, never computed.
+
+#include <samara/analysis/floquet.h>
+
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include "floquet_models.h"
+
+using namespace samara;
+using namespace floquet_models;
+
+namespace
+{
+
+  /** What is said when the model is analysed with other entries; "" if it is done. */
+  std::string
+  said_of(const std::string &model, const std::vector<std::string> &overrides)
+  {
+    try
+      {
+        Scene scene(model, overrides);
+        scene.analysis<FloquetAnalysis>().run(scene.context);
+      }
+    catch (const std::runtime_error &problem)
+      {
+        return problem.what();
+      }
+    return "";
+  }
+
+  bool
+  has(const std::string &text, const std::string &piece)
+  {
+    return text.find(piece) != std::string::npos;
+  }
+} // namespace
+
+
+
+TEST(FloquetRefuses, AWrongPeriod)
+{
+  const std::string text = said_of(pendulum, {"Floquet/Period = 3", "Floquet/Settle = 2", "Floquet/Corrections = 0"});
+  EXPECT_TRUE(has(text, "to periodicity")) << text;
+  EXPECT_TRUE(has(text, "block")) << text;
+}
+
+
+
+// The hinge does not move, and its orbit is at rest with any period; but its spring has one.
+TEST(FloquetRefuses, CoefficientsOfAnotherPeriod)
+{
+  const std::vector<std::string> spring      = {"Joints/lift/displacement/Prescribed = 0",
+                                                "Joints/hinge/rotation/Moment = -0.2*cos(2*t)*hinge.rotation"};
+  auto                           with_period = spring;
+  with_period.push_back("Floquet/Period = 3");
+  const std::string text = said_of(pendulum, with_period);
+  EXPECT_TRUE(has(text, "in the next period")) << text;
+  EXPECT_EQ(said_of(pendulum, spring), "");
+}
+
+
+
+TEST(FloquetRefuses, WhatIsNotRepeated)
+{
+  const std::string settle = "Floquet/Settle = 1";
+  // another order, a hub that turns and is not named, names without a counterpart
+  EXPECT_TRUE(
+    has(said_of(hammond, {settle, "Floquet/Corrections = 0", "Floquet/Symmetry = blade 1, blade 3, blade 2, blade 4"}),
+        "periodicity"));
+  EXPECT_TRUE(has(said_of(hammond, {settle, "Floquet/Corrections = 0", "Floquet/Turning ="}), "periodicity"));
+  EXPECT_TRUE(has(said_of(hammond, {settle, "Floquet/Symmetry = blade 1, blade 2, blade 5, blade 4"}), "blade 5"));
+  EXPECT_TRUE(has(said_of(hammond, {settle, "Floquet/Turning = hubb, shaft"}), "did you mean"));
+  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Steps = 30"}), "multiple of the 4"));
+}
+
+
+
+TEST(FloquetRefuses, SettingsThatDoNotFit)
+{
+  EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Period = 0"}), "give either the <Period>"));
+  EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Turns of = hinge"}), "give either the <Period>"));
+  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = shift"}), "did you mean"));
+  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = along x.displacement"}), "does not turn"));
+  EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Method = fast"}), "needs the <Symmetry>"));
+}
+
+
+
+// A step on which a stop acts has no derivative.
+TEST(FloquetRefuses, StopsThatAreTouched)
+{
+  const std::string text = said_of(pendulum,
+                                   {"Joints/hinge/rotation/Lower stop = 0.1",
+                                    "Joints/hinge/rotation/Stop stiffness = 100",
+                                    "Floquet/Largest gap = 1",
+                                    "Floquet/Settle = 1",
+                                    "Floquet/Corrections = 0"});
+  EXPECT_TRUE(has(text, "floquet analysis")) << text;
+  EXPECT_TRUE(has(text, "a stop is touched")) << text;
+}
+
+
+
+TEST(FloquetWarns, OfDampingByTheSteps)
+{
+  const auto log = [](const std::vector<std::string> &overrides) {
+    Scene scene(pendulum, overrides);
+    scene.analysis<FloquetAnalysis>().run(scene.context);
+    return scene.stream.str();
+  };
+  const std::vector<std::string> undamped = {"Constants/a = 0.5", "Constants/q = 0.3", "Constants/c = 0"};
+  auto                           with     = undamped;
+  with.insert(with.end(), {"Floquet/Spectral radius = 0.5", "Floquet/Stages = 2", "Floquet/Steps = 12"});
+  EXPECT_TRUE(has(log(with), "add a damping"));
+  EXPECT_FALSE(has(log(undamped), "warning"));
+  EXPECT_TRUE(has(log(undamped), "neither stable nor unstable"));
+  EXPECT_TRUE(has(log({"Constants/a = 900", "Constants/q = 0.3", "Floquet/Steps = 12"}), "is not resolved"));
+}
