@@ -106,6 +106,7 @@ TEST_F(Catalogued, AllKinds)
                                    "static",
                                    "modal",
                                    "dynamic",
+                                   "floquet",
                                    "trim",
                                    "section",
                                    "subsystem",
@@ -163,13 +164,12 @@ TEST_F(Catalogued, OtherJoints)
               "it.force 1",
               joined({{"Body A", "ground"}, {"Body B", "ground"}},
                      {axis, {{"Axis 2", "0.3, 1, 0.2"}, {"Stiffness", "10, 25, 30"}, {"Damping", "1, 2, 3"}}}));
-  check_joint("point on curve",
-              "    set Expressions = 1 + s, 0.4 + s^2, 0.2 + s\n    set Axis = 1, 2, -1",
-              "it.force 1",
-              joined({{"Body A", "ground"},
-                      {"Body B", "ground", {}, true},
-                      {"Expressions", "1 + s, 0.4 + s^2, 0.2 - s"}},
-                     {axis, axis_1}));
+  check_joint(
+    "point on curve",
+    "    set Expressions = 1 + s, 0.4 + s^2, 0.2 + s\n    set Axis = 1, 2, -1",
+    "it.force 1",
+    joined({{"Body A", "ground"}, {"Body B", "ground", {}, true}, {"Expressions", "1 + s, 0.4 + s^2, 0.2 - s"}},
+           {axis, axis_1}));
   check_joint("rigid",
               "    set Reaction = true",
               "it.moment 1",
@@ -329,16 +329,14 @@ TEST_F(Catalogued, Controls)
 {
   const std::string model =
     "set Analyses = dynamic\n" +
-    on_a_slide("subsection it\n set Type = control\n set Value = 0.3\n end\n subsection other\n set Rate = -slide.displacement\n"
-               " end\n",
-               "set Force = -2*it") +
+    on_a_slide(
+      "subsection it\n set Type = control\n set Value = 0.3\n end\n subsection other\n set Rate = -slide.displacement\n"
+      " end\n",
+      "set Force = -2*it") +
     "subsection Dynamic\n set End time = 0.5\n set Step = 0.05\n set Newton tolerance = 1e-4\nend\n"
     "subsection Output\n set Probes = it, slide.displacement\nend\n";
-  check("control",
-        model,
-        "States/it",
-        {{"Value", "0.7"}, {"Unit", "m", {"Joints/slide/displacement/Force = -2*it/(1 m)"}}},
-        {{"Scale", "only trim looks at it: tests/trim"}});
+  check(
+    "control", model, "States/it", {{"Value", "0.7"}, {"Unit", "m"}}, {{"Scale", "only trim looks at it: tests/trim"}});
 }
 
 
