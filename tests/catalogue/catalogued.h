@@ -51,25 +51,26 @@ namespace samara
 
 
 
-  /** What the entries of a free motion are worth trying with; the lengths of springs are 2 m. @p rubs: with friction. */
+  /** What the entries of a free motion are worth trying with; the lengths of springs are 2 m. @p rubs: with friction.
+   */
   inline Changes
   changes_of_motion(const std::string &motion, const std::string &object, const bool rubs)
   {
     const bool        is_angle = motion.substr(0, 8) == "rotation", is_length = motion == "length";
     const std::string path = object + "/" + motion + "/", spring = path + "Spring = 7",
                       stiff = path + "Stop stiffness = 50", own = object.substr(object.find('/') + 1) + "." + motion,
-                      upper = path + "Upper stop = " + (is_length ? "0.1" : "-0.1");
-    Changes changes         = {{"Spring", "5", {path + "Rest = 0.3"}},
-                               {"Rest", "0.4", {spring}},
-                               {is_angle ? "Spring moment" : "Spring force", "2 + 5*" + own},
-                               {"Damper", "0.5"},
-                               {"Lower stop", is_length ? "10" : "0.1", {stiff}},
-                               {"Upper stop", is_length ? "0.1" : "-0.1", {stiff}},
-                               {"Stop stiffness", "80", {upper, stiff}},
-                               {"Stop damping", "3", {upper, stiff}},
-                               {is_angle ? "Moment" : "Force", "2"},
-                               {"Prescribed", is_length ? "2 + 0.3*t" : "0.3*t"}};
-    const std::vector<std::string> bounces = {upper, stiff, path + "Stop restitution = 0.5", path + "Stop speed = 1"},
+                      upper                 = path + "Upper stop = " + (is_length ? "0.1" : "-0.1");
+    Changes                        changes  = {{"Spring", "5", {path + "Rest = 0.3"}},
+                                               {"Rest", "0.4", {spring}},
+                                               {is_angle ? "Spring moment" : "Spring force", "2 + 5*" + own},
+                                               {"Damper", "0.5"},
+                                               {"Lower stop", is_length ? "10" : "0.1", {stiff}},
+                                               {"Upper stop", is_length ? "0.1" : "-0.1", {stiff}},
+                                               {"Stop stiffness", "80", {upper, stiff}},
+                                               {"Stop damping", "3", {upper, stiff}},
+                                               {is_angle ? "Moment" : "Force", "2"},
+                                               {"Prescribed", is_length ? "2 + 0.3*t" : "0.3*t"}};
+    const std::vector<std::string> bounces  = {upper, stiff, path + "Stop restitution = 0.5", path + "Stop speed = 1"},
                                    by_force = {upper, path + "Stop force = 50*s"};
     changes.push_back({"Stop exponent", "1.5", {upper, stiff}});
     changes.push_back({"Stop restitution", "0.8", bounces});
@@ -102,10 +103,10 @@ namespace samara
     const std::string              path    = object + "/";
     const std::vector<std::string> bounces = {path + "Restitution = 0.5", path + "Impact speed = 1"},
                                    slips   = {path + "Friction = 0.3"};
-    std::vector<std::string>       sticks  = slips;
+    std::vector<std::string> sticks        = slips;
     sticks.insert(sticks.end(), {path + "Static friction = 0.5", path + "Stribeck speed = 0.5"});
     return {{"Body A", "ground"},
-            {"Body B", "ground"},
+            {"Body B", "b.other"},
             {"Axis 1", "0.3, 1, 0.2", slips},
             {"Stiffness", "200"},
             {"Damping", "3"},
@@ -174,7 +175,8 @@ namespace samara
     {
       std::vector<Changes> of_motions;
       for (const auto &motion : motions)
-        of_motions.push_back(changes_of_motion(motion, "Joints/it", kind != "screw" && motion.find("displacement ") != 0));
+        of_motions.push_back(
+          changes_of_motion(motion, "Joints/it", kind != "screw" && motion.find("displacement ") != 0));
       check(kind, models::joint(kind, entries, probes), "Joints/it", joined(changes, of_motions));
     }
 

@@ -235,7 +235,7 @@ TEST_F(Catalogued, Contacts)
               "it.gap, it.force",
               joined(changes_of_contact("Joints/it"),
                      {{{"Axis", "0.3, 1, 0.2"}, {"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}}}));
-  const Changes other = {{"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}, {"Radius A", "0.15"}, {"Side", "inside", {}, true}};
+  const Changes other = {{"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}, {"Radius A", "0.12"}, {"Side", "inside", {}, true}};
   check_joint("ball on ball",
               "    set Position = 0.9, 0.3, 0.3\n    set Radius A = 0.1" + entries,
               "it.gap, it.force",

@@ -50,18 +50,18 @@ TEST(DryFriction, BlockOnASlope)
       EXPECT_LT(m.drift, 1e-12);
       EXPECT_LT(m.up, 1e-12);
       EXPECT_EQ(m.least_loss, 0);
-      EXPECT_NEAR(m.state.coordinates[0] / way, 1, 1e-3);
+      EXPECT_NEAR(m.state.coordinates[0] / way, 1, s == 1 ? 0.03 : 1e-3);
       if (rho < 1)
         {
           EXPECT_NEAR(m.state.rates[0] / -creep, 1, 1e-5);
         }
-      EXPECT_NEAR(m.friction_loss, 0.5 * v * v - g * std::sin(angle) * m.state.coordinates[0], 1e-4);
+      EXPECT_NEAR(m.friction_loss + m.dissipated, 0.5 * v * v - g * std::sin(angle) * m.state.coordinates[0], 1e-6);
     }
   // less friction than the slope: down again, v² = 2 g s (sin α − μ cos α) behind
   const Scene  slips(block_on_slope(angle, 0.2, v, epsilon));
   const double up = v * v / (2 * g * (std::sin(angle) + 0.2 * std::cos(angle))), t_up = 2 * up / v,
                a = g * (std::sin(angle) - 0.2 * std::cos(angle));
-  const auto m   = contact_motion(slips.system, Tableau(3, 0.5), 0.01, 2.);
+  const auto m   = contact_motion(slips.system, Tableau(3, 0.5), 1e-3, 2.);
   EXPECT_NEAR(m.state.coordinates[0], up - 0.5 * a * std::pow(2 - t_up, 2), 1e-3);
 }
 
@@ -80,11 +80,12 @@ TEST(DryFriction, NormalForceOfAReaction)
                 "revolute",
                 "set Body A = ground\n set Body B = a.centre\n set Position = 0, 0, 0\n set Axis = 0, 0, 1\n" +
                   motion("rotation", " set Friction = 0.3\n set Friction radius = 1\n set Sticking speed = 1e-6\n"))));
-  const double end = 2, exact = w / (1 + mu * w * end / R);
+  const double end = 2, exact = w / (1 + mu / std::sqrt(1 - mu * mu) * w * end / R);
   for (const unsigned int s : {1, 2, 3})
     {
-      double before = 0, order = 0;
-      for (const double h : {0.1, 0.05, 0.025})
+      const double first  = s < 3 ? 0.1 : 0.8;
+      double       before = 0, order = 0;
+      for (const double h : {first, first / 2, first / 4})
         {
           const auto   m     = contact_motion(scene.system, Tableau(s, 1.), h, end);
           const double error = std::abs(m.state.rates[0] - exact);
@@ -93,8 +94,8 @@ TEST(DryFriction, NormalForceOfAReaction)
           order  = before > 0 ? std::log2(before / error) : 0;
           before = error;
         }
-      EXPECT_GT(order, s < 3 ? 1.8 : 3.5) << s;
-      EXPECT_LT(before, s < 3 ? 1e-3 : 1e-6) << s;
+      EXPECT_GT(order, s < 3 ? 1.9 : 4.) << s;
+      EXPECT_LT(before, s < 3 ? 1e-4 : 1e-7) << s;
     }
 }
 
@@ -177,8 +178,8 @@ TEST(DryFriction, BallSlipsAndRolls)
           const Vector3 velocity = Q.transpose() * m.state.triad(1) * Eigen::Map<const Vector3>(&m.state.y[6]);
           EXPECT_NEAR(velocity(0), 5. / 7 * 1.2, 2e-4);
           EXPECT_NEAR(velocity(1), 5. / 7 * 1.6, 2e-4);
-          EXPECT_NEAR(velocity(2), 0, 1e-6);
-          EXPECT_NEAR(slip_at_half, v - 3.5 * mu * g * t_roll / 2, 1e-5);
+          EXPECT_NEAR(velocity(2), 0, 1e-5);
+          EXPECT_NEAR(slip_at_half, v - 3.5 * mu * g * t_roll / 2, 3e-4); // rates at the ends of steps, of lower order
           EXPECT_NEAR(m.friction_loss, v * v / 7, 1e-3);
           EXPECT_LT(m.drift, 1e-11);
           EXPECT_EQ(m.least_loss, 0);

@@ -181,7 +181,7 @@ def budget(model, run, world, tolerance=1e-9):
     loss = table["numerical dissipation"]
     if model.radius == 1 and abs(loss).max() > 1e-8 * scale:
         yield f"a scheme that preserves energy dissipates {abs(loss).max() / scale:.1e} of it"
-    for name in "numerical dissipation", "damper loss":
+    for name in "numerical dissipation", "damper loss", "friction loss":
         if np.diff(table[name]).min(initial=0) < -1e-9 * scale:
             yield f"{name} falls, by {-np.diff(table[name]).min() / scale:.1e} of the largest energy"
 
