@@ -42,7 +42,7 @@ namespace samara
   Rail::Turn
   Rail::turn(const unsigned int i) const
   {
-    constexpr double half_width = 1e-3;
+    constexpr double half_width = 1e-4;
     const double     end        = spans[i].end;
     const double     epsilon    = half_width * std::min(end - spans[i].start, spans[i + 1].end - end);
     return {end - epsilon, end + epsilon};

@@ -7,6 +7,7 @@
 #include <samara/model/signal.h>
 
 #include <cmath>
+#include <complex>
 
 namespace samara
 {
@@ -185,9 +186,61 @@ namespace samara
 
 
 
+  /** The size of the force between the beam and B [N]. It has no derivative where it is zero; there, 0 is taken. */
+  class SlidingJoint::Reaction : public Signal
+  {
+  public:
+    explicit Reaction(const SlidingJoint &joint)
+      : joint(joint)
+    {
+      multipliers = {0}; // not known yet, but there are some
+    }
+
+    void
+    resolve(const Model &) override
+    {
+      const unsigned int first = joint.first_multiplier;
+      multipliers              = {first, first + 1, first + 2};
+    }
+    double
+    value(const Point<double> &point) const override
+    {
+      return size(point);
+    }
+    std::complex<double>
+    value(const Point<std::complex<double>> &point) const override
+    {
+      return size(point);
+    }
+    void
+    add_gradient(const Point<double> &point, double *const by_place, double *) const override
+    {
+      if (const double f = size(point); f > 0)
+        for (unsigned int i = 0; i < 3; ++i)
+          by_place[i] += point.multipliers[multipliers[i]] / f;
+    }
+
+  private:
+    const SlidingJoint &joint;
+
+    template <typename Number>
+    Number
+    size(const Point<Number> &point) const
+    {
+      Number sum(0);
+      for (const auto i : multipliers)
+        sum += point.multipliers[i] * point.multipliers[i];
+      return std::sqrt(sum);
+    }
+  };
+
+
+
   std::shared_ptr<Signal>
   SlidingJoint::signal(Model &, const std::string &path)
   {
+    if (path == "force")
+      return std::make_shared<Reaction>(*this);
     return path == "displacement"      ? coordinate_signal(coordinate(), 0.) :
            path == "displacement rate" ? rate_signal(coordinate()) :
                                          nullptr;

@@ -16,7 +16,14 @@ namespace samara
     , integrator(integrator)
     , fixed_step(step)
     , smallest_step(smallest_step)
-  {}
+  {
+    for (const auto &item : system.model.items)
+      if (const auto *const bent = dynamic_cast<const HasBends *>(item.get()))
+        {
+          const auto of_item = bent->bends();
+          bends.insert(bends.end(), of_item.begin(), of_item.end());
+        }
+  }
 
 
 
@@ -258,6 +265,65 @@ namespace samara
 
 
 
+  double
+  Stepper::part_until(const Bend &bend, const double from, const double to)
+  {
+    if (to < from) // the same, seen from the other side
+      return part_until({bend.coordinate, -bend.to, -bend.from}, -from, -to);
+    // a step may end anywhere in front of the bend, inside of it, or within a margin behind it
+    const double margin = 0.01 * (bend.to - bend.from);
+    double       place  = bend.from - 0.5 * margin, limit = bend.from;
+    if (from >= bend.to || to <= limit)
+      return 1;
+    if (from >= bend.from - margin)
+      {
+        place = bend.to + 0.5 * margin;
+        limit = bend.to + margin;
+      }
+    return to <= limit ? 1. : (place - from) / (to - from);
+  }
+
+
+
+  double
+  Stepper::part_until_bends(const std::vector<double> &from, const std::vector<double> &to) const
+  {
+    double part = 1;
+    for (const Bend &bend : bends)
+      part = std::min(part, part_until(bend, from[bend.coordinate], to[bend.coordinate]));
+    return part;
+  }
+
+
+
+  void
+  Stepper::stop_at_bends(const State &state, double &h, Advance &result)
+  {
+    constexpr unsigned int most = 12;
+    const double           full = h;
+    for (unsigned int i = 0; i < most; ++i)
+      {
+        const double part = part_until_bends(state.coordinates, trial.coordinates);
+        if (part == 1)
+          return;
+        h *= part;
+        if (h < smallest_step)
+          break;
+        integrator.step_back();
+        if (!has_solution(state, h, result))
+          break;
+      }
+    if (part_until_bends(state.coordinates, trial.coordinates) == 1 && result.step.converged)
+      return;
+    h = full;
+    integrator.step_back();
+    if (!has_solution(state, h, result))
+      throw NotConverged("t = " + number_to_text(state.time) +
+                         " s: no solution where something slides across an end of an element");
+  }
+
+
+
   Advance
   Stepper::advance(State &state, const double end)
   {
@@ -287,6 +353,15 @@ namespace samara
     if (is_across)
       h = across;
     across = 0;
+    if (!bends.empty())
+      {
+        // by the rates, so that it need not be made in vain
+        trial.coordinates = state.coordinates;
+        for (unsigned int i = 0; i < trial.coordinates.size(); ++i)
+          trial.coordinates[i] += h * state.rates[i];
+        if (const double part = part_until_bends(state.coordinates, trial.coordinates); h * part > smallest_step)
+          h *= part;
+      }
 
     for (;;)
       {
@@ -299,6 +374,8 @@ namespace samara
         if (is_across)
           break; // so short that it says nothing
         across = 0;
+        if (!bends.empty())
+          stop_at_bends(state, h, result);
         stop_before_switch(state, h, result);
         if (controller)
           {

@@ -165,3 +165,173 @@ TEST(Sliding, Screw)
   EXPECT_NEAR(std::atan2(bent.col(2).dot(D.col(1)), bent.col(1).dot(D.col(1))), 4 * 0.9 - 2 * M_PI, 1e-4);
   EXPECT_NEAR(scene.value("slide.force"), weight, 1e-6);
 }
+
+
+
+// A soft rod that nobody drives, and a bead that crosses three ends of elements: steps end there.
+TEST(Sliding, AcrossElements)
+{
+  const auto at = [](const double T, const double h, const unsigned int s) {
+    return moved(model(beam_section("400", "8"),
+                       rod("0, 0, 0; 2, 0, 0",
+                           " set Elements = 4\n set Degree = 2\n set Angular velocity = 0, 0, 2\n") +
+                         bead(" set Position = 0.451, 0, 0\n set Velocity = 6, 0.9, 0\n"),
+                       hinge("") + slide("point"),
+                       dynamic(T, h, s)));
+  };
+  const auto angular_momentum = [](const Scene &scene) {
+    const State &state = scene.context.state;
+    double       sum   = 0;
+    for (unsigned int node = 1; node < scene.system.layout.n_nodes; ++node)
+      {
+        const Vector6 p = scene.system.model.nodes[node].inertia * Eigen::Map<const Vector6>(&state.y[6 * node]);
+        const Matrix3 D = state.triad(node);
+        sum += (D * p.tail<3>() + state.position(node).cross(D * p.head<3>()))(2);
+      }
+    return sum;
+  };
+  const double        momentum = angular_momentum(*at(1e-4, 1e-4, 3));
+  const auto          exact    = at(0.2, 0.000625, 3);
+  std::vector<double> arc_lengths, heights;
+  EXPECT_GT(exact->value("slide.arc length"), 1.55);
+  EXPECT_NEAR(angular_momentum(*exact), momentum, 1e-9 * momentum);
+  for (const double h : {0.01, 0.005})
+    {
+      const auto scene = at(0.2, h, 2);
+      arc_lengths.push_back(std::abs(scene->value("slide.arc length") - exact->value("slide.arc length")));
+      heights.push_back(std::abs(scene->value("rod.end.position y") - exact->value("rod.end.position y")));
+    }
+  // steps that go across the kinks are wrong by 1e-4, whatever their size
+  EXPECT_LT(arc_lengths[1], 1e-5);
+  EXPECT_LT(heights[1], 1e-5);
+}
+
+
+
+// A load that crosses a bridge with a speed v: the series of the simply supported beam,
+// w = 2F/(mL) Σ sin(nπ/2) (sin Ω_n t − Ω_n/ω_n sin ω_n t)/(ω_n² − Ω_n²) in the middle, Ω_n = nπv/L.
+TEST(Sliding, LoadOnABridge)
+{
+  const double L = 2, EI = 40, F = 5e-3, v = 3, T = 0.4;
+  double       exact = 0;
+  for (unsigned int n = 1; n < 400; n += 2)
+    {
+      const double Omega = n * M_PI * v / L, omega = std::pow(n * M_PI / L, 2) * std::sqrt(EI);
+      exact -= 2 * F / L * std::sin(0.5 * n * M_PI) / (omega * omega - Omega * Omega) *
+               (std::sin(Omega * T) - Omega / omega * std::sin(omega * T));
+    }
+  const std::string bridge =
+    " subsection left\n set Type = revolute\n set Body A = ground\n set Body B = rod.start\n set Axis = 0, 1, 0\n end\n"
+    " subsection right\n set Type = in line\n set Body A = ground\n set Body B = rod.end\n set Axis = 1, 0, 0\n end\n";
+  const auto scene =
+    moved(model(beam_section("1e10", "40", "1e-9"),
+                rod("0, 0, 0; 2, 0, 0", " set Elements = 6\n set Degree = 6\n") +
+                  " subsection bead\n set Type = rigid body\n set Mass = 1e-9\n set Inertia = 1e-9, 1e-9, 1e-9\n"
+                  " set Velocity = 3, 0, 0\n end\n",
+                bridge + slide("point", "", " set Prescribed = 3*t\n"),
+                "subsection Loads\n subsection push\n set Type = point load\n set At = bead\n set Force = 0, 0, -5e-3\n"
+                " end\nend\n" +
+                  dynamic(T, 0.001, 3)));
+  EXPECT_NEAR(scene->value("rod.middle.position z") / exact, 1, 1e-6);
+}
+
+
+
+// A beam through a fixed guide at half its length: two cantilevers, ω = 3.516 √(EI/m)/l², each in two planes; drawn in to a
+// quarter, l = 1.5 m.
+TEST(Sliding, TelescopingBeam)
+{
+  for (const double drawn : {0., 0.5})
+    {
+      Scene scene(model(beam_section("1e9", "40", "1e-6"),
+                        rod("-1, 0, 0; 1, 0, 0", " set Elements = 8\n"),
+                        " subsection guide\n set Type = sliding prismatic\n set Body A = rod\n set Body B = ground\n"
+                        " subsection displacement\n set Prescribed = -" +
+                          number_to_text(drawn) + "\n end\n end\n"));
+      scene.equilibrium();
+      EXPECT_NEAR(scene.value("rod.start.position x"), drawn - 1, 1e-9);
+      const double l = 1 + drawn, omega = 1.8751040687 * 1.8751040687 * std::sqrt(40.) / (l * l);
+      const auto  &modes = scene.modes();
+      ASSERT_GE(modes.size(), 2u);
+      EXPECT_NEAR(modes[0].frequency(), omega, 1e-4 * omega);
+      EXPECT_NEAR(modes[1].frequency(), omega, 1e-4 * omega);
+    }
+}
+
+
+
+// The outboard blade of a rotor of variable diameter (17.1 kg, Ω = 20 rad/s) that the nut on a jackscrew draws in from
+// 2.667 m to 1.372 m: the force of the screw is m Ω² r, 18.24 kN to 9.38 kN, and its moment is the force over the turn per length.
+TEST(Sliding, NutOnAJackscrew)
+{
+  const auto at = [](const std::string &turns) {
+    auto scene = std::make_unique<Scene>(
+      model(beam_section("2e8", "1e5"),
+            rod("0, 0, 0; 1.9, 0, 0", " set Elements = 2\n") +
+              " subsection hub\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\n"
+              " subsection bead\n set Type = rigid body\n set Mass = 17.1\n set Inertia = 1, 7, 7\n"
+              " set Position = 2.667, 0, 0\n end\n",
+            " subsection shaft\n set Type = revolute\n set Body A = ground\n set Body B = hub\n end\n"
+            " subsection motor\n set Type = revolute\n set Body A = hub\n set Body B = rod.start\n set Axis = 1, 0, 0\n"
+            " subsection rotation\n set Prescribed = " +
+              turns +
+              "*2*pi\n end\n end\n"
+              " subsection tube\n set Type = prismatic\n set Body A = hub\n set Body B = bead\n set Axis = 1, 0, 0\n end\n" +
+              slide("screw", " set Position = 1.9, 0, 0\n set Turn per length = 10\n"),
+            "subsection Loads\n subsection turning\n set Type = steady rotation\n set Joint = shaft\n set Speed = 20\n end\nend\n"
+            "subsection Static\n set Load steps = 8\nend\n"));
+    scene->equilibrium();
+    return scene;
+  };
+  const double drawn = 1.295, turns = 10 * drawn / (2 * M_PI);
+  for (const bool is_in : {false, true})
+    {
+      const auto   scene = at(is_in ? number_to_text(turns) : "0");
+      const double r = scene->value("bead.position x"), force = scene->value("slide.force 1");
+      // the screw is stretched, and twisted by 0.035 rad at its end, which lets the nut go by 3.5 mm
+      EXPECT_NEAR(r, 2.667 - (is_in ? drawn : 0), 5e-3);
+      EXPECT_NEAR(force, -17.1 * 400 * r, 1e-6 * 18240);
+      EXPECT_NEAR(force, is_in ? -9380 : -18240, 30);
+      EXPECT_NEAR(scene->value("slide.moment 1"), -force / 10, 3e-3 * 1824);
+    }
+}
+
+
+
+// A bead of mass m on a rod that leans by α, rubbed by μ N: s̈ = g (sin α − μ cos α). With the force f of the joint, friction
+// included, f² = N² + μ² N². Friction takes the energy that is missing.
+TEST(Sliding, Friction)
+{
+  const double g = 9.80665, mu = 0.3, T = 0.5, a = g * (0.6 - mu * 0.8);
+  for (const unsigned int s : {1, 2, 3})
+    {
+      const auto scene = moved(
+        model(beam_section("1e9", "1e9"),
+              rod("0, 0, 0; 4, 0, -3", " set Rigid = true\n set Elements = 1\n") + bead(" set Position = 0.4, 0, -0.3\n"),
+              clamp + slide("point", "", " set Force = -0.3/sqrt(1.09)*slide.force*tanh(slide.displacement rate/1e-4)\n"),
+              gravity + dynamic(T, 0.01, s)));
+      EXPECT_NEAR(scene->value("slide.displacement"), 0.5 * a * T * T, 2e-4) << s;
+      EXPECT_NEAR(scene->value("slide.displacement rate"), a * T, 1e-3) << s;
+      EXPECT_NEAR(scene->value("slide.force"), 0.5 * g * 0.8 * std::sqrt(1 + mu * mu), 1e-6) << s;
+    }
+}
+
+
+
+// Beyond the end of the beam there is nothing: the run says so, and goes no further.
+TEST(Sliding, OffTheEnd)
+{
+  try
+    {
+      moved(model(beam_section("400", "8"),
+                  rod("0, 0, 0; 2, 0, 0", " set Elements = 2\n") +
+                    bead(" set Position = 1.5, 0, 0\n set Velocity = 2, 0, 0\n"),
+                  hinge("") + slide("point"),
+                  dynamic(0.5, 0.01, 2)));
+      FAIL();
+    }
+  catch (const NotConverged &problem)
+    {
+      EXPECT_NE(std::string(problem.what()).find("slide.displacement"), std::string::npos) << problem.what();
+    }
+}

@@ -27,11 +27,12 @@ namespace samara
    * with the frames a of the piece and the polynomials N_a of Lagrange through their abscissae: what the body itself
    * interpolates. Both are linear in the coordinates of the nodes; the d_k are not of unit length, nor normal to each
    * other. Where two pieces meet, x is continuous, and the slopes x' and d_k' have jumps [x'] that vanish as the mesh is
-   * refined. Within ε = a thousandth of the shorter piece on both sides of such a place S_e the slope turns steadily:
+   * refined. Within ε = a ten-thousandth of the shorter piece on both sides of such a place S_e the slope turns steadily:
    *
    *     x(S) + φ(S) [x'],   φ = ε/4 (1 − |S − S_e|/ε)²
    *
-   * has no jump of its slope, is x(S) outside, and by ε/4 [x'] off at most. What slides is turned by it, not hit.
+   * has no jump of its slope, is x(S) outside, and by ε/4 [x'] off at most. What slides is turned by it, not hit, with an
+   * acceleration that is steady: one step of any number of stages follows it.
    *
    * Beyond both ends of the body x and d_k go on straight, with the slopes of the end.
    */

@@ -35,6 +35,7 @@ namespace samara
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
+    /** "displacement", "displacement rate", "force", its size. */
     std::shared_ptr<Signal> signal(Model &model, const std::string &path) override;
     void                    add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
 
@@ -63,6 +64,7 @@ namespace samara
 
   private:
     class Rows;
+    class Reaction;
 
     std::unique_ptr<Rail>       rail;
     std::unique_ptr<Constraint> term;

@@ -1,6 +1,7 @@
 #ifndef samara_time_stepper_h
 #define samara_time_stepper_h
 
+#include <samara/model/bends.h>
 #include <samara/time/integrator.h>
 #include <samara/time/step_control.h>
 
@@ -66,6 +67,7 @@ namespace samara
     State               trial;
     std::vector<double> steady_twists; ///< of the start: kinetic energy counts without them
 
+    std::vector<Bend>   bends;                ///< of all items
     std::vector<double> pieces, pieces_after; ///< of laws that switch
     double              across = 0;           ///< length of the step that goes across a switch; 0: none is near [s]
     /** What happens in a short time, counted: when it was first, and how often since. */
@@ -89,6 +91,13 @@ namespace samara
     double corner(double from, double to) const;
     /** @throws NotConverged if laws switch again and again, and time does not go on. */
     void count_switch(double time);
+    /** Shorten a step that goes into a bend or across it, so that it ends where the bend begins, or
+     * where it ends; left as it is if that is not found. */
+    void   stop_at_bends(const State &state, double &h, Advance &result);
+    /** How much of a step of which a coordinate goes @p from ... @p to may be made for a bend; 1 if all of it. */
+    static double part_until(const Bend &bend, double from, double to);
+    /** Of the step, by the coordinates before and after it. */
+    double part_until_bends(const std::vector<double> &from, const std::vector<double> &to) const;
     /** Shorten a step within which a law switches, so that it ends before. */
     void   stop_before_switch(const State &state, double &h, Advance &result);
     /** The trial after a step of @p h. */
