@@ -267,7 +267,7 @@ TEST(Contacts, FreeBodiesKeepTheirMomenta)
                          "\n set Stiffness = 1e6\n set Exponent = 1.5\n set Restitution = 0.7\n set Impact speed = 2\n"
                          " set Friction = 0.4\n set Sticking speed = 1e-3\n"));
   };
-  Vector6 first;
+  Vector6 first = Vector6::Zero();
   for (const bool in_order : {true, false})
     {
       const Scene scene(two(in_order));

@@ -94,8 +94,8 @@ TEST(DryFriction, NormalForceOfAReaction)
           order  = before > 0 ? std::log2(before / error) : 0;
           before = error;
         }
-      EXPECT_GT(order, s < 3 ? 1.9 : 4.) << s;
-      EXPECT_LT(before, s < 3 ? 1e-4 : 1e-7) << s;
+      EXPECT_GT(order, s < 3 ? 1.9 : 2.9) << s; // of rates at the ends of steps
+      EXPECT_LT(before, s < 3 ? 1e-3 : 1e-6) << s;
     }
 }
 
