@@ -48,6 +48,7 @@ namespace samara
             threads,
             "Most threads for loops over elements, used where a body has so many that it helps; 0: one a processor.",
             dealii::Patterns::Integer(0, 1024));
+    assembly.add_parameters(prm.subsection("Assembly"));
     Parameters &output = prm.subsection("Output");
     output.add("Probes", probes, "Numbers to record: body.point.displacement y, joint.rotation, ...");
     output.add("Pictures", pictures, "Whether to write files for ParaView.");
@@ -141,7 +142,7 @@ namespace samara
     void
     add_settings(const Catalogue &catalogue, Outline &outline)
     {
-      std::vector<std::string> settings = {"Output"};
+      std::vector<std::string> settings = {"Output", "Assembly"};
       for (const auto &kind : catalogue.analyses.kinds())
         settings.push_back(subsection_of_analysis(kind));
       if (outline.section("Subsystems") != nullptr) // overrides change objects of subsystems by their full names
@@ -166,6 +167,15 @@ namespace samara
 
 
   Input::Input(const Catalogue &catalogue, InputFile file, const std::vector<std::string> &overrides)
+    : Input(catalogue, std::move(file), overrides, Gaps::refused)
+  {}
+
+
+
+  Input::Input(const Catalogue                &catalogue,
+               InputFile                       file,
+               const std::vector<std::string> &overrides,
+               const Gaps               gaps)
   {
     Outline    &outline    = file.outline;
     Complaints &complaints = file.complaints;
@@ -197,6 +207,7 @@ namespace samara
       for (const auto &scope : subsystems.scopes())
         read_objects(group, scope, subsystems, complaints);
     read_analyses(catalogue, outline, quantities, complaints);
+    assemble_drawing(catalogue, file, gaps);
     initialize_objects();
     use_probed_angles(model, probes);
     outlines.clear();

@@ -3,6 +3,7 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/section.h>
 #include <samara/input.h>
+#include <samara/joints/joint.h>
 #include <samara/section/layup.h>
 
 #include <algorithm>
@@ -46,6 +47,43 @@ namespace samara
           }
     }
   } // namespace
+
+
+
+  void
+  Input::assemble_drawing(const Catalogue &catalogue, const InputFile &file, const Gaps gaps)
+  {
+    // with mistakes in the file nothing is assembled: it is refused anyway, and not for its gaps
+    const bool stays_open = gaps == Gaps::open || !file.complaints.empty();
+    bool       any_closes = false;
+    for (const auto &item : model.items)
+      if (auto *const joint = dynamic_cast<Joint *>(item.get()))
+        {
+          joint->closes_all_gaps = assembly.gaps == "closed";
+          any_closes             = any_closes || joint->closes_gap();
+        }
+    if (!any_closes)
+      return;
+    for (const auto &item : model.items)
+      if (auto *const connection = dynamic_cast<Connection *>(item.get()))
+        connection->gaps = stays_open ? Gaps::open : Gaps::closed;
+    if (stays_open)
+      return;
+    Input      drawn(catalogue, file, {}, Gaps::open);
+    const auto system = drawn.assemble();
+    assembled         = std::make_shared<AssembledDrawing>(*system, assembly, root.subsection("Assembly"));
+    if (!assembled->has_moved())
+      return;
+    for (const auto &item : model.items)
+      {
+        const std::string scope = scope_of(item->name);
+        if (auto *const moves = dynamic_cast<MovesWithBodies *>(item.get()))
+          moves->be_moved([&](const std::string &path) { return assembled->motion_of(path, scope); });
+        else if (const auto *const body = dynamic_cast<const Body *>(item.get()))
+          if (const Placement motion = assembled->motion_of(body->name, ""); !motion.is_identity())
+            item->be_placed(motion);
+      }
+  }
 
 
 

@@ -6,6 +6,7 @@
 #include <samara/base/threads.h>
 #include <samara/cosserat/section.h>
 #include <samara/input.h>
+#include <samara/mechanism_graph.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
@@ -218,6 +219,28 @@ namespace samara
 
 
 
+    /** What a check finds; with a folder for results, the mechanism as a graph and as a drawing, too. */
+    void
+    tell_check(const Options &options, const System &system, const ModelCheck &counts, Log &log)
+    {
+      const MechanismGraph graph(system);
+      log.line(counts.text(system, options.model) + "\n" + graph.text());
+      if (options.output.empty())
+        return;
+      prepare_folder(options.output);
+      for (const auto &[name, text] :
+           {std::make_pair("mechanism.dot", graph.dot()), std::make_pair("mechanism.svg", graph.svg())})
+        {
+          const std::string file = options.output + "/" + name;
+          std::ofstream     out  = open_file(file);
+          out << text;
+          flush(out, file);
+        }
+      log.line("mechanism.dot and mechanism.svg are in " + options.output);
+    }
+
+
+
     /** How large it is, and what may surprise. */
     void
     tell(const Options &options, const Input &input, const System &system, const ModelCheck &counts, Log &log)
@@ -292,14 +315,18 @@ namespace samara
     check_size(input, system);
     auto             probes = input.make_probes();
     const ModelCheck counts = checked(input, system, log);
+    if (input.assembled)
+      log.line(input.assembled->text());
     if (options.check)
-      return log.line(counts.text(system, options.model));
+      return tell_check(options, system, counts, log);
     system.drop(counts.redundant_multipliers);
     const bool least_norm = counts.mark(probes);
 
     const std::string folder = folder_of_results(options);
     prepare_folder(folder);
     write_used(input, folder);
+    if (input.assembled)
+      input.assembled->write(folder + "/assembly.csv");
     tell(options, input, system, counts, log);
     std::vector<double> speeds;
     for (const auto &rotation : input.model.rotations)

@@ -1,6 +1,7 @@
 #ifndef samara_input_h
 #define samara_input_h
 
+#include <samara/assembled_drawing.h>
 #include <samara/catalogue.h>
 #include <samara/model/system.h>
 #include <samara/subsystems.h>
@@ -33,6 +34,9 @@ namespace samara
     Input(const Catalogue &catalogue, const std::string &file, const std::vector<std::string> &overrides = {});
 
     Input(const Catalogue &catalogue, InputFile file, const std::vector<std::string> &overrides = {});
+
+    /** How the bodies of a rough drawing have been moved; nothing where no joint wants it. The model is that of then. */
+    std::shared_ptr<const AssembledDrawing> assembled;
 
     /** An empty one, for the documentation of its entries. */
     Input() = default;
@@ -87,6 +91,10 @@ namespace samara
     void add_parameters(Parameters &prm, const Catalogue &catalogue);
 
   private:
+    /** With what becomes of gaps: a drawing is read as it is to be assembled, and then once more. */
+    Input(const Catalogue &catalogue, InputFile file, const std::vector<std::string> &overrides, Gaps gaps);
+
+    AssemblySettings         assembly;
     Parameters               root;
     std::vector<std::string> analysis_names;
     std::vector<std::string> subsections; ///< of each item: "Bodies", ...
@@ -107,6 +115,7 @@ namespace samara
                                    const Subsystems        &subsystems,
                                    const Outline           &object,
                                    Complaints              &complaints);
+    void               assemble_drawing(const Catalogue &catalogue, const InputFile &file, Gaps gaps);
     void               initialize_objects();
     void               find_more_mistakes(Complaints &complaints);
     std::vector<Probe> find_probes(Complaints &complaints) const;

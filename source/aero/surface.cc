@@ -67,6 +67,14 @@ namespace samara
 
 
   void
+  Surface::be_moved(const MotionOf &motion_of)
+  {
+    be_placed(motion_of(body_name));
+  }
+
+
+
+  void
   Surface::initialize(Model &m)
   {
     model             = &m;

@@ -2,6 +2,7 @@
 
 #include <samara/analysis/dynamic_parts.h>
 #include <samara/analysis/start_of_motion.h>
+#include <samara/analysis/near_redundancy.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
 #include <samara/base/text.h>
@@ -70,6 +71,7 @@ namespace samara
     bool              is_saved;
     Clock::time_point last_progress = clock_start, last_checkpoint = clock_start;
     State             before; ///< where the step began, for the second estimate
+    SingularPositions singular;
 
     State  first_state();
     void   open_account();
@@ -97,7 +99,9 @@ namespace samara
     , can_be_exact(machinery.integrator->family() != nullptr)
     , begin(state.time)
     , is_saved(context.restart)
+    , singular(system)
   {
+    singular.look(state);
     open_account();
     before_machinery = analysis.report;
     n_factorizations = analysis.report.n_factorizations;
@@ -169,10 +173,12 @@ namespace samara
     catch (const NotConverged &problem)
       {
         close();
+        const std::string near = singular.near();
         throw NotConverged(
           std::string("dynamic analysis: ") + problem.what() +
           "\n  everything up to there is written; try a smaller <Step>, <Step control = adaptive>, more damping "
-          "(<Spectral radius = 0>), or look whether the mechanism locks there");
+          "(<Spectral radius = 0>), or look whether the mechanism locks there" +
+          (near.empty() ? "" : ": the position is next to a singular one, by " + near));
       }
     catch (const CannotWrite &problem)
       {
@@ -185,6 +191,8 @@ namespace samara
     close();
     analysis.collect(context, *machinery.integrator);
     analysis.summarize(context, *machinery.integrator);
+    if (const std::string text = singular.text(); !text.empty())
+      context.log.line(text);
     analysis.conclude(context);
   }
 
@@ -214,6 +222,7 @@ namespace samara
     const double  from    = state.time;
     const Advance advance = machinery.stepper->advance(state, goal);
     count(advance, from);
+    singular.look(state);
     write_step(advance, from, second_estimate(from));
     if (!is_adaptive && state.time < goal - 1e-9 * analysis.step)
       return;

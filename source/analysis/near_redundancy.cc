@@ -6,6 +6,8 @@
 #include <samara/solvers/redundant_rows.h>
 #include <samara/solvers/rigid_pieces.h>
 
+#include <Eigen/SVD>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,73 +24,76 @@ namespace samara
 
     /** Up to this many rows dense elimination takes less than a second. */
     constexpr unsigned int few_rows = 300;
+  } // namespace
 
 
 
-    /** Rows of G in use, each scaled to length 1, lengths divided by the size of the model. */
-    class ScaledRows
+  /** Rows of G in use, each scaled to length 1, lengths divided by the size of the model. */
+  class ScaledRows
+  {
+  public:
+    ScaledRows(const System &system, const std::vector<unsigned int> &left_out)
+      : system(system)
+      , length(model_length(system.model))
+      , K(system.layout.pattern)
+      , number(system.layout.of_multiplier(0), -1)
     {
-    public:
-      ScaledRows(const System &system, const std::vector<unsigned int> &left_out)
-        : system(system)
-        , length(model_length(system.model))
-        , K(system.layout.pattern)
-        , number(system.layout.of_multiplier(0), -1)
-      {
-        const Layout &layout = system.layout;
-        for (unsigned int i = 0; i < layout.n_multipliers; ++i)
-          if (std::find(left_out.begin(), left_out.end(), i) == left_out.end())
-            rows.push_back(i);
-        for (const auto row : rows)
-          for (int k = K.pattern->column_start[layout.of_multiplier(row)];
-               k < K.pattern->column_start[layout.of_multiplier(row) + 1];
-               ++k)
-            if (const int i = K.pattern->rows[k]; i < layout.n_kinematic() && number[i] < 0)
+      const Layout &layout = system.layout;
+      for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+        if (std::find(left_out.begin(), left_out.end(), i) == left_out.end())
+          rows.push_back(i);
+      for (const auto row : rows)
+        for (int k = K.pattern->column_start[layout.of_multiplier(row)];
+             k < K.pattern->column_start[layout.of_multiplier(row) + 1];
+             ++k)
+          if (const int i = K.pattern->rows[k]; i < layout.n_kinematic() && number[i] < 0)
+            {
+              number[i] = unknowns.size();
+              unknowns.push_back(i);
+              unit.push_back(layout.is_length(i) ? 1. : length);
+            }
+    }
+
+    /** One column for each row; those that say nothing are zero. */
+    Eigen::MatrixXd
+    transposed(const State &state)
+    {
+      K.clear();
+      system.add_constraint_tangent(state.point(), K);
+      Eigen::MatrixXd Gt = Eigen::MatrixXd::Zero(unknowns.size(), rows.size());
+      scale              = Eigen::VectorXd::Zero(rows.size());
+      for (unsigned int j = 0; j < rows.size(); ++j)
+        {
+          const int column = system.layout.of_multiplier(rows[j]);
+          for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
+            if (K.pattern->rows[k] < system.layout.n_kinematic())
               {
-                number[i] = unknowns.size();
-                unknowns.push_back(i);
-                unit.push_back(layout.is_length(i) ? 1. : length);
+                const int i = number[K.pattern->rows[k]];
+                Gt(i, j)    = K.values[k] / unit[i];
               }
-      }
+          if (const double norm = Gt.col(j).norm(); norm > 0)
+            {
+              scale(j) = 1 / norm;
+              Gt.col(j) /= norm;
+            }
+        }
+      return Gt;
+    }
 
-      /** One column for each row; those that say nothing are zero. */
-      Eigen::MatrixXd
-      transposed(const State &state)
-      {
-        K.clear();
-        system.add_constraint_tangent(state.point(), K);
-        Eigen::MatrixXd Gt = Eigen::MatrixXd::Zero(unknowns.size(), rows.size());
-        scale              = Eigen::VectorXd::Zero(rows.size());
-        for (unsigned int j = 0; j < rows.size(); ++j)
-          {
-            const int column = system.layout.of_multiplier(rows[j]);
-            for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
-              if (K.pattern->rows[k] < system.layout.n_kinematic())
-                {
-                  const int i = number[K.pattern->rows[k]];
-                  Gt(i, j)    = K.values[k] / unit[i];
-                }
-            if (const double norm = Gt.col(j).norm(); norm > 0)
-              {
-                scale(j) = 1 / norm;
-                Gt.col(j) /= norm;
-              }
-          }
-        return Gt;
-      }
-
-      const System             &system;
-      const double              length;
-      SparseMatrix              K;
-      std::vector<int>          number;   ///< of an unknown among those below; -1 if no row has it
-      std::vector<int>          unknowns; ///< that rows have entries for
-      std::vector<double>       unit;     ///< of each
-      std::vector<unsigned int> rows;
-      Eigen::VectorXd           scale; ///< of each row, 1/|row|; 0 if it has no entry
-    };
+    const System             &system;
+    const double              length;
+    SparseMatrix              K;
+    std::vector<int>          number;   ///< of an unknown among those below; -1 if no row has it
+    std::vector<int>          unknowns; ///< that rows have entries for
+    std::vector<double>       unit;     ///< of each
+    std::vector<unsigned int> rows;
+    Eigen::VectorXd           scale; ///< of each row, 1/|row|; 0 if it has no entry
+  };
 
 
 
+  namespace
+  {
     /** Whether constraints close a loop of nodes that are not one rigid piece. Without one there is nothing to agree.
      */
     bool
@@ -231,5 +236,150 @@ namespace samara
            number_to_text("%.1g", largest) +
            ". Only as a structure do they all hold. If something should move there, places or axes are rounded or wrong: give all their "
            "digits, or the joints more freedom (spherical or cylindrical instead of revolute)";
+  }
+
+
+
+  namespace
+  {
+    /** Singular values below this are followed; up to this many rows that takes a fraction of a step. */
+    constexpr double       followed  = 0.3;
+    constexpr unsigned int most_rows = 120;
+
+    /** How far something moves between two looks [rad, or parts of the model's size]. */
+    constexpr double between_looks = 0.02;
+
+    /** A position is singular to round-off, or next to a singular one. */
+    constexpr double is_zero = 1e-7, is_next = 0.02;
+
+    /** Parts of the largest entry below which a row has no part in a combination. */
+    constexpr double no_part_in_it = 0.02;
+  } // namespace
+
+
+
+  /** The rows in use, for one choice of those that are left out. */
+  class SingularPositions::Rows : public ScaledRows
+  {
+  public:
+    Rows(const System &system, const std::vector<unsigned int> &left_out)
+      : ScaledRows(system, left_out)
+      , left_out(left_out)
+    {}
+    const std::vector<unsigned int> left_out;
+  };
+
+
+
+  SingularPositions::SingularPositions(const System &system)
+    : system(system)
+    , is_watched(system.layout.n_multipliers <= most_rows && has_loop(system))
+  {}
+
+
+
+  SingularPositions::~SingularPositions() = default;
+
+
+
+  std::string
+  SingularPositions::joints_of(const Eigen::VectorXd &combination) const
+  {
+    std::vector<std::string> joints;
+    for (int i = 0; i < combination.size(); ++i)
+      if (std::abs(combination(i)) > no_part_in_it * combination.cwiseAbs().maxCoeff())
+        if (const std::string name = owner_and_row(system.layout.multiplier_names[rows->rows[i]]).first;
+            std::find(joints.begin(), joints.end(), name) == joints.end())
+          joints.push_back(name);
+    return join_some(joints);
+  }
+
+
+
+  void
+  SingularPositions::look(const State &state)
+  {
+    if (!is_watched)
+      return;
+    if (is_known)
+      {
+        double motion = 0;
+        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+          motion = std::max({motion,
+                             (state.position(node) - last.position(node)).norm() / rows->length,
+                             (state.triad(node) - last.triad(node)).norm()});
+        if (motion < between_looks && rows->left_out == state.left_out)
+          return;
+      }
+    if (!rows || rows->left_out != state.left_out)
+      {
+        rows     = std::make_unique<Rows>(system, state.left_out);
+        is_known = false;
+      }
+    // of rows that say nothing here the singular value is zero always
+    State                 alone = state;
+    const Eigen::MatrixXd Gt    = rows->transposed(alone);
+    if (Gt.cols() == 0)
+      return;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Gt, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const auto                             &all = svd.singularValues();
+    std::vector<int>                        small;
+    for (int k = 0; k < all.size(); ++k)
+      if (all(k) < followed)
+        small.push_back(k);
+    const Eigen::VectorXd new_sigma = all(small);
+    const Eigen::MatrixXd new_u = svd.matrixU()(Eigen::all, small), new_v = svd.matrixV()(Eigen::all, small);
+    for (int k = 0; k < new_sigma.size() && is_known; ++k)
+      {
+        // the one of the last look that has become this one
+        constexpr double clearly = 0.7;
+        int              before  = -1;
+        for (int j = 0; j < sigma.size(); ++j)
+          if (std::abs(new_u.col(k).dot(u.col(j))) > clearly && std::abs(new_v.col(k).dot(v.col(j))) > clearly)
+            before = j;
+        if (before < 0 || new_u.col(k).dot(u.col(before)) * new_v.col(k).dot(v.col(before)) > 0)
+          continue;
+        const double sum = sigma(before) + new_sigma(k);
+        if (!(sum > is_zero)) // a rank that is lost always is none that passes
+          continue;
+        passings.push_back({last.time + (state.time - last.time) * sigma(before) / sum, joints_of(new_v.col(k))});
+      }
+    sigma    = new_sigma;
+    u        = new_u;
+    v        = new_v;
+    last     = state;
+    is_known = true;
+  }
+
+
+
+  std::string
+  SingularPositions::text() const
+  {
+    if (passings.empty())
+      return "";
+    constexpr unsigned int most = 5;
+    std::string            text = "  singular positions are passed " + std::to_string(passings.size()) +
+                       (passings.size() == 1 ? " time" : " times") +
+                       ", where the mechanism could go on in another way:";
+    for (unsigned int i = 0; i < passings.size() && i < most; ++i)
+      text += "\n    t = " + number_to_text("%.5g", passings[i].time) + " s: " + passings[i].joints;
+    if (passings.size() > most)
+      text += "\n    ... the last one at t = " + number_to_text("%.5g", passings.back().time) + " s";
+    return text;
+  }
+
+
+
+  std::string
+  SingularPositions::near() const
+  {
+    if (!is_known)
+      return "";
+    std::string text;
+    for (int k = 0; k < sigma.size(); ++k)
+      if (sigma(k) > is_zero && sigma(k) < is_next)
+        text = joints_of(v.col(k));
+    return text;
   }
 } // namespace samara

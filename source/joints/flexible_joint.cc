@@ -55,6 +55,22 @@ namespace samara
 
 
   void
+  FlexibleJoint::be_moved(const MotionOf &motion_of)
+  {
+    be_placed(motion_of(body_a));
+  }
+
+
+
+  std::vector<Frame>
+  FlexibleJoint::connected_frames() const
+  {
+    return {frame_a, frame_b};
+  }
+
+
+
+  void
   FlexibleJoint::initialize(Model &m)
   {
     model           = &m;
@@ -62,6 +78,8 @@ namespace samara
     if (!ends)
       return;
     check_gap(m, *this, *ends, body_a, body_b, gap);
+    if (gaps == Gaps::open)
+      m.weld((*ends)[0], (*ends)[1]); // without strain in the reference configuration: the two bodies go together
     if (!parameters.is_set("Position"))
       position = m.position((*ends)[1]);
     // triad_about() gives axis 3; turned so that it becomes axis 1 and "Axis 2" stays the second
@@ -93,6 +111,8 @@ namespace samara
   {
     frame_a = layout.model.resolved(frame_a);
     frame_b = layout.model.resolved(frame_b);
+    if (gaps == Gaps::open)
+      return;
     if (!check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
       return;
     layout.couple(block, {{frame_a.node}, {frame_b.node}}); // derivatives are in the twists of the nodes

@@ -61,7 +61,10 @@ namespace samara
   {
     frame_a = layout.model.resolved(frame_a);
     frame_b = layout.model.resolved(frame_b);
-    if (!check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
+    // in a drawing a flexible joint holds its two bodies like a weld: beside it nothing is to be closed
+    const bool is_held = gaps == Gaps::open && frame_a.node == frame_b.node &&
+                         (frame_a.arm - frame_b.arm).norm() < 1e-9 * (1 + frame_a.arm.norm());
+    if (is_held || !check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
       return;
     used.clear();
     for (auto &motion : free)
@@ -73,6 +76,14 @@ namespace samara
       add_constraints(layout);
     add_springs(layout);
     add_friction(layout);
+  }
+
+
+
+  std::vector<Frame>
+  Joint::connected_frames() const
+  {
+    return {frame_a, frame_b};
   }
 
 

@@ -4,6 +4,7 @@
 #include <samara/joints/joint.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace samara
@@ -126,11 +127,22 @@ namespace samara
   const char *const documentation_of_gap =
     "Whether the two points that are named may be apart in the reference configuration where no Position is given; "
     "allowed: the joint is at frame B, a rigid arm goes to frame A.";
+  const char *const documentation_of_closed_gap =
+    " Closed: the bodies are moved until the points meet; Position, where it is given, is then that of the point on A, or "
+    "on B if that is the ground or named without a point.";
 
 
 
   namespace
   {
+    /** Whether a path names a point; a rigid body may be held anywhere: its centre is the body itself. */
+    bool
+    is_point(const std::string &path)
+    {
+      const auto dot = path.find('.');
+      return dot != std::string::npos && trim(path.substr(dot + 1)) != "centre";
+    }
+
     /** "<rod.end> at (1, 0, 0)" */
     std::string
     place_to_text(const std::string &point, const std::string &at, const Vector3 &x)
@@ -153,11 +165,6 @@ namespace samara
   {
     // drawings are rounded: what is smaller, in proportion to the model, is not meant
     constexpr double rounding = 1e-5;
-    // a rigid body may be held anywhere: its centre is the body itself
-    const auto is_point = [](const std::string &path) {
-      const auto dot = path.find('.');
-      return dot != std::string::npos && trim(path.substr(dot + 1)) != "centre";
-    };
     if (gap == "allowed" || joint.parameters.is_set("Position") || !is_point(body_a) || !is_point(body_b))
       return;
     const Vector3 a = model.position(ends[0]), b = model.position(ends[1]);
@@ -171,7 +178,8 @@ namespace samara
                            place_to_text(body_a, "is at", a) + ", " + place_to_text(body_b, "at", b) +
                            ". Let them meet, or name other points; if a rigid arm is meant, say where the joint is by "
                            "<Position>, or <Gap = allowed>: then it is at <" +
-                           body_b + ">");
+                           body_b +
+                           ">; if the drawing is rough, <Gap = closed> moves the bodies until the points meet");
   }
 
 
@@ -198,6 +206,17 @@ namespace samara
     prm.add("Axis 1", axis_1, "Direction near which joint axis 1 lies; 0, 0, 0: any [1].");
     prm.turns("Axis", Turning::direction);
     prm.turns("Axis 1", Turning::direction);
+    const bool aligns = !free.empty() && std::any_of(locked.begin(), locked.end(), [](const Locked &l) {
+      return l.function.kind == PairFunction::cosine && l.function.i == 2;
+    });
+    if (aligns)
+      {
+        prm.add("Axis on B",
+                axis_on_b,
+                "Direction of joint axis 3 on body B as that is drawn, if its drawing is turned and Gap = closed is to "
+                "turn it; 0, 0, 0: that of Axis [1].");
+        prm.turns("Axis on B", Turning::direction);
+      }
     add_motions(prm);
   }
 
@@ -215,12 +234,47 @@ namespace samara
 
 
   void
+  Joint::be_moved(const MotionOf &motion_of)
+  {
+    const Vector3   drawn_axis = axis_on_b, drawn_position = position;
+    const Placement of_b = motion_of(body_b);
+    be_placed(motion_of(body_a));
+    if (!axis_on_b.isZero(0.))
+      parameters.assign("Axis on B", Vector3(of_b.rotation * drawn_axis));
+    if (position_is_on_b())
+      parameters.assign("Position", of_b.point(drawn_position));
+  }
+
+
+
+  bool
+  Joint::position_is_on_b() const
+  {
+    return gap == "closed" && (parameters.has("Position") && parameters.is_set("Position")) && is_point(body_a) &&
+           !is_point(body_b);
+  }
+
+
+
+  bool
+  Joint::closes_gap() const
+  {
+    return gap == "closed" || (closes_all_gaps && gap == "refused" && parameters.has("Gap") &&
+                               !(parameters.has("Position") && parameters.is_set("Position")));
+  }
+
+
+
+  void
   Joint::add_ends(Parameters &prm)
   {
     prm.add("Body A", body_a, "First frame: body.point, or ground.");
     prm.add("Body B", body_b, "Second frame; relative motions are those of B seen from A.");
     prm.add("Position", position, "Place of the joint in the reference configuration; default: that of frame B [m].");
-    prm.add("Gap", gap, documentation_of_gap, dealii::Patterns::Selection("refused|allowed"));
+    prm.add("Gap",
+            gap,
+            std::string(documentation_of_gap) + documentation_of_closed_gap,
+            dealii::Patterns::Selection("refused|allowed|closed"));
     prm.turns("Position", Turning::given_position);
   }
 
@@ -327,9 +381,66 @@ namespace samara
 
 
   void
+  Joint::place_apart(Model &model, const Frame &a, const Frame &b)
+  {
+    const Matrix3 E    = axes();
+    Vector3       at_a = model.position(a), at_b = model.position(b);
+    if (parameters.is_set("Position"))
+      {
+        at_a = position_is_on_b() ? at_a : position;
+        at_b = is_point(body_b) ? at_b : position;
+      }
+    else if (!is_point(body_a) || !is_point(body_b))
+      at_a = at_b; // where the other is held is not said
+    frame_a = model.frame_at(a, at_a, E);
+    if (axis_on_b.isZero(0.))
+      frame_b = model.frame_at(b, at_b, E);
+    else
+      {
+        const auto turn = Eigen::Quaterniond::FromTwoVectors(E.col(2), axis_on_b);
+        frame_b         = model.frame_at(b, at_b, turn.toRotationMatrix() * E);
+      }
+  }
+
+
+
+  void
+  Joint::check_axis_on_b(Model &model) const
+  {
+    constexpr double rounding = 1e-5;
+    if (!axis_on_b.isZero(0.) && axis.normalized().cross(axis_on_b.normalized()).norm() > rounding)
+      complain(
+        model,
+        "Axis on B",
+        "joint <" + name +
+          ">: its axes on the two bodies are not parallel; with <Gap = closed> the bodies are turned until they are");
+  }
+
+
+
+  void
   Joint::place(Model &model, const Frame &a, const Frame &b)
   {
-    check_gap(model, *this, {a, b}, body_a, body_b, gap);
+    const bool closes = closes_gap();
+    if (closes && gaps == Gaps::open)
+      return place_apart(model, a, b);
+    check_axis_on_b(model);
+    if (!closes || gaps != Gaps::closed)
+      check_gap(model, *this, {a, b}, body_a, body_b, gap);
+    else
+      {
+        // the bodies have been moved: now the points must meet, in the directions that the joint holds
+        place_apart(model, a, b);
+        constexpr double rounding = 1e-5; // as in check_gap()
+        const Vector3    apart    = axes().transpose() * (model.position(frame_b) - model.position(frame_a));
+        for (const auto &l : locked)
+          if (l.function.kind == PairFunction::gap &&
+              !(std::abs(apart(l.function.i)) <= rounding * box_diagonal(model)))
+            return complain(model,
+                            "Gap",
+                            "joint <" + name + ">: the assembly has left a gap of " +
+                              number_to_text("%.3g", std::abs(apart(l.function.i))) + " m; draw its bodies nearer");
+      }
     if (!parameters.is_set("Position"))
       position = model.position(b);
     const Matrix3 E = axes();

@@ -23,12 +23,20 @@ namespace samara
     prm.add("Axis",
             axis,
             "Direction of the axis on body A (joint axis 1) in the reference configuration, inertial components [1].");
-    prm.add("Second axis",
-            second_axis,
-            "Direction of the axis on body B (joint axis 2), " + angle_of_axes() + " [1].");
+    prm.add("Second axis", second_axis, "Direction of the axis on body B (joint axis 2), " + angle_of_axes() + " [1].");
     prm.turns("Axis", Turning::direction);
     prm.turns("Second axis", Turning::direction);
     add_motions(prm);
+  }
+
+
+
+  void
+  Universal::be_moved(const MotionOf &motion_of)
+  {
+    const Vector3 drawn = second_axis;
+    Joint::be_moved(motion_of);
+    parameters.assign("Second axis", Vector3(motion_of(body_b).rotation * drawn));
   }
 
 
@@ -64,12 +72,18 @@ namespace samara
   void
   Rigid::initialize(Model &model)
   {
-    if (reaction_wanted)
-      return Joint::initialize(model);
+    // two bodies that are drawn apart keep two nodes until it is known where they meet
+    const bool closes = closes_gap();
+    if (reaction_wanted || (closes && gaps == Gaps::open))
+      {
+        is_weld = false;
+        return Joint::initialize(model);
+      }
     const auto ends = ends_of_joint(model, *this, body_a, body_b);
     if (!ends)
       return;
-    check_gap(model, *this, *ends, body_a, body_b, gap);
+    if (!closes || gaps != Gaps::closed)
+      check_gap(model, *this, *ends, body_a, body_b, gap);
     model.weld((*ends)[0], (*ends)[1]);
   }
 
@@ -78,8 +92,16 @@ namespace samara
   void
   Rigid::connect(Layout &layout)
   {
-    if (reaction_wanted)
+    if (!is_weld)
       Joint::connect(layout);
+  }
+
+
+
+  std::vector<Frame>
+  Rigid::connected_frames() const
+  {
+    return is_weld ? std::vector<Frame>() : Joint::connected_frames();
   }
 
 

@@ -61,6 +61,16 @@ namespace samara
 
 
   void
+  ConstantVelocity::be_moved(const MotionOf &motion_of)
+  {
+    const Vector3 drawn = second_axis.isZero(0.) ? axis : second_axis;
+    Joint::be_moved(motion_of);
+    parameters.assign("Second axis", Vector3(motion_of(body_b).rotation * drawn));
+  }
+
+
+
+  void
   ConstantVelocity::place(Model &model, const Frame &a, const Frame &b)
   {
     Joint::place(model, a, b);
@@ -70,7 +80,9 @@ namespace samara
     const Vector3 second = second_axis.normalized();
     if (E.col(2).dot(second) < -0.999)
       throw std::invalid_argument("the two shafts point against each other; turn the <Second axis> round");
-    frame_b = model.frame_at(b, position, Eigen::Quaterniond::FromTwoVectors(E.col(2), second).toRotationMatrix() * E);
+    frame_b = model.frame_at(b,
+                             model.position(frame_b),
+                             Eigen::Quaterniond::FromTwoVectors(E.col(2), second).toRotationMatrix() * E);
   }
 
 
@@ -121,7 +133,7 @@ namespace samara
     F.col(1) = second_axis.normalized();
     F.col(2) = E.col(2);
     F.col(0) = F.col(1).cross(F.col(2));
-    frame_b  = model.frame_at(b, position, F);
+    frame_b  = model.frame_at(b, model.position(frame_b), F);
 
     const double cosine = E.col(0).dot(F.col(1));
     for (auto &l : locked)

@@ -125,6 +125,14 @@ namespace samara
 
 
 
+  void
+  KnifeEdge::be_moved(const MotionOf &motion_of)
+  {
+    be_placed(motion_of(body_b));
+  }
+
+
+
   Matrix3
   KnifeEdge::axes() const
   {

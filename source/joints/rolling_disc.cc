@@ -233,6 +233,16 @@ namespace samara
 
 
   void
+  RollingDisc::be_moved(const MotionOf &motion_of)
+  {
+    const Vector3 drawn = axle;
+    Joint::be_moved(motion_of);
+    parameters.assign("Axle", Vector3(motion_of(body_b).rotation * drawn));
+  }
+
+
+
+  void
   RollingDisc::initialize(Model &m)
   {
     model               = &m;

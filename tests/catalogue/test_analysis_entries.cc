@@ -136,15 +136,21 @@ TEST_F(Catalogued, Trim)
 
 TEST_F(Catalogued, Model)
 {
+  // drawn 0.1 m off, it is moved where that is asked for
+  const std::string apart = "Bodies/b/Frames = held at 0.1 0 0", held = "Joints/h/Body B = b.held",
+                    closed = "Joints/h/Gap = closed";
   check("model",
         models::oscillator,
         "",
-        {{"Title", "Another"},
+        {{"Assembly / Fixed bodies", "b", {apart, held, closed}, true},
+         {"Assembly / Weights", "b: -1", {apart, held, closed}, true},
+         {"Title", "Another"},
          {"Analyses", "static"},
          {"Output / Probes", "h.rotation, b.position x"},
          {"Output / Pictures", "false", {"Dynamic/Pictures = 1"}},
          {"Rotor speeds", "1, 2", {}, true}},
-        {{"Linear solver", "numbers do not depend on it: tests/solvers/test_libraries.cc"},
+        {{"Assembly / Gaps", "for joints between two points: tests/assembly"},
+         {"Linear solver", "numbers do not depend on it: tests/solvers/test_libraries.cc"},
          {"Threads", "numbers do not depend on it: tests/cosserat"},
          {"Redundant constraints", "no effect any more, which the run says"}});
 }

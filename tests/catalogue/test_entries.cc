@@ -13,6 +13,7 @@ namespace
   const Changes     ends   = {{"Body A", "ground"}, {"Body B", "ground"}, {"Position", "0.5, 0.1, 0.3"}};
   const Changes     gap    = {{"Gap", "refused", {"Joints/it/Body B = b.other", "Joints/it/Gap = allowed"}, true}};
   const Changes     axis   = {{"Axis", "0.3, 1, 0.2"}};
+  const Changes     on_b   = {{"Axis on B", "0.3, 1, 0.2", {}, true}}; // not parallel, and nothing turns it
   const Changes     axis_1 = {{"Axis 1", "0.3, 1, 0.2"}};
   const std::string tilted = "    set Axis = 1, 2, -1";
 } // namespace
@@ -118,18 +119,18 @@ TEST_F(Catalogued, AllKinds)
 
 TEST_F(Catalogued, LowerPairs)
 {
-  check_joint("revolute", tilted, "it.force 1", joined(ends, {gap, axis, axis_1}), {"rotation"});
-  check_joint("prismatic", tilted, "it.force 1", joined(ends, {gap, axis, axis_1}), {"displacement"});
+  check_joint("revolute", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"rotation"});
+  check_joint("prismatic", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"displacement"});
   check_joint("screw",
               tilted + "\n    set Pitch = 0.2",
               "it.force 1",
-              joined(ends, {gap, axis, axis_1, {{"Pitch", "0.3"}}}),
+              joined(ends, {gap, axis, on_b, axis_1, {{"Pitch", "0.3"}}}),
               {"displacement", "rotation"});
-  check_joint("cylindrical", tilted, "it.force 1", joined(ends, {gap, axis, axis_1}), {"displacement", "rotation"});
+  check_joint("cylindrical", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"displacement", "rotation"});
   check_joint("planar",
               tilted,
               "it.force 3, it.displacement 1",
-              joined(ends, {gap, axis, axis_1}),
+              joined(ends, {gap, axis, on_b, axis_1}),
               {"displacement 1", "displacement 2", "rotation"});
   check_joint("spherical", "", "it.force 1", joined(ends, {gap, axis, axis_1}));
 }

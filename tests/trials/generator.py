@@ -1,6 +1,7 @@
 """Random mechanisms: trees grown joint by joint, so that everything fits, and loops closed by joints put where two bodies
 already are. A seed gives the same mechanism for ever: when the generator changes its choices, draw new seeds for new things last."""
 
+import copy
 import math
 import random
 
@@ -228,3 +229,18 @@ class Generator:
 
 def mechanism(seed):
     return Generator(seed).mechanism()
+
+
+def rough_mechanism(seed):
+    """The same with wrong lengths: the points of bodies are elsewhere by up to a tenth of a metre, most of them by less."""
+    model = copy.deepcopy(mechanism(seed))
+    generator = Generator(f"rough {seed}")
+    generator.planar = Generator(seed).planar
+    size = generator.power(-6, -1)
+    for body in model.bodies:
+        for name in body.points:
+            if name != "centre":
+                body.points[name] = body.points[name] + generator.vector(size)
+        if isinstance(body, Beam):
+            body.line[0], body.line[-1] = body.points["start"], body.points["end"]
+    return model.with_(is_rough=True)

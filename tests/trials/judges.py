@@ -44,6 +44,21 @@ def readable(run):
 # ------------------------------------------------------------------ constraints
 
 
+def assembled(model, run):
+    """The points of joints that hold them together are at one place, at all times, in a drawing with gaps, too."""
+    if run.code != 0 or "dynamic" not in run.tables:
+        return
+    table = run.tables["dynamic"]
+    for joint in model.joints:
+        if joint.kind not in ("revolute", "spherical", "universal", "rigid") or joint.arm or joint.a == "ground":
+            continue
+        if "centre" in (joint.a.split(".")[1], joint.b.split(".")[1]):
+            continue  # held with an arm
+        gap = np.linalg.norm(table.vector(joint.b + ".position") - table.vector(joint.a + ".position"), axis=1).max()
+        if gap > 1e-7 * model.size():
+            yield f"{joint.name}: its points are {gap:.2g} m apart"
+
+
 class Frame:
     """A joint's frame on a body as the tables have it: x (n, 3), D (n, 3, 3), joint axes as columns."""
 

@@ -224,6 +224,7 @@ class Mechanism:
     radius: float = 0.5
     newton: float = 1e-10
     modes: int = 6
+    is_rough: bool = False  # drawn with gaps that an assembly has to close
 
     def body(self, point):
         """The body and the name of the point in "body.point"."""
@@ -268,6 +269,8 @@ class Mechanism:
         yield "Analyses", ", ".join(self.analyses)
         yield "Sections", [("of " + b.name, list(b.section_text(world))) for b in self.bodies if isinstance(b, Beam)]
         yield "Bodies", [(body.name, list(body.text(world))) for body in self.bodies]
+        if self.is_rough:
+            yield "Assembly", [("Gaps", "closed")]
         yield "Joints", [(joint.name, list(joint.text(world))) for joint in (*self.joints, *self.gears)]
         loads = [(load.name, list(load.text(world))) for load in self.loads]
         if self.gravity is not None:

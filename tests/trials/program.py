@@ -56,6 +56,6 @@ class Run:
             self.code, self.output = done.returncode, (done.stdout + done.stderr).decode(errors="replace")
             self.tables = {}
             for path in (folder / "results").glob("*.csv"):
-                if path.stem == "dynamic_stops":
+                if path.stem in ("assembly", "dynamic_stops"):
                     continue  # with names
                 self.tables[path.stem] = Table(path)

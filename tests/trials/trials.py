@@ -9,7 +9,7 @@ import extremes
 import judges
 import mutations
 import relatives
-from generator import INTEGRATORS, Generator, mechanism
+from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
 from outline import render
 from program import LIMIT, Run
@@ -39,6 +39,15 @@ class MechanismTrial(Trial):
         if thing is self.thing:
             self.worst_step = judges.worst_step(thing, run, World())
         return judges.all_of(thing, run, World())
+
+
+class RoughTrial(Trial):
+    """A drawing with wrong lengths: it is assembled, and what is joined stays together, or there is a reason."""
+
+    def complaints(self, program, thing):
+        run = Run(program, thing.text_here())
+        self.code, self.seconds = run.code, run.seconds
+        return [*judges.outcome(run), *judges.readable(run), *judges.assembled(thing, run)]
 
 
 class RelativeTrial(Trial):
@@ -115,6 +124,8 @@ def short(program):
         yield from relative_trials(seed)
     for seed in range(14):
         yield mutant_trial(seed)
+    for seed in range(20):
+        yield RoughTrial(f"rough {seed}", rough_mechanism(seed))
     # chosen by their names, so that an entry more in the catalogue leaves the others as they are
     yield from sorted(extreme_trials(program), key=lambda trial: zlib.crc32(trial.name.encode()))[:14]
 
@@ -129,6 +140,7 @@ def endless(program, start):
             yield mechanism_trial(seed, integrator)
         yield from relative_trials(seed)
         yield from (mutant_trial(10 * seed + k) for k in range(10))
+        yield from (RoughTrial(f"rough {10 * seed + k}", rough_mechanism(10 * seed + k)) for k in range(10))
         yield from (everything.pop() for _ in range(min(10, len(everything))))
         seed += 1
 

@@ -2,6 +2,7 @@
 #define samara_aero_surface_h
 
 #include <samara/aero/station.h>
+#include <samara/model/moved.h>
 #include <samara/model/virtual_mass.h>
 
 namespace samara
@@ -27,10 +28,11 @@ namespace samara
    *
    * Source: the paper, section 2.3; the lifting line and its derivatives are derived in doc/theory/aerodynamics.md.
    */
-  class Surface : public Item, public LoadedSurface, public VirtualMass
+  class Surface : public Item, public LoadedSurface, public VirtualMass, public MovesWithBodies
   {
   public:
     void                     add_parameters(Parameters &prm) override;
+    void                     be_moved(const MotionOf &motion_of) override;
     void                     initialize(Model &model) override;
     void                     connect(Layout &layout) override;
     std::optional<Probe>     probe(const std::string &path) const override;

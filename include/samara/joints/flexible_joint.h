@@ -2,6 +2,7 @@
 #define samara_joints_flexible_joint_h
 
 #include <samara/joints/pair.h>
+#include <samara/model/moved.h>
 #include <samara/model/relative_motion.h>
 #include <samara/model/system.h>
 
@@ -13,13 +14,15 @@ namespace samara
    * Strains: the gap in the axes of A, E_iᴬ·Δ [m], and ½ (E_kᴬ·E_jᴮ − E_jᴬ·E_kᴮ), the sine of a rotation about axis i
    * alone [1]. Axis 1 is along "Axis": 1 axial, 2 3 transverse, then torsion about 1, bending about 2 and 3.
    */
-  class FlexibleJoint : public Item, public EvaluatedDeformation<FlexibleJoint>, public RelativeMotions
+  class FlexibleJoint : public Item, public EvaluatedDeformation<FlexibleJoint>, public RelativeMotions, public Connection
   {
   public:
     void add_parameters(Parameters &prm) override;
     void be_placed(const Placement &placement) override;
+    void be_moved(const MotionOf &motion_of) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
+    std::vector<Frame> connected_frames() const override;
 
     unsigned int
     n_strains() const override

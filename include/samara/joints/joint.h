@@ -5,6 +5,7 @@
 #include <samara/joints/contact_entries.h>
 #include <samara/joints/contact_terms.h>
 #include <samara/joints/pair.h>
+#include <samara/model/moved.h>
 #include <samara/model/relative_motion.h>
 #include <samara/model/response.h>
 
@@ -192,14 +193,19 @@ namespace samara
    * stops, 0 while the stop is not touched; contacts that are not linear, and friction. In time steps of the integrator
    * family Layout::stops and Layout::frictions stand for them.
    */
-  class Joint : public Item, public RelativeMotions
+  class Joint : public Item, public RelativeMotions, public Connection
   {
   public:
     void add_parameters(Parameters &prm) override;
     void be_placed(const Placement &placement) override;
+    void be_moved(const MotionOf &motion_of) override;
     void initialize(Model &model) override;
     void find_signals(Model &model) override;
     void connect(Layout &layout) override;
+    std::vector<Frame> connected_frames() const override;
+
+    /** Whether bodies are to be moved until the two points of the joint meet: it says so, or the model of all joints. */
+    bool closes_gap() const;
 
     std::optional<unsigned int> use_coordinate(Model &model, const std::string &motion) override;
     std::vector<std::string>    rotation_names() const override;
@@ -279,6 +285,15 @@ namespace samara
     /** Where the two frames are in the reference configuration; by default both at "Position" with axes(). */
     virtual void place(Model &model, const Frame &body_a, const Frame &body_b);
 
+    /** Both frames as they are drawn: each at its own point, along its own axis. */
+    void place_apart(Model &model, const Frame &body_a, const Frame &body_b);
+
+    /** Whether "Position" is that of the end on B of a gap to be closed: it alone is not named. */
+    bool position_is_on_b() const;
+
+    /** Complain of an <Axis on B> that is not parallel to <Axis> where no assembly has made it so. */
+    void check_axis_on_b(Model &model) const;
+
     /** Where the end on A is of what add_two_points() declares. */
     Frame end_on_a(const Model &model, const Frame &body_a) const;
 
@@ -293,6 +308,7 @@ namespace samara
 
     std::string body_a, body_b, gap = "refused";
     Vector3     position = Vector3::Zero(), axis = Vector3::UnitZ(), axis_1 = Vector3::Zero();
+    Vector3     axis_on_b = Vector3::Zero(); ///< where the drawing of B is turned
 
     /** d = pitch θ for the first free displacement and rotation, if not zero [m/rad]. */
     double pitch     = 0;

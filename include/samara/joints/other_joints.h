@@ -13,6 +13,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void be_moved(const MotionOf &motion_of) override;
 
   protected:
     Matrix3 axes() const override;
@@ -42,11 +43,15 @@ namespace samara
     void connect(Layout &layout) override;
     void draw(const State &, Drawing &) const override;
 
+    /** None of a weld: its nodes are one. */
+    std::vector<Frame> connected_frames() const override;
+
     std::optional<Probe>    probe(const std::string &path) const override;
     std::shared_ptr<Signal> signal(Model &model, const std::string &path) override;
 
   private:
     bool reaction_wanted = false;
+    bool is_weld         = true;
 
     /** Throws std::invalid_argument if a force or moment is asked for that is not there. */
     void check_reaction(const std::string &path) const;

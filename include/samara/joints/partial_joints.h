@@ -43,6 +43,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void be_moved(const MotionOf &motion_of) override;
     void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
 
   protected:

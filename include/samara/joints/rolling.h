@@ -54,6 +54,7 @@ namespace samara
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void be_moved(const MotionOf &motion_of) override;
     void draw(const State &state, Drawing &drawing) const override;
 
   protected:
