@@ -80,8 +80,7 @@ TEST(FloquetRefuses, SettingsThatDoNotFit)
 {
   EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Period = 0"}), "give either the <Period>"));
   EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Turns of = hinge"}), "give either the <Period>"));
-  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = shift"}), "did you mean"));
-  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = along x.displacement"}), "does not turn"));
+  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = shift"}), "known: along x"));
   EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Method = fast"}), "needs the <Symmetry>"));
 }
 
