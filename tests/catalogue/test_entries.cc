@@ -261,7 +261,7 @@ TEST_F(Catalogued, SlidingJoints)
           models::sliding(kind, kind == "sliding screw" ? "    set Turn per length = 2" : ""),
           "Joints/it",
           joined(ends,
-                 {changes_of_motion("displacement", "Joints/it"), kind == "sliding screw" ? of_screw : Changes{}}));
+                 {changes_of_motion("displacement", "Joints/it", true), kind == "sliding screw" ? of_screw : Changes{}}));
 }
 
 
