@@ -73,7 +73,7 @@ namespace
     return scene;
   }
 
-  const std::string gravity = "subsection Loads\n subsection weight\n set Type = gravity\n end\nend\n";
+  const std::string weight_on_rails = "subsection Loads\n subsection weight\n set Type = gravity\n end\nend\n";
 } // namespace
 
 
@@ -109,7 +109,7 @@ TEST(Sliding, RestsOnASpring)
   Scene scene(model(beam_section("1e9", "1e9"),
                     rod("0, 0, 0; 4, 0, -3", "") + bead(" set Position = 0.4, 0, -0.3\n"),
                     clamp + slide("prismatic", "", " set Spring = 20\n set Rest = 0.1\n"),
-                    gravity));
+                    weight_on_rails));
   scene.equilibrium();
   const double weight = 0.5 * 9.80665;
   EXPECT_NEAR(scene.value("slide.displacement"), 0.1 + weight * 0.6 / 20, 1e-7);
@@ -150,7 +150,7 @@ TEST(Sliding, Screw)
   Scene scene(model(beam_section("1e4", "40"),
                     rod("0, 0, 0; 2, 0, 0", " set Elements = 2\n") + bead(" set Position = 0.3, 0, 0\n"),
                     clamp + slide("screw", " set Turn per length = 4\n", " set Prescribed = 0.9\n"),
-                    gravity + "subsection Static\n set Load steps = 8\nend\n"));
+                    weight_on_rails + "subsection Static\n set Load steps = 8\nend\n"));
   scene.equilibrium();
   EXPECT_NEAR(scene.value("slide.displacement"), 0.9, 1e-12);
   // about the tangent: axis 1 of the nut has the slope of a cantilever under a load at 1.2 m and its own weight
@@ -309,7 +309,7 @@ TEST(Sliding, Friction)
         model(beam_section("1e9", "1e9"),
               rod("0, 0, 0; 4, 0, -3", " set Rigid = true\n set Elements = 1\n") + bead(" set Position = 0.4, 0, -0.3\n"),
               clamp + slide("point", "", " set Force = -0.3/sqrt(1.09)*slide.force*tanh(slide.displacement rate/1e-4)\n"),
-              gravity + dynamic(T, 0.01, s)));
+              weight_on_rails + dynamic(T, 0.01, s)));
       EXPECT_NEAR(scene->value("slide.displacement"), 0.5 * a * T * T, 2e-4) << s;
       EXPECT_NEAR(scene->value("slide.displacement rate"), a * T, 1e-3) << s;
       EXPECT_NEAR(scene->value("slide.force"), 0.5 * g * 0.8 * std::sqrt(1 + mu * mu), 1e-6) << s;
