@@ -186,7 +186,7 @@ end
                               "subsection Joints\n subsection j\n set Type = sliding " + kind +
                                 "\n set Body A = rail\n set Body B = block.far\n set Position = 0.3, 0, 0.2\n" +
                                 (kind == "screw" ? "set Turn per length = 2.3\n" : "") +
-                                "subsection displacement\n " + used + "end\nend\n"};
+                                "subsection displacement\n " + used + "end\nend\nend\n"};
     const std::string hinge = R"(
 subsection Joints
   subsection a
@@ -265,10 +265,10 @@ subsection Joints
 TEST(Tangents, EveryKindOfTheCatalogueIsTested)
 {
   const auto tested = scenes();
-  // sections give the beam its matrices; the others have tests of their own, in tests/section, tests/states and tests/aero
+  // sections give the beam its matrices; the others have tests of their own, in tests/section, tests/states, tests/trim and tests/aero
   const std::set<std::string> elsewhere = {
     "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C",
-    "PID", "transfer function", "state space", "delay",
+    "PID", "transfer function", "state space", "delay", "control",
     "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "lifting line"};
   for (const auto &group : Catalogue().groups)
     for (const auto &kind : group.kinds.kinds())
