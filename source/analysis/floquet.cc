@@ -145,7 +145,8 @@ namespace samara
     // a dynamic analysis leaves what moves already
     if (!context.is_equilibrium && !context.state.held)
       return context.state;
-    return start_of_motion(context, {parameters.where(), 0., true, false});
+    // in a sweep a motion with another speed than that of its row would be a wrong result
+    return start_of_motion(context, {parameters.where(), 0., true, !context.sweep.empty()});
   }
 
 
@@ -155,16 +156,25 @@ namespace samara
   {
     if (turns_of.empty())
       return period;
-    const auto &names = context.system.model.coordinates;
-    auto        found = std::find(names.begin(), names.end(), turns_of);
+    const Model &model = context.system.model;
+    // those that are no rotations have no turns
+    auto names = model.coordinates;
+    for (unsigned int i = 0; i < names.size(); ++i)
+      if (model.coordinate_units[i] != "rad")
+        names[i].clear();
+    auto found = std::find(names.begin(), names.end(), turns_of);
     if (found == names.end())
       found = std::find(names.begin(), names.end(), turns_of + ".rotation");
     if (found == names.end())
       throw InputError(parameters.where("Turns of") + ": <" + turns_of +
                        "> is no rotation of a joint that is prescribed, has a spring, or is asked for" +
-                       did_you_mean(turns_of, names));
+                       did_you_mean(turns_of, model.coordinates));
     const double rate = std::abs(state.rates[found - names.begin()]);
-    if (!(rate > 0))
+    double       most = 0;
+    for (unsigned int i = 0; i < names.size(); ++i)
+      if (!names[i].empty())
+        most = std::max(most, std::abs(state.rates[i]));
+    if (!(rate > 1e-9 * most))
       throw InputError(parameters.where("Turns of") + ": <" + turns_of + "> does not turn at the start");
     return turns * 2 * M_PI / rate;
   }

@@ -87,7 +87,10 @@ namespace samara
               noun + " of <" + name + "> should become that of <" + next + ">, which has " +
               (of_next == all.by_name.end() ? "none" : std::to_string(of_next->second.size())) + " in place of " +
               std::to_string(numbers.size()) +
-              "; are parts welded to each other? Then what joins them should stand before them in the file");
+              (noun == "a coordinate" ?
+                 "; if only a probe or a law asks for it, ask for those of all parts" :
+                 "; are parts welded to each other? Then what joins them should stand before them "
+                 "in the file"));
           for (unsigned int k = 0; k < numbers.size(); ++k)
             result[numbers[k]] = of_next->second[k];
         }

@@ -81,7 +81,21 @@ TEST(FloquetRefuses, SettingsThatDoNotFit)
   EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Period = 0"}), "give either the <Period>"));
   EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Turns of = hinge"}), "give either the <Period>"));
   EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = shift"}), "known: along x"));
+  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = along x.displacement"}), "is no rotation"));
+  EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = blade 1:lag"}), "does not turn"));
   EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Method = fast"}), "needs the <Symmetry>"));
+}
+
+
+
+// The angle is prescribed with one speed; rows of a sweep with others would all be that of this one.
+TEST(FloquetRefuses, SpeedsThatThePrescribedAngleDoesNotHave)
+{
+  Scene scene(hammond);
+  scene.context.sweep  = {20, 25};
+  scene.context.speeds = {20};
+  auto &analysis       = scene.analysis<FloquetAnalysis>();
+  EXPECT_THROW(analysis.run(scene.context), InputError);
 }
 
 
