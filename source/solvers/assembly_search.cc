@@ -62,7 +62,9 @@ namespace samara
         pattern = matrix->pattern;
         solver  = make_solver(pattern, Library::klu, Ordering::columns);
       }
-    solver->factorize(*matrix);
+    SparseMatrix on_pattern(pattern); // the solver knows its own by its place
+    on_pattern.values = matrix->values;
+    solver->factorize(on_pattern);
     std::vector<double> x(n + m);
     Eigen::Map<Eigen::VectorXd>(x.data(), n)     = a;
     Eigen::Map<Eigen::VectorXd>(x.data() + n, m) = b;
