@@ -224,6 +224,8 @@ class Generator:
         if able:
             joint = self.random.choice(able)
             joint.kind = "in plane" if joint.kind == "planar" else "in line"
+            if joint.kind == "in line" and self.chance(0.3):
+                joint.kind = "constant velocity"
             joint.motions = {name: entries for name, entries in joint.motions.items() if name in MOTIONS[joint.kind]}
 
 

@@ -106,10 +106,13 @@ def rows(model, joint, table, world):
               "in plane": (2,)}.get(kind, (0, 1, 2))
     for i in locked:
         yield f"displacement {i + 1}", False, d[:, i]
-    cosines = {"prismatic": ((2, 0), (2, 1), (0, 1)), "rigid": ((2, 0), (2, 1), (0, 1)), "spherical": (), "in line": (), "in plane": (),
+    cosines = {"prismatic": ((2, 0), (2, 1), (0, 1)), "rigid": ((2, 0), (2, 1), (0, 1)), "spherical": (), "constant velocity": (), "in line": (),
+               "in plane": (),
                "universal": ((0, 1),)}
     for i, j in cosines.get(kind, ((2, 0), (2, 1))):
         yield f"angle between axes {i + 1} and {j + 1}", True, c[:, i, j]
+    if kind == "constant velocity":
+        yield "turn about both shafts", True, c[:, 0, 1] - c[:, 1, 0]
     held = cosines.get(kind, ((2, 0), (2, 1)))
     # axes that are normal to two others may have gone over to the reverse
     for i in [2] * ((2, 1) in held) + [0] * ((0, 1) in held and (2, 0) in held):

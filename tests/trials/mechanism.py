@@ -16,6 +16,7 @@ MOTIONS = {
     "cylindrical": {"displacement": (False, 2), "rotation": (True, 2)},
     "planar": {"displacement 1": (False, 0), "displacement 2": (False, 1), "rotation": (True, 2)},
     "spherical": {},
+    "constant velocity": {},
     "in line": {"displacement": (False, 2)},
     "in plane": {"displacement 1": (False, 0), "displacement 2": (False, 1)},
     "universal": {"rotation 1": (True, 0), "rotation 2": (True, 1)},
