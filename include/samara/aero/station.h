@@ -4,6 +4,8 @@
 #include <samara/aero/inflow.h>
 #include <samara/aero/section_loads.h>
 
+#include <cmath>
+#include <complex>
 #include <vector>
 
 namespace samara
@@ -83,6 +85,14 @@ namespace samara
       using std::sqrt;
       const double least = 1e-4 * air.speed_of_sound;
       return sqrt(V(1) * V(1) + V(2) * V(2) + least * least);
+    }
+
+    /** b − a, less full turns. */
+    template <typename Number>
+    Number
+    angle_between(const Number &a, const Number &b)
+    {
+      return b - a - 2 * M_PI * std::round((std::real(b) - std::real(a)) / (2 * M_PI));
     }
   } // namespace lags
   /** @} */

@@ -1,0 +1,300 @@
+// Derivatives of the loads of a surface, and of the rates of its states.
+
+#include <samara/aero/surface.h>
+
+namespace samara
+{
+  namespace internal
+  {
+    /** A number's derivatives by increments of frames, by twists and by states. */
+    template <int rows>
+    struct Change
+    {
+      Eigen::Matrix<double, rows, Eigen::Dynamic> place, twist, states;
+
+      Change(const unsigned int n_twists, const unsigned int n_states)
+        : place(Eigen::Matrix<double, rows, Eigen::Dynamic>::Zero(rows, n_twists))
+        , twist(place)
+        , states(Eigen::Matrix<double, rows, Eigen::Dynamic>::Zero(rows, n_states))
+      {}
+
+      /** += A other */
+      template <int other_rows>
+      void
+      add(const Eigen::Matrix<double, rows, other_rows> &A, const Change<other_rows> &other)
+      {
+        place += A * other.place;
+        twist += A * other.twist;
+        states += A * other.states;
+      }
+    };
+  } // namespace internal
+
+
+
+  using internal::Change;
+
+  /** How what is known at a station changes. */
+  struct Surface::Derivatives
+  {
+    Change<3>       turn;          ///< spatial rotation of the section axes
+    Change<3>       air, spin;     ///< of the air's velocity, of the section's spin; inertial
+    Change<3>       relative, V;   ///< of the relative air, inertial, and in section axes
+    Change<3>       on_disk, axis; ///< in the hub's frame; of the thrust axis
+    Change<3>       place;         ///< of the quarter chord
+    Change<4>       loads;
+    Change<3>       force, moment, middle_force;
+    Eigen::VectorXd by_x, by_y; ///< of the shapes, by on_disk
+
+    Derivatives(const unsigned int n_twists, const unsigned int n_states)
+      : turn(n_twists, n_states)
+      , air(n_twists, n_states)
+      , spin(n_twists, n_states)
+      , relative(n_twists, n_states)
+      , V(n_twists, n_states)
+      , on_disk(n_twists, n_states)
+      , axis(n_twists, n_states)
+      , place(n_twists, n_states)
+      , loads(n_twists, n_states)
+      , force(n_twists, n_states)
+      , moment(n_twists, n_states)
+      , middle_force(n_twists, n_states)
+    {}
+
+    /** Section axes, place and velocity follow the frames of the element. */
+    void
+    of_frames(const Station &station, const FramesInState<double> &frames, const SectionAxes<double> &axes)
+    {
+      for (unsigned int a = 0; a < station.N.size(); ++a)
+        {
+          const Matrix3 ND = station.N[a] * frames.D[a];
+          const Vector3 v = frames.y[a].head<3>(), w = frames.y[a].tail<3>(), u = v + w.cross(station.three_quarters);
+          for (unsigned int k = 0; k < 3; ++k)
+            {
+              const unsigned int linear = 6 * a + k, angular = linear + 3;
+              const Vector3      e        = Vector3::Unit(k);
+              turn.place.col(angular)     = axes.rotation(ND * e.cross(station.along), ND * e.cross(station.chordwise));
+              place.place.col(linear)     = ND.col(k);
+              place.place.col(angular)    = ND * e.cross(station.quarter);
+              relative.place.col(angular) = -ND * e.cross(u);
+              relative.twist.col(linear)  = -ND.col(k);
+              relative.twist.col(angular) = -ND * e.cross(station.three_quarters);
+              spin.place.col(angular)     = ND * e.cross(w);
+              spin.twist.col(angular)     = ND.col(k);
+            }
+        }
+    }
+
+    /** Rates of the angle of pressure and of the place of separation. */
+    void
+    add_stall_rows(const Station           &station,
+                   const Gathered<double>  &g,
+                   const AtStation<double> &at,
+                   const Air               &air,
+                   Eigen::MatrixXd         &K,
+                   Eigen::MatrixXd         &C) const
+    {
+      const unsigned int n_twists = turn.place.cols(), n_states = turn.states.cols(), k = station.first_lag + lags::n,
+                         row             = n_twists + k;
+      const double             per_chord = 2 / station.section.chord, U = lags::speed(at.V, air), speed = per_chord * U;
+      const Eigen::RowVector3d dspeed = per_chord * Eigen::RowVector3d(0., at.V(1) / U, at.V(2) / U);
+      // α = atan2(w, −V₂), w = (1 − A₁ − A₂) V₃ + A₁ x₁ + A₂ x₂
+      const double             square = at.V(1) * at.V(1) + at.upwash * at.upwash;
+      const double             by_w = square > 0 ? -at.V(1) / square : 0., by_V2 = square > 0 ? at.upwash / square : 0.;
+      const Eigen::RowVector3d dalpha(0., by_V2, by_w * (1 - lags::A[0] - lags::A[1]));
+      const double             angle = g.lags[k], lack = lags::angle_between(angle, at.flow.alpha), x = g.lags[k + 1];
+      const auto               v = station.section.separation->at(angle);
+
+      const Eigen::RowVector3d first  = -(speed * dalpha + lack * dspeed) / lags::T_p,
+                               second = -(v.place - x) / lags::T_f * dspeed;
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          const Eigen::RowVector3d &slope = i == 0 ? first : second;
+          K.row(row + i).head(n_twists) += slope * V.place;
+          K.row(row + i).tail(n_states) += slope * V.states;
+          C.row(row + i).head(n_twists) += slope * V.twist;
+        }
+      for (unsigned int i = 0; i < lags::n; ++i)
+        K(row, n_twists + station.first_lag + i) -= speed / lags::T_p * by_w * lags::A[i];
+      K(row, row) += speed / lags::T_p;
+      K(row + 1, row) -= speed / lags::T_f * v.place_alpha;
+      K(row + 1, row + 1) += speed / lags::T_f;
+    }
+
+    /** What of the virtual mass is a load. */
+    void
+    of_virtual_mass(const Station &station, const AtStation<double> &at, const Matrix3 &E)
+    {
+      const Vector3 u = E.transpose() * at.air, w                 = E.transpose() * at.spin;
+      Change<3>     du(turn.place.cols(), turn.states.cols()), dw = du;
+      du.add<3>(E.transpose(), air);
+      du.add<3>(E.transpose() * skew(at.air), turn);
+      dw.add<3>(E.transpose(), spin);
+      dw.add<3>(E.transpose() * skew(at.spin), turn);
+      const double  m = station.virtual_mass, c = 0.25 * m * station.section.chord;
+      const Vector3 e1 = E.col(0), e3 = E.col(2);
+      middle_force.add<3>(m * e3 * Eigen::RowVector3d(w(1), -w(0), 0.), du);
+      middle_force.add<3>(m * e3 * Eigen::RowVector3d(-u(1), u(0), 0.), dw);
+      middle_force.add<3>(-skew(at.middle_force), turn);
+      moment.add<3>(c * w(0) * e1 * Eigen::RowVector3d::Unit(1), V);
+      moment.add<3>(c * at.V(1) * e1 * Eigen::RowVector3d::Unit(0), dw);
+    }
+
+    /** The inflow follows the hub, the last frame, the place on the disk and its own states. */
+    void
+    of_inflow(const Inflow            &inflow,
+              const Gathered<double>  &g,
+              const AtStation<double> &at,
+              const unsigned int       first_state)
+    {
+      const Matrix3     &H     = g.frames.D.back();
+      const unsigned int first = 6 * (g.frames.D.size() - 1), n = at.shapes.size();
+      on_disk.add<3>(H.transpose(), place);
+      on_disk.place.middleCols<3>(first) -= H.transpose() * H;
+      on_disk.place.middleCols<3>(first + 3) += skew(at.on_disk);
+      axis.place.middleCols<3>(first + 3) -= H * skew(Vector3::Unit(2));
+
+      by_x.resize(n);
+      by_y.resize(n);
+      inflow.disk.gradients(at.on_disk(0) / inflow.radius, at.on_disk(1) / inflow.radius, by_x.data(), by_y.data());
+      by_x /= inflow.radius;
+      by_y /= inflow.radius;
+      const Eigen::Map<const Eigen::VectorXd> z(g.amplitudes.data(), n), phi(at.shapes.data(), n);
+      air.add<3>(-at.induced * Matrix3::Identity(), axis);
+      air.add<3>(-at.thrust_axis * Eigen::RowVector3d(z.dot(by_x), z.dot(by_y), 0.), on_disk);
+      if (!inflow.states.empty())
+        air.states.middleCols(first_state, n) -= at.thrust_axis * phi.transpose();
+    }
+  };
+
+
+
+  void
+  Surface::differentiate(const Station          &station,
+                         const Gathered<double> &g,
+                         const Point<double>    &point,
+                         Eigen::MatrixXd        &K,
+                         Eigen::MatrixXd        &C) const
+  {
+    const auto         at       = evaluate(station, g, point.time);
+    const unsigned int n_twists = 6 * g.frames.D.size(), n_states = K.cols() - n_twists, n_lags = g.lags.size();
+    const bool         has_lags = unsteady != Unsteady::quasi_steady;
+    Derivatives        d(n_twists, n_states);
+    d.of_frames(station, g.frames, at.axes);
+    d.air.add<3>(air->gradient(at.place(2), point.time) * Eigen::RowVector3d::Unit(2), d.place);
+    if (inflow != nullptr)
+      d.of_inflow(*inflow, g, at, n_lags);
+    d.relative.add<3>(Matrix3::Identity(), d.air);
+
+    Matrix3 E;
+    E << at.axes.e1, at.axes.e2, at.axes.e3;
+    d.V.add<3>(E.transpose(), d.relative);
+    d.V.add<3>(E.transpose() * skew(at.relative), d.turn);
+
+    Eigen::Matrix<double, 4, 5> J = section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.flow);
+    if (unsteady == Unsteady::dynamic_stall)
+      d.loads.states.col(station.first_lag + 3) += J.col(4);
+    if (has_lags)
+      for (unsigned int i = 0; i < lags::n; ++i)
+        d.loads.states.col(station.first_lag + i) += lags::A[i] * J.col(3);
+    J.col(2) += (has_lags ? 1 - lags::A[0] - lags::A[1] : 1.) * J.col(3);
+    d.loads.add<3>(J.leftCols<3>(), d.V);
+    d.force.add<4>((Eigen::Matrix<double, 3, 4>() << E, Vector3::Zero()).finished(), d.loads);
+    d.force.add<3>(-skew(at.force), d.turn);
+    d.moment.add<4>((Eigen::Matrix<double, 3, 4>() << Matrix3::Zero(), at.axes.e1).finished(), d.loads);
+    d.moment.add<3>(-skew(at.moment), d.turn);
+    if (station.virtual_mass > 0)
+      d.of_virtual_mass(station, at, E);
+
+    // rows of nodes
+    const double weight = -point.factor * station.weight;
+    for (unsigned int a = 0; a < station.N.size(); ++a)
+      {
+        const Matrix3 D = weight * station.N[a] * g.frames.D[a].transpose(), arm = skew(station.quarter);
+        const Matrix3 middle = skew(station.middle());
+        const Vector3 f = D * at.force, m = D * at.moment, h = D * at.middle_force;
+        const auto    add =
+          [&](Eigen::MatrixXd &A, const unsigned int first, const auto &force, const auto &half, const auto &moment) {
+            A.block(6 * a, first, 3, force.cols()) += D * (force + half);
+            A.block(6 * a + 3, first, 3, force.cols()) += arm * D * force + middle * D * half + D * moment;
+          };
+        add(K, 0, d.force.place, d.middle_force.place, d.moment.place);
+        add(K, n_twists, d.force.states, d.middle_force.states, d.moment.states);
+        add(C, 0, d.force.twist, d.middle_force.twist, d.moment.twist);
+        K.block<3, 3>(6 * a, 6 * a + 3) += skew(Vector3(f + h));
+        K.block<3, 3>(6 * a + 3, 6 * a + 3) += arm * skew(f) + middle * skew(h) + skew(m);
+      }
+
+    // rows of lags
+    for (unsigned int i = 0; i < lags::n && has_lags; ++i)
+      {
+        const unsigned int       k = station.first_lag + i, row = n_twists + k;
+        const double             rate = -lags::b[i] * 2 / station.section.chord, U = lags::speed(at.V, *air);
+        const double             lack  = at.V(2) - g.lags[k];
+        const Eigen::RowVector3d slope = rate * Eigen::RowVector3d(0., lack * at.V(1) / U, lack * at.V(2) / U + U);
+        K.row(row).head(n_twists) += slope * d.V.place;
+        K.row(row).tail(n_states) += slope * d.V.states;
+        K(row, row) -= rate * U;
+        C.row(row).head(n_twists) += slope * d.V.twist;
+      }
+
+    // rows of dynamic stall
+    if (unsteady == Unsteady::dynamic_stall)
+      d.add_stall_rows(station, g, at, *air, K, C);
+
+    // rows of the inflow
+    if (inflow == nullptr || inflow->states.empty())
+      return;
+    Change<1> thrust(n_twists, n_states);
+    thrust.add<3>(at.thrust_axis.transpose(), d.force);
+    thrust.add<3>(at.force.transpose(), d.axis);
+    const double       F     = at.force.dot(at.thrust_axis);
+    const unsigned int first = n_twists + n_lags;
+    for (unsigned int k = 0; k < at.shapes.size(); ++k)
+      {
+        const double             c = -station.weight * inflow->load_weights[k];
+        const Eigen::RowVector3d slope(c * F * d.by_x(k), c * F * d.by_y(k), 0.);
+        K.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.place + slope * d.on_disk.place;
+        K.row(first + k).tail(n_states) += c * at.shapes[k] * thrust.states;
+        C.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.twist;
+      }
+  }
+
+
+
+  void
+  Surface::add_matrix(const Point<double> &point, const bool by_velocity, SparseMatrix &A) const
+  {
+    Eigen::MatrixXd K, C;
+    for (const auto &element : elements)
+      {
+        const auto g = gather(element, point);
+        K.setZero(element.block.size(), element.block.size());
+        C = K;
+        for (const auto &station : element.stations)
+          differentiate(station, g, point, K, C);
+        for (unsigned int a = 0; a < element.virtual_mass.size(); ++a)
+          C.block<6, 6>(6 * a, 6 * a) -= gyroscopic_tangent(element.virtual_mass[a], g.frames.y[a]);
+        if (!by_velocity) // δy = ζ̇ + ad_y ζ
+          for (unsigned int a = 0; a < g.frames.y.size(); ++a)
+            K.middleCols<6>(6 * a) += C.middleCols<6>(6 * a) * ad(g.frames.y[a]);
+        element.block.add(by_velocity ? C : K, A);
+      }
+  }
+
+
+
+  void
+  Surface::Loads::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    surface->add_matrix(point, false, K);
+  }
+
+
+
+  void
+  Surface::Loads::damping(const Point<double> &point, SparseMatrix &C) const
+  {
+    surface->add_matrix(point, true, C);
+  }
+} // namespace samara
