@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "analysis_models.h"
 #include "models.h"
 #include "outcome.h"
 
