@@ -99,23 +99,13 @@ namespace samara
 
 
 
+    template <typename Things>
     std::vector<std::string>
-    names_of_nodes(const Model &model)
+    names_of(const Things &things)
     {
       std::vector<std::string> names;
-      for (const auto &node : model.nodes)
-        names.push_back(node.name);
-      return names;
-    }
-
-
-
-    std::vector<std::string>
-    names_of_states(const Model &model)
-    {
-      std::vector<std::string> names;
-      for (const auto &state : model.states)
-        names.push_back(state.name);
+      for (const auto &thing : things)
+        names.push_back(thing.name);
       return names;
     }
 
@@ -151,10 +141,10 @@ namespace samara
     if (!groups.empty())
       n_parts = groups[0].size();
     std::set<std::string> seen;
-    const Named           nodes(names_of_nodes(system.model)), coordinates(system.model.coordinates);
+    const Named           nodes(names_of(system.model.nodes)), coordinates(system.model.coordinates);
     node_becomes       = successors(nodes, groups, seen, "a node");
     coordinate_becomes = successors(coordinates, groups, seen, "a coordinate");
-    state_becomes      = successors(Named(names_of_states(system.model)), groups, seen, "a state");
+    state_becomes      = successors(Named(names_of(system.model.states)), groups, seen, "a state");
     for (const auto &group : groups)
       for (const auto &part : group)
         if (seen.count(part) == 0)

@@ -248,7 +248,6 @@ namespace samara
       fail(fault);
     const double        share = 1. / (trim.n_steps * trim.time_constant); // of a period, over the time constant
     std::deque<VectorX> window;                                           // the last period
-    VectorX             sum   = VectorX::Zero(targets.size());
     const auto          pilot = [&](State &state, unsigned int, const std::vector<double> &values) {
       VectorX y(targets.size());
       for (unsigned int k = 0; k < targets.size(); ++k)
@@ -258,7 +257,7 @@ namespace samara
         return;
       if (window.size() > trim.n_steps)
         window.pop_front();
-      sum.setZero();
+      VectorX sum = VectorX::Zero(targets.size());
       for (const auto &part : window)
         sum += part;
       VectorX u = controls_of(state) + share * solve(J, wanted() - sum);
@@ -273,7 +272,6 @@ namespace samara
       }
     while (!is_trimmed(now));
     // what was found is confirmed with controls that keep still
-    now = look(now.end);
-    return now;
+    return look(now.end);
   }
 } // namespace samara

@@ -44,10 +44,8 @@ namespace samara
     {
       const auto parts = split_top_level(text, ',');
       return !parts.empty() && std::all_of(parts.begin(), parts.end(), [](const std::string &part) {
-        char             *end   = nullptr;
-        const std::string said  = trim(part);
-        const double      value = std::strtod(said.c_str(), &end);
-        return !said.empty() && *end == 0 && value == 0;
+        double number = 1;
+        return text_to_number(trim(part), number) && number == 0;
       });
     }
 
@@ -311,12 +309,12 @@ namespace samara
     try
       {
         // what is printed holds wherever it is read
-        const bool        is_number = !entry.declaration->unit.empty();
-        const std::string before    = entry.value;
+        const bool is_number = !entry.declaration->unit.empty();
+        // where nothing is chosen if nothing is said, a direction is needed
+        const bool is_needed = entry.turning == Turning::direction && !is_zero_vector(entry.value);
         entry.value =
           entry.read(is_number ? with_tables_beside(given.value, given.where) : given.value, quantities, entry);
-        // where nothing is chosen if nothing is said, a direction is needed
-        if (entry.turning == Turning::direction && is_zero_vector(entry.value) && !is_zero_vector(before))
+        if (is_needed && is_zero_vector(entry.value))
           throw std::invalid_argument("a direction must not be zero");
       }
     catch (const FollowUp &)
