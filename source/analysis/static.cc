@@ -462,12 +462,12 @@ namespace samara
                   ". Integrals have a value at rest only if forces depend on them.";
       }
     else
-      text +=
-        (result.residual > 0 ?
-           "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n" :
-           "") +
-        std::string("  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
-        "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).");
+      {
+        if (result.residual > 0)
+          text += "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n";
+        text += "  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
+                "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
+      }
     throw NotConverged(text);
   }
 

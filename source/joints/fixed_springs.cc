@@ -28,7 +28,7 @@ namespace samara
   void
   FixedSprings::be_placed(const Placement &placement)
   {
-    if (axis_2.isZero(0.) && !axis.isZero(0.))
+    if (axis_2.isZero(0.))
       parameters.assign("Axis 2", Vector3(triad_about(axis).col(0)));
     Item::be_placed(placement);
   }

@@ -47,7 +47,7 @@ namespace samara
   FlexibleJoint::be_placed(const Placement &placement)
   {
     // the axis that is chosen where none is given is chosen in the axes of the subsystem
-    if (axis_2.isZero(0.) && !axis.isZero(0.))
+    if (axis_2.isZero(0.))
       parameters.assign("Axis 2", Vector3(triad_about(axis).col(0)));
     Item::be_placed(placement);
   }

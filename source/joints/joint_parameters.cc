@@ -226,7 +226,7 @@ namespace samara
   Joint::be_placed(const Placement &placement)
   {
     // the axis that is chosen where none is given is chosen in the axes of the subsystem
-    if (parameters.has("Axis 1") && axis_1.isZero(0.) && !axis.isZero(0.))
+    if (parameters.has("Axis 1") && axis_1.isZero(0.))
       parameters.assign("Axis 1", Vector3(triad_about(axis).col(0)));
     Item::be_placed(placement);
   }

@@ -65,7 +65,7 @@ namespace samara
   Support::be_placed(const Placement &placement)
   {
     // the axis that is chosen where none is given is one of the subsystem
-    if (axis_1.isZero(0.) && !axis.isZero(0.))
+    if (axis_1.isZero(0.))
       parameters.assign("Axis 1", Vector3(triad().col(0)));
     Item::be_placed(placement);
   }

@@ -193,8 +193,7 @@ namespace samara
                 find_tangent(to, &from);
                 to.iterations    = result.iterations;
                 result.converged = true;
-                if (const int i = system.model.negative_length(to.state.coordinates); i >= 0)
-                  result.fail(Failure::other, "the length <" + system.model.coordinates[i] + "> would be negative");
+                refuse_negative_length(system, to.state, result);
                 return result;
               }
           }

@@ -51,6 +51,18 @@ namespace samara
 
 
 
+  void
+  refuse_negative_length(const System &system, const State &state, NewtonResult &result)
+  {
+    const int i = system.model.negative_length(state.coordinates);
+    if (i < 0)
+      return;
+    result.fail(Failure::other, "the length <" + system.model.coordinates[i] + "> would be negative");
+    result.worst = system.layout.of_coordinate(i);
+  }
+
+
+
   namespace
   {
     /**
@@ -160,11 +172,8 @@ namespace samara
             system.stresses(state, state.stress);
             result.converged = true;
             check_rows_left_out(state, result);
-            if (const int i = system.model.negative_length(state.coordinates); i >= 0 && result.converged)
-              {
-                result.fail(Failure::other, "the length <" + system.model.coordinates[i] + "> would be negative");
-                result.worst = system.layout.of_coordinate(i);
-              }
+            if (result.converged)
+              refuse_negative_length(system, state, result);
             return result;
           }
         if (result.iterations > 8 && result.last_step > 1e3 * smallest)

@@ -1,3 +1,4 @@
+#include <samara/solvers/newton.h>
 #include <samara/time/increment.h>
 
 #include <cmath>
@@ -66,7 +67,7 @@ namespace samara
   scales_of_increment(const System &system, const double time)
   {
     const Layout       &layout = system.layout;
-    const double        length = box_diagonal(system.model) > 0 ? box_diagonal(system.model) : 1.;
+    const double        length = model_length(system.model);
     std::vector<double> result(size_of_increment(layout), 1.);
     for (int i = 0; i < layout.n_kinematic(); ++i)
       {

@@ -41,6 +41,11 @@ namespace samara
 
 
 
+  /** What has converged to a length below zero has not: a root that no state has, see Model::lengths. */
+  void refuse_negative_length(const System &system, const State &state, NewtonResult &result);
+
+
+
   /**
    * Equilibrium of a system at fixed load factor by mixed Newton iterations (Magisano et al. 2017): the stress is an
    * unknown at each point, condensed there. Residuals use the stress of the configuration, tangents the stress of the
