@@ -6,7 +6,7 @@
 #include <samara/solvers/redundant_rows.h>
 #include <samara/solvers/rigid_pieces.h>
 
-#include <Eigen/SVD>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -55,28 +55,32 @@ namespace samara
     }
 
     /** One column for each row; those that say nothing are zero. */
-    Eigen::MatrixXd
+    Eigen::SparseMatrix<double>
     transposed(const State &state)
     {
       K.clear();
       system.add_constraint_tangent(state.point(), K);
-      Eigen::MatrixXd Gt = Eigen::MatrixXd::Zero(unknowns.size(), rows.size());
-      scale              = Eigen::VectorXd::Zero(rows.size());
+      Eigen::SparseMatrix<double>         Gt(unknowns.size(), rows.size());
+      std::vector<Eigen::Triplet<double>> entries;
+      scale = Eigen::VectorXd::Zero(rows.size());
       for (unsigned int j = 0; j < rows.size(); ++j)
         {
-          const int column = system.layout.of_multiplier(rows[j]);
+          const int  column = system.layout.of_multiplier(rows[j]);
+          const auto begin  = entries.size();
+          double     norm   = 0;
           for (int k = K.pattern->column_start[column]; k < K.pattern->column_start[column + 1]; ++k)
             if (K.pattern->rows[k] < system.layout.n_kinematic())
               {
                 const int i = number[K.pattern->rows[k]];
-                Gt(i, j)    = K.values[k] / unit[i];
+                entries.emplace_back(i, j, K.values[k] / unit[i]);
+                norm = std::hypot(norm, entries.back().value());
               }
-          if (const double norm = Gt.col(j).norm(); norm > 0)
-            {
-              scale(j) = 1 / norm;
-              Gt.col(j) /= norm;
-            }
+          if (norm > 0)
+            scale(j) = 1 / norm;
+          for (auto e = begin; e < entries.size(); ++e)
+            entries[e] = {entries[e].row(), entries[e].col(), scale(j) * entries[e].value()};
         }
+      Gt.setFromTriplets(entries.begin(), entries.end());
       return Gt;
     }
 
@@ -161,7 +165,7 @@ namespace samara
         x(i) = std::sin(1. + 1.7 * i);
       for (unsigned int iteration = 0; iteration < 6; ++iteration)
         {
-          const Eigen::MatrixXd Gt        = rows.transposed(result)(Eigen::all, far);
+          const Eigen::MatrixXd Gt        = Eigen::MatrixXd(rows.transposed(result))(Eigen::all, far);
           const auto            of_normal = (Gt.transpose() * Gt).eval().ldlt();
           if (iteration == 0)
             x -= Gt * of_normal.solve(Gt.transpose() * x);
@@ -206,7 +210,7 @@ namespace samara
       return "";
     // at a singular position they are near for a moment only
     const State           there = moved(state, rows, far);
-    const Eigen::MatrixXd Gt = rows.transposed(there), span = Gt(Eigen::all, far), rest = Gt(Eigen::all, near);
+    const Eigen::MatrixXd Gt(rows.transposed(there)), span = Gt(Eigen::all, far), rest = Gt(Eigen::all, near);
     const Eigen::MatrixXd X        = (span.transpose() * span).ldlt().solve(span.transpose() * rest),
                           distance = rest - span * X;
     std::vector<std::string> joints;
@@ -242,12 +246,14 @@ namespace samara
 
   namespace
   {
-    /** Singular values below this are followed; up to this many rows that takes a fraction of a step. */
-    constexpr double       followed  = 0.3;
-    constexpr unsigned int most_rows = 120;
+    /** Up to this many rows a look takes a fraction of a step; of that many singular values, the smallest, it tells. */
+    constexpr unsigned int most_rows = 120, n_followed = 4;
 
-    /** How far something moves between two looks [rad, or parts of the model's size]. */
-    constexpr double between_looks = 0.02;
+    /** How far something moves between two looks at least and at most [rad, or parts of the model's size]. */
+    constexpr double nearest_look = 0.02, farthest_look = 0.2;
+
+    /** The next look is where the smallest singular value could have lost this part, at the rate of the last motion. */
+    constexpr double part_between_looks = 0.25, least_rate = 0.25;
 
     /** A position is singular to round-off, or next to a singular one. */
     constexpr double is_zero = 1e-7, is_next = 0.02;
@@ -258,22 +264,65 @@ namespace samara
 
 
 
-  /** The rows in use, for one choice of those that are left out. */
+  /** The rows in use, for one choice of those that are left out, and the smallest singular values at the last look. */
   class SingularPositions::Rows : public ScaledRows
   {
   public:
     Rows(const System &system, const std::vector<unsigned int> &left_out)
       : ScaledRows(system, left_out)
       , left_out(left_out)
-    {}
+      , v(Eigen::MatrixXd::Zero(rows.size(), std::min<std::size_t>(rows.size(), n_followed)))
+    {
+      for (int i = 0; i < v.size(); ++i)
+        v.data()[i] = std::sin(1. + 1.7 * i);
+    }
+
+    /** Inverse iteration on G Gᵀ with a few vectors, which begins with those of the last look. */
+    void
+    find(const State &state)
+    {
+      constexpr double       shift = 1e-13, enough = 1e-2;
+      constexpr unsigned int most_iterations = 20;
+
+      const Eigen::SparseMatrix<double> Gt = transposed(state);
+      Eigen::SparseMatrix<double>       one(rows.size(), rows.size());
+      one.setIdentity();
+      const Eigen::SparseMatrix<double> A = Gt.transpose() * Gt, shifted = A + shift * one;
+      if (sigma.size() == 0)
+        factors.analyzePattern(shifted);
+      factors.factorize(shifted);
+      Eigen::VectorXd squares = Eigen::VectorXd::Constant(v.cols(), -1);
+      for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
+        {
+          v = Eigen::HouseholderQR<Eigen::MatrixXd>(factors.solve(v)).householderQ() *
+              Eigen::MatrixXd::Identity(v.rows(), v.cols());
+          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(v.transpose() * (A * v));
+          v                   = v * ritz.eigenvectors();
+          const double before = squares(0);
+          squares             = ritz.eigenvalues();
+          if (std::abs(squares(0) - before) < enough * squares(0) + shift)
+            break;
+        }
+      u     = Gt * v;
+      sigma = u.colwise().norm();
+      for (int k = 0; k < sigma.size(); ++k)
+        if (sigma(k) > 0)
+          u.col(k) /= sigma(k);
+    }
+
     const std::vector<unsigned int> left_out;
+    Eigen::MatrixXd                 u, v;  ///< of the smallest singular values: G v = σ u
+    Eigen::VectorXd                 sigma; ///< increasing; empty before the first look
+
+  private:
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors;
   };
 
 
 
   SingularPositions::SingularPositions(const System &system)
     : system(system)
-    , is_watched(system.layout.n_multipliers <= most_rows && has_loop(system))
+    , is_watched(system.layout.n_multipliers > 0 && system.layout.n_multipliers <= most_rows && has_loop(system))
   {}
 
 
@@ -296,59 +345,63 @@ namespace samara
 
 
 
+  double
+  SingularPositions::motion(const State &state) const
+  {
+    double result = 0;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      result = std::max({result,
+                         (state.position(node) - last.position(node)).norm() / rows->length,
+                         (state.triad(node) - last.triad(node)).norm()});
+    return result;
+  }
+
+
+
   void
   SingularPositions::look(const State &state)
   {
     if (!is_watched)
       return;
-    if (is_known)
-      {
-        double motion = 0;
-        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-          motion = std::max({motion,
-                             (state.position(node) - last.position(node)).norm() / rows->length,
-                             (state.triad(node) - last.triad(node)).norm()});
-        if (motion < between_looks && rows->left_out == state.left_out)
-          return;
-      }
-    if (!rows || rows->left_out != state.left_out)
-      {
-        rows     = std::make_unique<Rows>(system, state.left_out);
-        is_known = false;
-      }
-    // of rows that say nothing here the singular value is zero always
-    State                 alone = state;
-    const Eigen::MatrixXd Gt    = rows->transposed(alone);
-    if (Gt.cols() == 0)
+    const bool   goes_on = rows && rows->left_out == state.left_out;
+    const double moved   = goes_on ? motion(state) : 0;
+    if (goes_on && moved < until_next_look)
       return;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(Gt, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const auto                             &all = svd.singularValues();
-    std::vector<int>                        small;
-    for (int k = 0; k < all.size(); ++k)
-      if (all(k) < followed)
-        small.push_back(k);
-    const Eigen::VectorXd new_sigma = all(small);
-    const Eigen::MatrixXd new_u = svd.matrixU()(Eigen::all, small), new_v = svd.matrixV()(Eigen::all, small);
-    for (int k = 0; k < new_sigma.size() && is_known; ++k)
+    if (!goes_on)
+      rows = std::make_unique<Rows>(system, state.left_out);
+    const Eigen::VectorXd sigma = rows->sigma;
+    const Eigen::MatrixXd u = rows->u, v = rows->v;
+    rows->find(state);
+    const auto      n_passings = passings.size();
+    Eigen::VectorXd together;
+    for (int k = 0; k < rows->sigma.size() && goes_on; ++k)
       {
         // the one of the last look that has become this one
         constexpr double clearly = 0.7;
         int              before  = -1;
         for (int j = 0; j < sigma.size(); ++j)
-          if (std::abs(new_u.col(k).dot(u.col(j))) > clearly && std::abs(new_v.col(k).dot(v.col(j))) > clearly)
+          if (std::abs(rows->u.col(k).dot(u.col(j))) > clearly && std::abs(rows->v.col(k).dot(v.col(j))) > clearly)
             before = j;
-        if (before < 0 || new_u.col(k).dot(u.col(before)) * new_v.col(k).dot(v.col(before)) > 0)
+        if (before < 0 || rows->u.col(k).dot(u.col(before)) * rows->v.col(k).dot(v.col(before)) > 0)
           continue;
-        const double sum = sigma(before) + new_sigma(k);
+        const double sum = sigma(before) + rows->sigma(k);
         if (!(sum > is_zero)) // a rank that is lost always is none that passes
           continue;
-        passings.push_back({last.time + (state.time - last.time) * sigma(before) / sum, joints_of(new_v.col(k))});
+        const double time = last.time + (state.time - last.time) * sigma(before) / sum;
+        // loops that pass together are one position
+        const bool is_same =
+          n_passings < passings.size() && std::abs(time - passings.back().time) < 1e-2 * (state.time - last.time);
+        together = is_same ? together.cwiseMax(rows->v.col(k).cwiseAbs()).eval() : rows->v.col(k).cwiseAbs().eval();
+        if (is_same)
+          passings.back().joints = joints_of(together);
+        else
+          passings.push_back({time, joints_of(together)});
       }
-    sigma    = new_sigma;
-    u        = new_u;
-    v        = new_v;
-    last     = state;
-    is_known = true;
+    last = state;
+
+    const double smallest = rows->sigma.minCoeff();
+    const double rate     = goes_on ? std::max(least_rate, std::abs(smallest - sigma.minCoeff()) / moved) : 1;
+    until_next_look       = std::clamp(part_between_looks * smallest / rate, nearest_look, farthest_look);
   }
 
 
@@ -374,12 +427,11 @@ namespace samara
   std::string
   SingularPositions::near() const
   {
-    if (!is_known)
+    if (!rows)
       return "";
-    std::string text;
-    for (int k = 0; k < sigma.size(); ++k)
-      if (sigma(k) > is_zero && sigma(k) < is_next)
-        text = joints_of(v.col(k));
-    return text;
+    for (int k = 0; k < rows->sigma.size(); ++k)
+      if (rows->sigma(k) > is_zero && rows->sigma(k) < is_next)
+        return joints_of(rows->v.col(k));
+    return "";
   }
 } // namespace samara

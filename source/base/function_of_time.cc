@@ -28,8 +28,8 @@ namespace samara
             throw std::invalid_argument("<" + row + "> in a table is not two numbers.");
           const auto n = table.size();
           if (n > 0 && (x < table[n - 1].first || (n > 1 && x == table[n - 2].first)))
-            throw std::invalid_argument("<" + row +
-                                        ">: the first numbers in a table must increase; two that are the same make a jump.");
+            throw std::invalid_argument(
+              "<" + row + ">: the first numbers in a table must increase; two that are the same make a jump.");
           table.emplace_back(x, y);
         }
       if (table.empty())
@@ -44,33 +44,53 @@ namespace samara
 
 
 
-  ScalarFunction::ScalarFunction(const double constant, const std::string &variable)
-    : source(number_to_text(constant))
-    , variable(variable)
-    , formula(constant)
-    , at_zero(constant)
+  struct ScalarFunction::Parts
+  {
+    std::string source, variable;
+    Formula     formula;
+    Table       table; ///< empty if the formula counts
+
+    Jet table_value(double x) const;
+
+    Jet
+    at(const double x) const
+    {
+      return table.empty() ? formula(x) : table_value(x);
+    }
+
+    bool
+    is_constant() const
+    {
+      return table.empty() ?
+               formula.is_constant() :
+               std::all_of(table.begin(), table.end(), [&](const auto &row) { return row.second == table[0].second; });
+    }
+  };
+
+
+
+  ScalarFunction::ScalarFunction(const double constant)
+    : at_zero(constant)
   {}
 
 
 
   ScalarFunction::ScalarFunction(const std::string &text, const std::string &variable)
-    : source(trim(text))
-    , variable(variable)
   {
+    const std::string source = trim(text);
     if (source.compare(0, table_prefix.size(), table_prefix) == 0)
-      table = table_of(source.substr(table_prefix.size()));
+      parts = std::make_shared<const Parts>(
+        Parts{source, variable, Formula(0.), table_of(source.substr(table_prefix.size()))});
     else
-      formula = Formula(source, variable);
-    constant = table.empty() ? formula.is_constant() : std::all_of(table.begin(), table.end(), [&](const auto &row) {
-      return row.second == table[0].second;
-    });
+      parts = std::make_shared<const Parts>(Parts{source, variable, Formula(source, variable), {}});
+    constant = parts->is_constant();
     at_zero  = evaluate(0).value;
   }
 
 
 
   ScalarFunction::ScalarFunction(const Formula &formula)
-    : formula(formula)
+    : parts(std::make_shared<const Parts>(Parts{"", "", formula, {}}))
     , constant(formula.is_constant())
     , at_zero(formula(0).value)
   {}
@@ -101,8 +121,9 @@ namespace samara
     const double end = std::isfinite(to) ? to - round_off(to) : to;
     if (begin > end || is_constant())
       return none;
+    const Table &table = parts->table;
     if (table.empty())
-      return formula.next_corner(begin, end);
+      return parts->formula.next_corner(begin, end);
     const auto corner = std::lower_bound(table.begin(), table.end(), begin, [](const auto &row, const double x) {
       return row.first < x;
     });
@@ -119,17 +140,18 @@ namespace samara
 
 
 
-  const std::string &
+  std::string
   ScalarFunction::text() const
   {
-    return source;
+    return parts ? parts->source : number_to_text(at_zero);
   }
 
 
 
   namespace
   {
-    /** The pieces @p first to @p last of a table with n rows: 0 before it, n behind it. As many comparisons as a tree has. */
+    /** The pieces @p first to @p last of a table with n rows: 0 before it, n behind it. As many comparisons as a tree
+     * has. */
     std::string
     pieces_of_table(const Table &table, const std::string &x, const std::size_t first, const std::size_t last)
     {
@@ -153,7 +175,8 @@ namespace samara
   std::string
   ScalarFunction::formula_text() const
   {
-    return table.empty() ? source : pieces_of_table(table, variable, 0, table.size());
+    return !parts || parts->table.empty() ? text() :
+                                            pieces_of_table(parts->table, parts->variable, 0, parts->table.size());
   }
 
 
@@ -161,13 +184,13 @@ namespace samara
   Jet
   ScalarFunction::evaluate(const double x) const
   {
-    return table.empty() ? formula(x) : table_value(x);
+    return parts ? parts->at(x) : Jet{at_zero, 0, 0};
   }
 
 
 
   Jet
-  ScalarFunction::table_value(const double x) const
+  ScalarFunction::Parts::table_value(const double x) const
   {
     const auto right =
       std::upper_bound(table.begin(), table.end(), x, [](const double x, const auto &row) { return x < row.first; });

@@ -34,8 +34,8 @@ namespace samara
 
   Law::Law(const double constant)
   {
-    static const auto zero = std::make_shared<const Parts>();
-    parts                  = constant == 0 ? zero : Law(FunctionOfTime(constant)).parts;
+    static const Law zero(FunctionOfTime(0));
+    parts = constant == 0 ? zero.parts : Law(FunctionOfTime(constant)).parts;
   }
 
 
@@ -44,6 +44,7 @@ namespace samara
   {
     Parts own;
     own.time_function = function;
+    own.source        = function.text();
     parts             = std::make_shared<const Parts>(std::move(own));
   }
 
@@ -142,7 +143,7 @@ namespace samara
   const std::string &
   Law::text() const
   {
-    return parts->paths.empty() ? parts->time_function.text() : parts->source;
+    return parts->source;
   }
 
 

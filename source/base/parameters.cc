@@ -135,45 +135,64 @@ namespace samara
     static std::mutex                                   mutex;
     static std::unordered_map<std::string, Declaration> all;
 
-    const std::string key =
-      wanted.name + '\n' + wanted.documentation + '\n' + wanted.identity + (wanted.has_unit ? "\nunit" : "");
+    const std::string key = wanted.name + '\n' + wanted.documentation + '\n' + wanted.identity +
+                            (wanted.has_unit ? "\nunit\n" : "\n") + wanted.standard;
     const std::lock_guard<std::mutex> guard(mutex);
     if (const auto known = all.find(key); known != all.end())
       return known->second;
     Declaration result{wanted.name,
                        wanted.documentation,
                        wanted.has_unit ? unit_of(wanted.documentation) : "",
-                       wanted.pattern()};
+                       wanted.standard,
+                       wanted.pattern(),
+                       wanted.read,
+                       wanted.place};
     AssertThrow(!wanted.has_unit || Quantities::is_si_unit(result.unit),
                 ExcMessage("The documentation of the entry <" + result.name + "> declares [" + result.unit +
                            "], which is not an SI unit."));
+    AssertThrow(result.pattern->match(result.standard),
+                ExcMessage("The default <" + result.standard + "> of the entry <" + result.name +
+                           "> is not accepted by its pattern."));
     return all.emplace(key, std::move(result)).first->second;
   }
 
 
 
   void
-  Parameters::declare(Entry entry)
+  Parameters::declare(void *const variable, const Wanted &wanted)
   {
     for (const auto &other : entries)
-      AssertThrow(other.name() != entry.name(), ExcMessage("The entry <" + entry.name() + "> is added twice."));
-    AssertThrow(entry.declaration->pattern->match(entry.value),
-                ExcMessage("The default <" + entry.value + "> of the entry <" + entry.name() +
-                           "> is not accepted by its pattern."));
-    entries.push_back(std::move(entry));
+      AssertThrow(other.name() != wanted.name, ExcMessage("The entry <" + wanted.name + "> is added twice."));
+    entries.push_back({&declaration_of(wanted), variable});
   }
 
 
 
   void
-  Parameters::take_unit(const std::string &name, const std::function<std::string(const Quantities &)> &unit)
+  Parameters::Entry::assign(const std::string &value)
   {
-    for (auto &entry : entries)
-      if (entry.name() == name)
-        {
-          units_when_read.push_back(std::make_shared<std::function<std::string(const Quantities &)>>(unit));
-          entry.unit_when_read = units_when_read.back().get();
-        }
+    if (!said)
+      said = std::make_unique<Said>(Said{value, "", false});
+    said->value = value;
+  }
+
+
+
+  void
+  Parameters::take_unit(const std::string &wanted, const std::function<std::string(const Quantities &)> &unit)
+  {
+    units_when_read.emplace_back(existing(wanted).declaration, unit);
+  }
+
+
+
+  std::string
+  Parameters::unit_when_read(const Entry &entry, const Quantities &quantities) const
+  {
+    for (const auto &[declaration, unit] : units_when_read)
+      if (declaration == entry.declaration)
+        return unit(quantities);
+    return entry.declaration->unit;
   }
 
 
@@ -181,11 +200,11 @@ namespace samara
   void
   Parameters::add_file(const std::string &wanted, std::string &variable, const std::string &documentation)
   {
-    add(wanted, variable, documentation);
+    static const std::function<std::unique_ptr<Pattern>()> pattern = [] { return Value<std::string>::pattern(); };
     // what is printed holds wherever it is read; of several files each, where there is none of the whole name
-    entries.back().read = [](const std::string &text, const Quantities &, const Entry &self) {
+    const Read read = [](const std::string &text, const Quantities &, const Entry &self, const std::string &) {
       // "file:line"; "--set" has no folder
-      const std::string        beside = self.where->substr(0, self.where->rfind(':'));
+      const std::string        beside = self.said->where.substr(0, self.said->where.rfind(':'));
       std::error_code          ignored;
       std::vector<std::string> files(1, text), printed;
       if (text.empty() || !std::filesystem::exists(file_beside(beside, text), ignored))
@@ -199,6 +218,7 @@ namespace samara
       *static_cast<std::string *>(self.variable) = join(files, ", ");
       return join(printed, ", ");
     };
+    declare(variable, {wanted, documentation, false, "file", pattern, "", read});
   }
 
 
@@ -216,16 +236,17 @@ namespace samara
   {
     for (auto &entry : entries)
       {
-        if (entry.place == nullptr || entry.turning == Turning::own_axes)
+        const auto place = entry.declaration->place;
+        if (place == nullptr || entry.turning == Turning::own_axes)
           continue;
         if (entry.turning == Turning::unknown)
           throw std::invalid_argument(description() + " cannot be turned: nobody knows how its <" + entry.name() +
                                       "> turns");
-        if (entry.turning == Turning::given_position && !entry.where)
+        if (entry.turning == Turning::given_position && !entry.is_read())
           continue;
-        const std::string before = entry.value;
-        entry.value              = entry.place(entry, placement, entry.turning != Turning::direction);
-        entry.is_assigned        = entry.is_assigned || entry.value != before;
+        const std::string placed = place(entry, placement, entry.turning != Turning::direction);
+        if (placed != entry.value())
+          entry.assign(placed);
       }
     for (const auto &s : subsections)
       s->be_placed(placement);
@@ -305,16 +326,20 @@ namespace samara
                          const Quantities     &quantities,
                          Complaints           &complaints)
   {
-    entry.where = std::make_unique<std::string>(given.where);
+    const bool was_zero = is_zero_vector(entry.value());
+    entry.said          = std::make_unique<Said>(Said{entry.value(), given.where, true});
     try
       {
         // what is printed holds wherever it is read
         const bool is_number = !entry.declaration->unit.empty();
         // where nothing is chosen if nothing is said, a direction is needed
-        const bool is_needed = entry.turning == Turning::direction && !is_zero_vector(entry.value);
-        entry.value =
-          entry.read(is_number ? with_tables_beside(given.value, given.where) : given.value, quantities, entry);
-        if (is_needed && is_zero_vector(entry.value))
+        const bool is_needed = entry.turning == Turning::direction && !was_zero;
+        entry.said->value =
+          entry.declaration->read(is_number ? with_tables_beside(given.value, given.where) : given.value,
+                                  quantities,
+                                  entry,
+                                  unit_when_read(entry, quantities));
+        if (is_needed && is_zero_vector(entry.value()))
           throw std::invalid_argument("a direction must not be zero");
       }
     catch (const FollowUp &)
@@ -395,7 +420,7 @@ namespace samara
   bool
   Parameters::is_set(const std::string &wanted) const
   {
-    return existing(wanted).where != nullptr;
+    return existing(wanted).is_read();
   }
 
 
@@ -404,7 +429,7 @@ namespace samara
   Parameters::where(const std::string &wanted) const
   {
     const auto &entry = existing(wanted);
-    return entry.where ? *entry.where : place;
+    return entry.is_read() ? entry.said->where : place;
   }
 
 
@@ -420,7 +445,7 @@ namespace samara
   bool
   Parameters::require(const std::string &wanted, Complaints &complaints) const
   {
-    const bool is_given = is_set(wanted) && !existing(wanted).value.empty();
+    const bool is_given = is_set(wanted) && !existing(wanted).value().empty();
     if (!is_given)
       complaints.add(where(wanted),
                      (name.empty() ? "" : description() + ": ") + "<" + wanted +
@@ -434,7 +459,7 @@ namespace samara
   Parameters::print(std::ostream &out, const std::string &indent) const
   {
     for (const auto &e : entries)
-      out << indent << (!e.where && !e.is_assigned ? "# set " : "set ") << e.name() << " = " << e.value << '\n';
+      out << indent << (e.said ? "set " : "# set ") << e.name() << " = " << e.value() << '\n';
     for (const auto &s : subsections)
       {
         out << indent << "subsection " << s->step << '\n';
@@ -461,7 +486,7 @@ namespace samara
       {
         const Declaration &declaration = *e.declaration;
         const auto         choices     = choices_of(*declaration.pattern);
-        out << "| " << cell(prefix + e.name()) << " | " << cell(e.value) << " | "
+        out << "| " << cell(prefix + e.name()) << " | " << cell(e.value()) << " | "
             << (declaration.unit == "1" ? "" : cell(declaration.unit)) << " | " << cell(declaration.documentation)
             << (choices.empty() ? "" : " One of: " + cell(join(choices, ", ")) + ".") << " |\n";
       }

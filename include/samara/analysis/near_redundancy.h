@@ -36,7 +36,8 @@ namespace samara
     };
     std::vector<Passing> passings;
 
-    /** To be called after each step; looks once something has moved by some hundredths. */
+    /** To be called after each step; looks where something has moved so far that the smallest σ may have become
+     * smaller. */
     void look(const State &state);
 
     /** What to say of all of them; empty if there were none. */
@@ -51,9 +52,11 @@ namespace samara
     bool                  is_watched;
     std::unique_ptr<Rows> rows;
     State                 last; ///< where it was looked last
-    Eigen::VectorXd       sigma;
-    Eigen::MatrixXd       u, v; ///< of the smallest singular values
-    bool                  is_known = false;
+
+    double until_next_look = 0; ///< how far something may move before [rad, or parts of the model's size]
+
+    /** How far something is from where it was at the last look, likewise. */
+    double motion(const State &state) const;
 
     std::string joints_of(const Eigen::VectorXd &combination) const;
   };

@@ -3,6 +3,7 @@
 
 #include <samara/base/formula.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,12 +15,13 @@ namespace samara
    * "table: x1 y1; x2 y2; ..." that is linear between its points and constant beyond the first and the last.
    *
    * Everything is in SI units; Quantities::expression() makes such text from what a user wrote. Derivatives are exact
-   * (see Formula). At a corner of a table the slope is that to the right. Values are copied, nothing is shared.
+   * (see Formula). At a corner of a table the slope is that to the right. Copies share what was read; a number alone
+   * needs nothing but itself: models have many functions, and most of them are zero.
    */
   class ScalarFunction
   {
   public:
-    ScalarFunction(double constant, const std::string &variable);
+    ScalarFunction(double constant);
 
     /** Throws std::invalid_argument if @p text cannot be read. */
     ScalarFunction(const std::string &text, const std::string &variable);
@@ -63,7 +65,7 @@ namespace samara
     }
 
     /** Text that reads as this function. */
-    const std::string &text() const;
+    std::string text() const;
 
     /** The same as an expression of the variable, which a table is not: piece by piece, behind comparisons. */
     std::string formula_text() const;
@@ -72,15 +74,13 @@ namespace samara
     static const std::string table_prefix;
 
   private:
-    Jet table_value(double x) const;
+    struct Parts;
 
     Jet evaluate(double x) const;
 
-    std::string                            source, variable;
-    Formula                                formula;
-    std::vector<std::pair<double, double>> table; ///< empty if the formula counts
-    bool                                   constant = true;
-    double                                 at_zero; ///< the value there; of a constant, everywhere
+    std::shared_ptr<const Parts> parts; ///< null for a number
+    bool                         constant = true;
+    double                       at_zero; ///< the value there; of a constant, everywhere
   };
 
 
@@ -90,7 +90,7 @@ namespace samara
   {
   public:
     FunctionOfTime(const double constant = 0)
-      : ScalarFunction(constant, "t")
+      : ScalarFunction(constant)
     {}
 
     explicit FunctionOfTime(const std::string &text)
@@ -105,7 +105,7 @@ namespace samara
   {
   public:
     Expression(const double constant = 0)
-      : ScalarFunction(constant, "s")
+      : ScalarFunction(constant)
     {}
 
     explicit Expression(const std::string &text)

@@ -106,11 +106,22 @@ namespace samara
   private:
     using Pattern = dealii::Patterns::PatternBase;
 
+    struct Entry;
+
+    /** Make SI text from the user's, refuse it or write the variable. */
+    using Read = std::string (*)(const std::string &text, const Quantities &, const Entry &, const std::string &unit);
+
+    /** Write the variable that is meant in the axes of @p placement, and return its text. */
+    using Place = std::string (*)(const Entry &, const Placement &placement, bool is_position);
+
     /** What the entries of all objects of a kind have in common: there may be many objects, and it is kept once. */
     struct Declaration
     {
       std::string              name, documentation, unit;
+      std::string              standard; ///< the default, in SI units
       std::unique_ptr<Pattern> pattern;
+      Read                     read;
+      Place                    place; ///< null of what has no axes
     };
 
     /** What declares an entry; @p identity is as different as patterns are, and the pattern is made when it is new. */
@@ -120,31 +131,47 @@ namespace samara
       bool                                             has_unit;
       std::string                                      identity;
       const std::function<std::unique_ptr<Pattern>()> &pattern;
+      std::string                                      standard = "";
+      Read                                             read     = nullptr;
+      Place                                            place    = nullptr;
     };
 
+    /** A value that is not the default. */
+    struct Said
+    {
+      std::string value;   ///< in SI units
+      std::string where;   ///< "file:line"
+      bool        is_read; ///< in the file or the command line; otherwise the program found another value
+    };
+
+    /** One of many: most objects leave most of their entries as they are. */
     struct Entry
     {
-      const Declaration           *declaration;
-      std::string                  value; ///< in SI units
-      std::unique_ptr<std::string> where; ///< of most entries the file says nothing
-      void                        *variable;
-
-      /** Make SI text from the user's, refuse it or write the variable. */
-      std::string (*read)(const std::string &text, const Quantities &, const Entry &);
-
-      /** Write the variable that is meant in the axes of @p placement, and return its text; null if it has no axes. */
-      std::string (*place)(const Entry &, const Placement &placement, bool is_position) = nullptr;
-      Turning turning     = Turning::unknown;
-      bool    is_assigned = false; ///< the value is not, or not only, what the file says
-
-      /** Of an entry whose unit is only known when it is read; null otherwise. */
-      const std::function<std::string(const Quantities &)> *unit_when_read = nullptr;
+      const Declaration    *declaration;
+      void                 *variable;
+      std::unique_ptr<Said> said    = nullptr;
+      Turning               turning = Turning::unknown;
 
       const std::string &
       name() const
       {
         return declaration->name;
       }
+
+      const std::string &
+      value() const
+      {
+        return said ? said->value : declaration->standard;
+      }
+
+      bool
+      is_read() const
+      {
+        return said && said->is_read;
+      }
+
+      /** The program found another value than the one that was read, or than the default. */
+      void assign(const std::string &value);
     };
 
     /** That of all entries like it. It lives as long as the program. */
@@ -154,20 +181,24 @@ namespace samara
     static void check_pattern(const std::string &users_text, const std::string &si_text, const Entry &entry);
 
     template <typename T>
-    static std::string read_value(const std::string &text, const Quantities &quantities, const Entry &entry);
+    static std::string
+    read_value(const std::string &text, const Quantities &quantities, const Entry &entry, const std::string &unit);
 
     template <typename T>
     static std::string place_value(const Entry &entry, const Placement &placement, bool is_position);
 
     template <typename T>
-    void declare(T &variable, const Wanted &wanted);
+    void declare(T &variable, Wanted wanted);
 
-    void declare(Entry entry);
+    void declare(void *variable, const Wanted &wanted);
 
     /** With @p is_copy, mistakes in what is inherited are left to the original, which is of the same kind. */
     void parse(const Outline &section, const Quantities &quantities, Complaints &complaints, bool is_copy);
 
     void read_entry(Entry &entry, const Outline::Entry &given, const Quantities &quantities, Complaints &complaints);
+
+    /** In which numbers without a unit are meant. */
+    std::string unit_when_read(const Entry &entry, const Quantities &quantities) const;
 
     void complain_about_entry(const Outline::Entry &given, Complaints &complaints) const;
 
@@ -190,19 +221,22 @@ namespace samara
     std::vector<Entry>                       entries;
     std::vector<std::unique_ptr<Parameters>> subsections;
     std::vector<std::string>                 ignored;
-    std::vector<std::shared_ptr<const std::function<std::string(const Quantities &)>>> units_when_read;
     std::string                              step; ///< name of this subsection in the one around it
+
+    /** Of entries whose unit is only known when they are read. */
+    std::vector<std::pair<const Declaration *, std::function<std::string(const Quantities &)>>> units_when_read;
   };
 
 
 
   template <typename T>
   std::string
-  Parameters::read_value(const std::string &text, const Quantities &quantities, const Entry &entry)
+  Parameters::read_value(const std::string &text,
+                         const Quantities  &quantities,
+                         const Entry       &entry,
+                         const std::string &unit)
   {
-    T                 value   = Value<T>::read(text,
-                             entry.unit_when_read ? (*entry.unit_when_read)(quantities) : entry.declaration->unit,
-                             quantities);
+    T                 value   = Value<T>::read(text, unit, quantities);
     const std::string si_text = Value<T>::write(value);
     check_pattern(text, si_text, entry);
     *static_cast<T *>(entry.variable) = std::move(value);
@@ -213,12 +247,14 @@ namespace samara
 
   template <typename T>
   void
-  Parameters::declare(T &variable, const Wanted &wanted)
+  Parameters::declare(T &variable, Wanted wanted)
   {
-    Entry entry{&declaration_of(wanted), Value<T>::write(variable), nullptr, &variable, &read_value<T>};
+    wanted.standard = Value<T>::write(variable);
+    if (!wanted.read)
+      wanted.read = &read_value<T>;
     if constexpr (Placed<T>::is_spatial)
-      entry.place = &place_value<T>;
-    declare(std::move(entry));
+      wanted.place = &place_value<T>;
+    declare(&variable, wanted);
   }
 
 
@@ -239,10 +275,9 @@ namespace samara
   void
   Parameters::assign(const std::string &name, const T &value)
   {
-    Entry &entry                       = existing(name);
+    Entry &entry                      = existing(name);
     *static_cast<T *>(entry.variable) = value;
-    entry.value                        = Value<T>::write(value);
-    entry.is_assigned                  = true;
+    entry.assign(Value<T>::write(value));
   }
 
 
