@@ -1,4 +1,4 @@
-#include <samara/base/jet.h>
+#include <samara/base/chain_rule.h>
 
 #include <cmath>
 
@@ -7,13 +7,6 @@ namespace samara
   namespace
   {
     using Arguments = const Jet *;
-
-    /** The chain rule: f(x) from f, f', f'' at the value of x. Where f has no derivatives, neither has the result. */
-    Jet
-    chain(const Jet &x, const double f, const double df, const double ddf)
-    {
-      return {f, df * x.first, ddf * x.first * x.first + df * x.second};
-    }
 
     Jet
     add(const Jet &x, const Jet &y)

@@ -1,3 +1,4 @@
+#include <samara/base/chain_rule.h>
 #include <samara/base/errors.h>
 #include <samara/base/look_up.h>
 #include <samara/base/quantity.h>
@@ -90,12 +91,6 @@ namespace samara
     {
       const int side = side_of(x, at);
       return side < 0 ? -1. : side > 0 ? double(x.size()) : interval_of(x, at);
-    }
-
-    Jet
-    chain(const Jet &x, const double f, const double df, const double ddf)
-    {
-      return {f, df * x.first, ddf * x.first * x.first + df * x.second};
     }
 
     /** Held at the ends. */

@@ -1,6 +1,7 @@
 #include <samara/base/composite_rule.h>
 #include <samara/base/text.h>
 #include <samara/joints/distributing.h>
+#include <samara/joints/moment_of.h>
 #include <samara/model/surface.h>
 
 #include <algorithm>
@@ -15,14 +16,6 @@ namespace samara
     pairing(const Number *multipliers)
     {
       return -skew(Vec3<Number>(multipliers[3], multipliers[4], multipliers[5]));
-    }
-
-    /** Moment on a frame, in its axes, from forces on its axes seen there, the columns of @p G: 2 axial(G). */
-    template <typename Number>
-    Vec3<Number>
-    moment_of(const Mat3<Number> &G)
-    {
-      return 2. * axial(G);
     }
 
     /** The matrix of θ → 2 axial(A θ~ M). */

@@ -1,5 +1,6 @@
 // The constraints of joints that slide along beams.
 
+#include <samara/joints/moment_of.h>
 #include <samara/joints/sliding.h>
 
 #include <limits>
@@ -8,15 +9,7 @@ namespace samara
 {
   namespace
   {
-    /** Σ e_k × h_k of the columns of H: the moment, in axes e, of forces h_k at their ends. */
-    template <typename Number>
-    Vec3<Number>
-    moment_of(const Mat3<Number> &H)
-    {
-      return {H(2, 1) - H(1, 2), H(0, 2) - H(2, 0), H(1, 0) - H(0, 1)};
-    }
-
-    /** Its change by a turn θ under forces that stand still: H − tr(H) I. */
+    /** The change of moment_of(H) by a turn θ under forces that stand still: H − tr(H) I. */
     Matrix3
     change_of_moment(const Matrix3 &H)
     {

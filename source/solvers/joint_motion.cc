@@ -16,7 +16,7 @@ namespace samara
     constexpr unsigned int most_dense_unknowns = 400;
 
     /** Relative errors that count as nothing: of rates, of strains. Configurations are known to 1e-9. */
-    constexpr double negligible = 1e-6;
+    constexpr double no_rate = 1e-6;
 
     State
     unstressed(const State &from)
@@ -160,7 +160,7 @@ namespace samara
           findings.strain   = std::abs(stress[i] / stress_of_disorder[i]);
           findings.strained = layout.item_of_strain(i).name;
         }
-    if (findings.strain <= negligible)
+    if (findings.strain <= no_rate)
       findings.strained.clear();
   }
 
@@ -170,8 +170,8 @@ namespace samara
   JointMotion::find_moving()
   {
     for (const auto &rate : rates)
-      if (std::abs(value_of(rate)) > negligible * speed * (rate.in_metres ? length : 1.) &&
-          line_moves(rate) > negligible)
+      if (std::abs(value_of(rate)) > no_rate * speed * (rate.in_metres ? length : 1.) &&
+          line_moves(rate) > no_rate)
         findings.moving.push_back(rate.name);
   }
 
@@ -289,7 +289,7 @@ namespace samara
     LevelByLevel          strict(pieces.n_unknowns());
     strict.add(G, c);
     const Eigen::VectorXd residual = G * strict.solution() - c;
-    if (residual.size() > 0 && residual.cwiseAbs().maxCoeff() > negligible * speed)
+    if (residual.size() > 0 && residual.cwiseAbs().maxCoeff() > no_rate * speed)
       {
         if (pieces.are_flexible())
           return false;
@@ -334,13 +334,13 @@ namespace samara
     LevelByLevel              about_resting(open.cols());
     Eigen::MatrixXd           moving = W * open;
     for (unsigned int r = 0; r < rates.size(); ++r)
-      if (weight[r] <= negligible)
+      if (weight[r] <= no_rate)
         moving.row(r).setZero();
     about_resting.add(moving);
     const Eigen::MatrixXd exchange = W * (open * about_resting.open());
     for (unsigned int r = 0; r < rates.size() && exchange.cols() > 0; ++r)
-      if (std::abs(value_of(rates[r])) > negligible * speed * (rates[r].in_metres ? length : 1.) &&
-          exchange.row(r).cwiseAbs().maxCoeff() > negligible)
+      if (std::abs(value_of(rates[r])) > no_rate * speed * (rates[r].in_metres ? length : 1.) &&
+          exchange.row(r).cwiseAbs().maxCoeff() > no_rate)
         findings.shared.push_back(rates[r].name);
     if (findings.shared.size() < 2)
       findings.shared.clear();

@@ -49,14 +49,14 @@ namespace samara
     final_q           = kept_q;
     final_coordinates = kept_coordinates;
     project_neighbour(state, h, difference);
+    stages = kept;
     if (system.layout.n_strains > 0 && !is_exact)
       {
-        difference.resolved.displacement = resolved_part(difference.neighbour.displacement);
-        difference.resolved.rate         = resolved_part(difference.neighbour.rate);
-        find_frequency(state, h, difference.neighbour);
-        find_frequency(state, h, difference.resolved);
+        find_frequency(at_end(state, state.time + h), difference.neighbour);
+        resolve(difference.neighbour, difference.resolved);
+        if (!system.model.lengths.empty())
+          resolve_at_end(state, h, difference);
       }
-    stages = kept;
     if (find_load_defect(state, h))
       {
         if (is_exact)
@@ -257,18 +257,61 @@ namespace samara
 
 
   void
-  StageIntegrator::find_frequency(const State &state, const double h, StepDifference::Field &field)
+  StageIntegrator::resolve(const StepDifference::Field &whole, StepDifference::Field &resolved)
   {
-    // strains and kinetic energy of the rates, where the step ends
-    State end = at_end(state, state.time + h);
-    std::fill(end.rates.begin(), end.rates.end(), 0.);
-    std::copy(field.rate.begin(), field.rate.end(), end.y.begin() + 6);
-    system.strain_rates(end.point(), strain_increment.data());
+    resolved.displacement = resolved_part(whole.displacement);
+    resolved.rate         = resolved_part(whole.rate);
+    find_frequency(frozen, resolved); // for that configuration the rest is filtered out
+  }
+
+
+
+  void
+  StageIntegrator::resolve_at_end(const State &state, const double h, StepDifference &difference)
+  {
+    // Newton's method goes on with what it has
+    if (factors_at_end.empty())
+      factors_at_end = new_factors();
+    const State  kept_frozen    = frozen;
+    const double kept_scales[]  = {factored_step, step_of_factors, extra_iterations};
+    const auto   kept_n         = n_steps_with_factors;
+    const auto   kept_gap_scale = gap_scale;
+    std::swap(factors, factors_at_end);
+
+    freeze(state, h);
+    frozen.q           = final_q;
+    frozen.coordinates = final_coordinates;
+    frozen.time        = state.time + h;
+    factorize(h);
+    resolve(difference.neighbour, difference.resolved_at_end);
+
+    std::swap(factors, factors_at_end);
+    frozen               = kept_frozen;
+    factored_step        = kept_scales[0];
+    step_of_factors      = kept_scales[1];
+    extra_iterations     = kept_scales[2];
+    n_steps_with_factors = kept_n;
+    gap_scale            = kept_gap_scale;
+    Point<double> point  = frozen.point();
+    point.multipliers    = no_multipliers.data();
+    frozen_strains->renew(point);
+    forget_columns();
+  }
+
+
+
+  void
+  StageIntegrator::find_frequency(State at, StepDifference::Field &field)
+  {
+    // strains and kinetic energy of the rates
+    std::fill(at.rates.begin(), at.rates.end(), 0.);
+    std::copy(field.rate.begin(), field.rate.end(), at.y.begin() + 6);
+    system.strain_rates(at.point(), strain_increment.data());
     const double strain  = system.strain_energy(strain_increment.data());
     double       kinetic = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
-        const Eigen::Map<const Vector6> y(&end.y[6 * node]);
+        const Eigen::Map<const Vector6> y(&at.y[6 * node]);
         kinetic += 0.5 * y.dot(system.model.nodes[node].inertia * y);
       }
     field.frequency = kinetic > 0 ? std::sqrt(strain / kinetic) : 0.;

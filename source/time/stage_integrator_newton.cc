@@ -90,21 +90,28 @@ namespace samara
       if (const int i = entries_in_use.empty() ? k : entries_in_use[k]; M.values[i] != 0.)
         mass.push_back({static_cast<unsigned int>(k), M.values[i]});
 
-    factored_step = 0;
-    factors.clear();
+    factored_step       = 0;
     real_matrix.pattern = pattern;
     real_matrix.values  = {}; // of a complex eigenvalue they are not needed
     for (const auto &eigenvalue : tableau.eigenvalues)
-      {
-        factors.emplace_back();
-        if (eigenvalue.mu.imag() == 0.)
-          {
-            real_matrix         = SparseMatrix(pattern);
-            factors.back().real = make_solver(pattern);
-          }
-        else
-          factors.back().complex = make_complex_solver(pattern);
-      }
+      if (eigenvalue.mu.imag() == 0.)
+        real_matrix = SparseMatrix(pattern);
+    factors = new_factors();
+    factors_at_end.clear();
+  }
+
+
+
+  std::vector<StageIntegrator::Factor>
+  StageIntegrator::new_factors() const
+  {
+    std::vector<Factor> result(tableau.eigenvalues.size());
+    for (unsigned int i = 0; i < result.size(); ++i)
+      if (tableau.eigenvalues[i].mu.imag() == 0.)
+        result[i].real = make_solver(real_matrix.pattern);
+      else
+        result[i].complex = make_complex_solver(real_matrix.pattern);
+    return result;
   }
 
 

@@ -191,14 +191,19 @@ namespace samara
   double
   StepError::of_step(const State &end, const StepDifference &difference, const double h, const double duration)
   {
-    double error  = advance(all, difference.neighbour, h, next_all);
-    next_resolved = resolved;
+    double error         = advance(all, difference.neighbour, h, next_all);
+    next_resolved        = resolved;
+    next_resolved_at_end = resolved_at_end;
+    const auto of_part   = [&](const Scale &from, const StepDifference::Field &field, Scale &to) {
+      if (field.rate.empty())
+        return 0.;
+      const double part = advance(from, field, h, to);
+      return std::min(part, 2 * excitations * to.amplitude * h / duration);
+    };
     if (!difference.resolved.rate.empty())
-      {
-        const double part = advance(resolved, difference.resolved, h, next_resolved);
-        error             = std::max(std::min(error, 2 * next_all.amplitude * h / duration),
-                         std::min(part, 2 * excitations * next_resolved.amplitude * h / duration));
-      }
+      error = std::max({std::min(error, 2 * next_all.amplitude * h / duration),
+                        of_part(resolved, difference.resolved, next_resolved),
+                        of_part(resolved_at_end, difference.resolved_at_end, next_resolved_at_end)});
     if (!difference.load.empty())
       error += std::max(size(difference.load), next_all.tau * size(difference.load_rate));
     return error + rotation(end, difference.driven, h);
@@ -211,6 +216,7 @@ namespace samara
   {
     std::swap(all, next_all);
     std::swap(resolved, next_resolved);
+    std::swap(resolved_at_end, next_resolved_at_end);
   }
 
 
@@ -219,7 +225,7 @@ namespace samara
   StepError::memory() const
   {
     std::vector<double> values;
-    for (const Scale *const scale : {&all, &resolved})
+    for (const Scale *const scale : {&all, &resolved, &resolved_at_end})
       {
         for (const double value :
              {scale->step, scale->weight, scale->q_squares, scale->v_squares, scale->a_squares, scale->tau})
@@ -236,7 +242,7 @@ namespace samara
   StepError::set_memory(const std::vector<double> &memory)
   {
     auto next = memory.begin();
-    for (Scale *const scale : {&all, &resolved})
+    for (Scale *const scale : {&all, &resolved, &resolved_at_end})
       {
         for (double *const value :
              {&scale->step, &scale->weight, &scale->q_squares, &scale->v_squares, &scale->a_squares, &scale->tau})

@@ -79,7 +79,7 @@ end
     "  subsection push\n set Type = point load\n set At = coupler.centre\n set Force = 4, 0, 0\n end\n";
 
   std::string
-  pushed(std::string text)
+  pushed_below(std::string text)
   {
     return text.replace(text.find("  subsection weight"), 0, push);
   }
@@ -107,7 +107,7 @@ TEST(ClosedLoops, FourRevolutesAreRedundant)
 
 TEST(ClosedLoops, RunsWithoutTheRedundantOnes)
 {
-  Scene scene(pushed(four_bar("revolute", "revolute")));
+  Scene scene(pushed_below(four_bar("revolute", "revolute")));
   expect_equilibrium(scene);
 }
 
@@ -116,7 +116,7 @@ TEST(ClosedLoops, RunsWithoutTheRedundantOnes)
 // With a spherical and a cylindrical joint in the loop nothing is redundant, and the motion is the same.
 TEST(ClosedLoops, SphericalAndCylindricalAreNot)
 {
-  Scene      scene(pushed(four_bar("spherical", "cylindrical")));
+  Scene      scene(pushed_below(four_bar("spherical", "cylindrical")));
   const auto check = check_model(scene.system);
   EXPECT_TRUE(check.redundant.empty());
   EXPECT_EQ(check.n_free_motions, 0u);

@@ -38,7 +38,7 @@ namespace
                    scene.value("second.rotation z"));
   }
 
-  const double r = 0.5, g = 9.80665;
+  const double r = 0.5, g_of_bead = 9.80665;
 
   /** A bead on a cycloid x = r (θ + sin θ), z = r (1 − cos θ), at θ = @p start at rest; θ goes from -2.8 to 2.8. */
   std::string
@@ -80,7 +80,7 @@ TEST(PartialJoints, ConstantVelocityAtAnyAngle)
 // round-off though the constraints are not quadratic, and the order is 2 s.
 TEST(PartialJoints, BeadOnACycloid)
 {
-  const double omega = std::sqrt(g / (4 * r)), amplitude = 4 * r * std::sin(0.5 * 2.4);
+  const double omega = std::sqrt(g_of_bead / (4 * r)), amplitude = 4 * r * std::sin(0.5 * 2.4);
   for (const unsigned int stages : {1, 2, 3})
     {
       std::vector<double> errors, errors_of_rate;
@@ -94,8 +94,8 @@ TEST(PartialJoints, BeadOnACycloid)
           errors_of_rate.push_back(
             std::abs(scene.value("wire.displacement rate") + amplitude * omega * std::sin(omega * 2)));
           const double v_x = scene.value("bead.velocity x"), v_z = scene.value("bead.velocity z"),
-                       energy = v_x * v_x + v_z * v_z + 2 * g * scene.value("bead.position z");
-          EXPECT_NEAR(energy, 2 * g * r * (1 - std::cos(2.4)), 1e-8);
+                       energy = v_x * v_x + v_z * v_z + 2 * g_of_bead * scene.value("bead.position z");
+          EXPECT_NEAR(energy, 2 * g_of_bead * r * (1 - std::cos(2.4)), 1e-8);
         }
       EXPECT_LT(errors[1], errors[0] * std::pow(0.5, 2. * stages - 0.5)) << stages << " stages: " << errors[0];
       EXPECT_LT(errors[1], stages == 1 ? 5e-2 : 1e-3);

@@ -134,6 +134,7 @@ namespace samara
       std::unique_ptr<ComplexSolver> complex;
     };
     std::vector<Factor>            factors;
+    std::vector<Factor>            factors_at_end; ///< of the same pattern; only where models have springs between points
     double                         energy_scale    = 0;  ///< at the start of the step
     double                         kinetic_energy  = 0;  ///< mean of the stages
     double                         moved_energy    = 0;  ///< kinetic, and what strain energy has changed by
@@ -206,6 +207,9 @@ namespace samara
     void factorize(double h);
     /** Make solvers for a pattern without the rows left out, of their values there are none yet. */
     void make_factors();
+
+    /** One for each eigenvalue, without values. */
+    std::vector<Factor> new_factors() const;
     void move_stages(const State &state, double h);
     template <int s>
     void move_nodes(const State &state, double h);
@@ -403,7 +407,15 @@ namespace samara
     void add_derivatives(const std::vector<Vector6> &u, const std::vector<double> &v, double epsilon);
     /** Residuals and excesses of the stages as they are now, less those of @p base. */
     void                evaluate_difference(const State &state, double h, const std::vector<Stage> &base);
-    void                find_frequency(const State &state, double h, StepDifference::Field &field);
+    /** The part of a field that the step resolves, by the factors there are. */
+    void resolve(const StepDifference::Field &whole, StepDifference::Field &resolved);
+    /**
+     * The same by factors for where the step ends. A spring between points turns against the axes of what it holds: the
+     * direction in which it is stiff halfway is not that at the end, and rates there would not be without its vibration.
+     */
+    void resolve_at_end(const State &state, double h, StepDifference &difference);
+    /** Of the rates in @p field, where nodes are as @p at says. */
+    void                find_frequency(State at, StepDifference::Field &field);
     bool                find_load_defect(const State &state, double h);
     void                add_loads(double time, double weight, Stage &stage);
     std::vector<double> sum_of_stages(const std::vector<std::vector<double>> &values,

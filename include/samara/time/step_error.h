@@ -20,8 +20,9 @@ namespace samara
       std::vector<double> displacement, rate;
       double              frequency = 0;
     };
-    Field neighbour; ///< ∂(q, y)/∂α: what the neighbour in α would have done
-    Field resolved;  ///< the part of it that the step resolves; empty: everything is
+    Field neighbour;       ///< ∂(q, y)/∂α: what the neighbour in α would have done
+    Field resolved;        ///< the part of it that the step resolves, by its middle; empty: everything is
+    Field resolved_at_end; ///< the same by its end; empty where that makes no difference
     std::vector<double> load, load_rate; ///< of the loads between the stages, and its rate; empty: there is nothing
     std::vector<double> driven;          ///< twists of all nodes, the ground's too, that prescribed motions enforce
   };
@@ -43,7 +44,7 @@ namespace samara
    * the error of the step itself is less, as errors of oscillations pass through zero.
    *
    * Vibration that is not resolved is wrong by twice its amplitude a = 2|δ|/ζ((h/τ)²) once, not in each step: e₁ is at
-   * most 2a h/duration, but not less than it is for the resolved part alone.
+   * most 2a h/duration, but not less than it is for the resolved part alone, the larger of the two.
    */
   class StepError
   {
@@ -85,7 +86,7 @@ namespace samara
     const Tableau       tableau;
     const DissipationRelation relation;
     std::vector<double> radius; ///< ℓ of each node
-    Scale               all, resolved, next_all, next_resolved;
+    Scale               all, resolved, resolved_at_end, next_all, next_resolved, next_resolved_at_end;
 
     double advance(const Scale &from, const StepDifference::Field &field, double h, Scale &to) const;
     double rotation(const State &end, const std::vector<double> &driven, double h) const;
