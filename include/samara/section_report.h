@@ -10,9 +10,9 @@ namespace samara
    * The analysis `section`: what the sections of the model are, and the stresses in them at places of beams in the
    * state reached. A model of sections alone needs no body.
    *
-   * Writes sections.csv and .h5, a line each, section_<name>.txt with all matrices, and pictures: section_<name>.vtu
-   * with materials, fibres and warping, stresses_<beam>_<place>.vtu with stresses and failure indices, stresses.csv
-   * with the largest ones.
+   * Writes sections.csv and .h5, a line each, section_<name>.txt with all matrices, for people and for sections of type
+   * `file`, and pictures: section_<name>.vtu with materials, fibres and warping, stresses_<beam>_<place>.vtu with
+   * stresses and failure indices, stresses.csv with the largest ones; <beam>_beamdyn.dat of beams that are named.
    */
   class SectionReport : public Analysis
   {
@@ -29,10 +29,11 @@ namespace samara
     void run_without_bodies(const Model &model, const std::string &folder, bool pictures, Log &log) override;
 
   private:
-    std::vector<std::string> names, places;
+    std::vector<std::string> names, places, beamdyn_beams;
 
     std::vector<const Section *> wanted(const Model &model) const;
     void                         report(const Model &model, const std::string &folder, bool pictures, Log &log) const;
+    void                         write_beamdyn_files(const Context &context) const;
     void                         report_stresses(const Context &context) const;
   };
 
