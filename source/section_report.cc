@@ -6,13 +6,10 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/output/write_hdf5.h>
-#include <samara/section/recovery.h>
 #include <samara/section/section_constants.h>
 #include <samara/section_report.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 
 namespace samara
 {
@@ -82,19 +79,18 @@ namespace samara
         result.remarks.emplace_back("area of " + material + " [m^2]", area);
       return result;
     }
-
-
-
-    /** A name that every file system takes. */
-    std::string
-    file_name_of(const std::string &text)
-    {
-      std::string result;
-      for (const char c : text)
-        result += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
-      return result;
-    }
   } // namespace
+
+
+
+  std::string
+  file_name_of(const std::string &text)
+  {
+    std::string result;
+    for (const char c : text)
+      result += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
+    return result;
+  }
 
 
 
@@ -105,6 +101,15 @@ namespace samara
     prm.add("Stresses at",
             places,
             "Places of beams where stresses are recovered in the state reached: blade at 0.3, blade.root, ...");
+    prm.add("Largest of",
+            names_of_watched,
+            "Names of beams of which stresses are recovered where and when an index of failure has been largest in the "
+            "motion before, at all reported times, at the ends and in the middle of all elements; without a motion in "
+            "the state reached. Besides stresses.csv they stand in stresses_<beam>_largest.vtu.");
+    prm.add("Criterion",
+            criterion,
+            "The index that counts there; largest: of those that all materials have strengths for.",
+            dealii::Patterns::Selection("largest|max stress|Tsai-Wu|Hashin|von Mises"));
     prm.add(
       "BeamDyn files",
       beamdyn_beams,
@@ -147,7 +152,7 @@ namespace samara
         if (const auto *const section = dynamic_cast<const Section *>(item.get()))
           if (!is_along_a_beam(*section))
             result.push_back(section);
-    if (result.empty() && places.empty() && beamdyn_beams.empty())
+    if (result.empty() && places.empty() && names_of_watched.empty() && beamdyn_beams.empty())
       throw InputError(parameters.where() + ": the model has no section to report");
     return result;
   }
@@ -237,7 +242,7 @@ namespace samara
       return;
     report(context.system.model, context.folder, context.pictures && context.is_shown(), context.log);
     write_beamdyn_files(context);
-    if (!places.empty())
+    if (!places.empty() || !watched.empty())
       report_stresses(context);
   }
 
@@ -246,6 +251,8 @@ namespace samara
   void
   SectionReport::run_without_bodies(const Model &model, const std::string &folder, const bool pictures, Log &log)
   {
+    if (!names_of_watched.empty())
+      throw InputError(parameters.where("Largest of") + ": there is no beam in the model where stresses could be");
     if (!places.empty())
       throw InputError(parameters.where("Stresses at") + ": there is no beam in the model where stresses could be");
     if (!beamdyn_beams.empty())
@@ -275,68 +282,5 @@ namespace samara
         {
           throw InputError(parameters.where("BeamDyn files") + ": " + problem.what());
         }
-  }
-
-
-
-  void
-  SectionReport::report_stresses(const Context &context) const
-  {
-    Table table({"place",
-                 "section",
-                 "F1 [N]",
-                 "F2 [N]",
-                 "F3 [N]",
-                 "M1 [N m]",
-                 "M2 [N m]",
-                 "M3 [N m]",
-                 "stress 11 [Pa]",
-                 "stress 22 [Pa]",
-                 "stress 33 [Pa]",
-                 "stress 23 [Pa]",
-                 "stress 13 [Pa]",
-                 "stress 12 [Pa]",
-                 "von Mises stress [Pa]",
-                 "index of max stress",
-                 "index of Tsai-Wu",
-                 "index of Hashin",
-                 "index of von Mises"});
-    for (const auto &place : places)
-      try
-        {
-          std::string name, at;
-          const auto  dot    = place.find('.');
-          const bool  has_at = split_at(place, name, at) && name.find('.') == std::string::npos;
-          if (!has_at && dot == std::string::npos)
-            throw std::invalid_argument("a place is written <blade at 0.3> or <blade.root>, not <" + place + ">");
-          const Beam &beam     = context.system.model.find<Beam>(has_at ? name : trim(place.substr(0, dot)), "beam");
-          const auto  here     = beam.station(context.state, has_at ? "at " + at : trim(place.substr(dot + 1)));
-          const auto  analysis = here.section->analyse(here.curvature);
-          const auto  extremes =
-            SectionStresses(analysis->section, analysis->mesh, analysis->shape.materials).extremes(here.forces);
-          std::vector<Table::Cell> row = {place, here.section->name};
-          for (int i = 0; i < 6; ++i)
-            row.emplace_back(here.forces(i));
-          for (int i = 0; i < 6; ++i)
-            row.emplace_back(extremes.stress(i));
-          row.emplace_back(extremes.von_mises_stress);
-          for (const double index : {extremes.indices.max_stress,
-                                     extremes.indices.tsai_wu,
-                                     extremes.indices.hashin,
-                                     extremes.indices.von_mises})
-            row.push_back(Table::Cell::optional(index < 0 ? std::nan("") : index));
-          table.add_row(row);
-          if (context.pictures && context.is_shown())
-            replace_file(context.folder + "/stresses_" + file_name_of(place) + ".vtu",
-                         picture_of_stresses(*analysis, here.forces, here.x, here.D));
-        }
-      catch (const std::invalid_argument &problem)
-        {
-          throw InputError(parameters.where("Stresses at") + ": " + problem.what());
-        }
-    table.write(context.folder + "/stresses.csv");
-    std::ostringstream text;
-    table.print(text);
-    context.log.line(text.str());
   }
 } // namespace samara

@@ -316,5 +316,9 @@ TEST_F(Catalogued, AnalysedSections)
   check("section",
         analysed("    set Type = ellipse\n    set Radius 2 = 0.1\n    set Radius 3 = 0.05\n    set Material = metal\n"),
         "Section",
-        {{"Sections", "other"}, {"Stresses at", "beam at 0.3"}, {"BeamDyn files", "beam"}});
+        {{"Sections", "other"},
+         {"Stresses at", "beam at 0.3"},
+         {"BeamDyn files", "beam"},
+         {"Largest of", "beam", {"Materials/metal/Tensile strength = 1e4"}},
+         {"Criterion", "von Mises", {"Materials/metal/Tensile strength = 1e4", "Section/Largest of = beam"}, true}});
 }
