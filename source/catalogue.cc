@@ -8,9 +8,11 @@
 #include <samara/analysis/trim.h>
 #include <samara/catalogue.h>
 #include <samara/cosserat/beam.h>
+#include <samara/cosserat/beamdyn_file.h>
 #include <samara/cosserat/rigid_body.h>
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
+#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/joints/body_contact.h>
 #include <samara/joints/distributing.h>
@@ -52,6 +54,8 @@ namespace samara
     sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
     sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
     sections.add<TableSection>("table", "properties that vary along the beam");
+    sections.add<FileSection>("file", "6x6 matrices from a file that the analysis of a section has written");
+    sections.add<BeamDynSection>("BeamDyn", "stations along a blade from a blade file of BeamDyn");
     sections.add<RectangularSection>("rectangle", "solid rectangle, or strip of plies");
     sections.add<TubularSection>("tube", "circular tube or rod");
     sections.add<EllipticSection>("ellipse", "solid ellipse");

@@ -10,6 +10,7 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
+#include <samara/section_report.h>
 #include <samara/study.h>
 
 #include <algorithm>
@@ -27,6 +28,10 @@ namespace samara
     void
     run_all(const Input &input, Context &context)
     {
+      for (const auto &analysis : input.analyses)
+        if (auto *const sections = dynamic_cast<SectionReport *>(analysis.get()))
+          sections->watch(input.model, input.analyses);
+
       // what an analysis refuses stands in its subsection, unless it says where
       const auto run_one = [&](Analysis &analysis) {
         throw_if_interrupted();

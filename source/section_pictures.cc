@@ -120,6 +120,7 @@ namespace samara
   {
     Fields fields;
     fields.add("material");
+    fields.add_vector("place_in_section");
     for (const char *const axes : {"", "_in_material"})
       for (const char *const ij : {"11", "22", "33", "23", "13", "12"})
         fields.add(std::string("stress_") + ij + axes);
@@ -130,6 +131,7 @@ namespace samara
       const unsigned int material = analysis.mesh.ply(point.cell).material;
       const Vector6 stress = CrossSection::stress(point, forces), own = CrossSection::stress_in_material(point, forces);
       values.push_back(material);
+      append(Vector3(0, point.place[0], point.place[1]), values);
       for (int i = 0; i < 6; ++i)
         values.push_back(stress(i));
       for (int i = 0; i < 6; ++i)

@@ -1,16 +1,15 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/beam.h>
+#include <samara/cosserat/beamdyn_file.h>
+#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/output/write_hdf5.h>
-#include <samara/section/recovery.h>
 #include <samara/section/section_constants.h>
 #include <samara/section_report.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 
 namespace samara
 {
@@ -19,69 +18,26 @@ namespace samara
     /** A section with one curvature, and what is known of it. */
     struct Row
     {
-      std::string              name;
-      Vector3                  curvature = Vector3::Zero();
-      SectionValues            values;
-      double                   area = std::nan(""), unknowns = std::nan(""), change = std::nan("");
-      std::vector<std::string> materials = {};
+      std::string                                 name;
+      Vector3                                     curvature = Vector3::Zero();
+      SectionValues                               values;
+      double                                      area = std::nan(""), unknowns = std::nan(""), change = std::nan("");
+      std::vector<std::pair<std::string, double>> materials = {}; ///< and their areas [m²]
     };
 
-    const std::vector<std::pair<std::string, std::string>> columns = {{"k1", "1/m"},
-                                                                      {"k2", "1/m"},
-                                                                      {"k3", "1/m"},
-                                                                      {"area", "m^2"},
-                                                                      {"EA", "N"},
-                                                                      {"GJ", "N m^2"},
-                                                                      {"larger EI", "N m^2"},
-                                                                      {"smaller EI", "N m^2"},
-                                                                      {"angle of larger EI", "deg"},
-                                                                      {"larger GA", "N"},
-                                                                      {"smaller GA", "N"},
-                                                                      {"angle of larger GA", "deg"},
-                                                                      {"tension centre 2", "m"},
-                                                                      {"tension centre 3", "m"},
-                                                                      {"shear centre 2", "m"},
-                                                                      {"shear centre 3", "m"},
-                                                                      {"mass", "kg/m"},
-                                                                      {"mass centre 2", "m"},
-                                                                      {"mass centre 3", "m"},
-                                                                      {"larger I", "kg m"},
-                                                                      {"smaller I", "kg m"},
-                                                                      {"angle of larger I", "deg"},
-                                                                      {"unknowns", ""},
-                                                                      {"change with one degree more", ""}};
-
-
-
-    std::vector<double>
+    /** Numbers of a section and their units: what engineers call them, between others. */
+    std::vector<SectionConstants::Named>
     numbers_of(const Row &row)
     {
-      const SectionConstants c(row.values.stiffness.inverse(), row.values.inertia);
-      const double           degrees = 180 / M_PI;
-      return {row.curvature(0),
-              row.curvature(1),
-              row.curvature(2),
-              row.area,
-              c.EA,
-              c.GJ,
-              c.principal_bending.larger,
-              c.principal_bending.smaller,
-              c.principal_bending.angle * degrees,
-              c.principal_shear.larger,
-              c.principal_shear.smaller,
-              c.principal_shear.angle * degrees,
-              c.tension_centre(0),
-              c.tension_centre(1),
-              c.shear_centre(0),
-              c.shear_centre(1),
-              c.mass,
-              c.mass_centre(0),
-              c.mass_centre(1),
-              c.principal_moments.larger,
-              c.principal_moments.smaller,
-              c.principal_moments.angle * degrees,
-              row.unknowns,
-              row.change};
+      std::vector<SectionConstants::Named> result = {{"k1", "1/m", row.curvature(0)},
+                                                     {"k2", "1/m", row.curvature(1)},
+                                                     {"k3", "1/m", row.curvature(2)},
+                                                     {"area", "m^2", row.area}};
+      for (const auto &one : SectionConstants(row.values.stiffness.inverse(), row.values.inertia).list())
+        result.push_back(one);
+      result.push_back({"unknowns", "", row.unknowns});
+      result.push_back({"change with one degree more", "", row.change});
+      return result;
     }
 
 
@@ -107,57 +63,34 @@ namespace samara
       for (const auto &point : own.section.points())
         areas[own.mesh.ply(point.cell).material] += point.weight;
       for (unsigned int i = 0; i < areas.size(); ++i)
-        row.materials.push_back(own.shape.materials[i].name + ": " + number_to_text("%.6g", areas[i]) + " m^2");
+        row.materials.emplace_back(own.shape.materials[i].name, areas[i]);
     }
 
 
 
-    void
-    write_matrix(std::ostream &out, const std::string &title, const Matrix6 &A)
+    SectionFile
+    file_of(const Row &row)
     {
-      out << '\n' << title << '\n' << std::scientific << std::setprecision(10);
-      for (int i = 0; i < 6; ++i)
-        {
-          for (int j = 0; j < 6; ++j)
-            out << std::setw(19) << A(i, j);
-          out << '\n';
-        }
-    }
-
-
-
-    std::string
-    text_of(const Row &row)
-    {
-      std::ostringstream out;
-      out << "Section " << row.name << ", initial twist and curvature " << row.curvature.transpose() << " 1/m\n\n";
-      const auto numbers = numbers_of(row);
-      for (unsigned int i = 3; i < columns.size(); ++i)
-        if (numbers[i] == numbers[i])
-          out << "  " << std::left << std::setw(30)
-              << columns[i].first + (columns[i].second.empty() ? "" : " [" + columns[i].second + "]") << std::right
-              << number_to_field(numbers[i], 10) << '\n';
-      for (const auto &line : row.materials)
-        out << "  " << line << '\n';
-      write_matrix(out,
-                   "Stiffness: F1 F2 F3 M1 M2 M3 from Gamma1 Gamma2 Gamma3 K1 K2 K3 [N, N m, N m^2]",
-                   row.values.stiffness);
-      write_matrix(out, "Inertia per length about the reference line [kg/m, kg, kg m]", row.values.inertia);
-      return out.str();
-    }
-
-
-
-    /** A name that every file system takes. */
-    std::string
-    file_name_of(const std::string &text)
-    {
-      std::string result;
-      for (const char c : text)
-        result += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
+      SectionFile result{row.name, row.curvature, row.values};
+      result.remarks = {{"area [m^2]", row.area},
+                        {"unknowns", row.unknowns},
+                        {"change with one degree more", row.change}};
+      for (const auto &[material, area] : row.materials)
+        result.remarks.emplace_back("area of " + material + " [m^2]", area);
       return result;
     }
   } // namespace
+
+
+
+  std::string
+  file_name_of(const std::string &text)
+  {
+    std::string result;
+    for (const char c : text)
+      result += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
+    return result;
+  }
 
 
 
@@ -168,7 +101,33 @@ namespace samara
     prm.add("Stresses at",
             places,
             "Places of beams where stresses are recovered in the state reached: blade at 0.3, blade.root, ...");
+    prm.add("Largest of",
+            names_of_watched,
+            "Names of beams of which stresses are recovered where and when an index of failure has been largest in the "
+            "motion before, at all reported times, at the ends and in the middle of all elements; without a motion in "
+            "the state reached. Besides stresses.csv they stand in stresses_<beam>_largest.vtu.");
+    prm.add("Criterion",
+            criterion,
+            "The index that counts there; largest: of those that all materials have strengths for.",
+            dealii::Patterns::Selection("largest|max stress|Tsai-Wu|Hashin|von Mises"));
+    prm.add(
+      "BeamDyn files",
+      beamdyn_beams,
+      "Names of beams whose sections are written as blade files of BeamDyn, <beam>_beamdyn.dat: stations where the "
+      "sections have kinks, in the axes of the sections.");
   }
+
+
+
+  namespace
+  {
+    bool
+    is_along_a_beam(const Section &section)
+    {
+      return dynamic_cast<const TableSection *>(&section) != nullptr ||
+             dynamic_cast<const BeamDynSection *>(&section) != nullptr;
+    }
+  } // namespace
 
 
 
@@ -181,7 +140,7 @@ namespace samara
         for (const auto &name : names)
           result.push_back(&model.find<Section>(name, "section"));
         for (const auto *const section : result)
-          if (dynamic_cast<const TableSection *>(section) != nullptr)
+          if (is_along_a_beam(*section))
             throw std::invalid_argument("<" + section->name + "> is a table: name the sections at its stations");
       }
     catch (const std::invalid_argument &problem)
@@ -191,9 +150,9 @@ namespace samara
     if (names.empty())
       for (const auto &item : model.items)
         if (const auto *const section = dynamic_cast<const Section *>(item.get()))
-          if (dynamic_cast<const TableSection *>(section) == nullptr)
+          if (!is_along_a_beam(*section))
             result.push_back(section);
-    if (result.empty())
+    if (result.empty() && places.empty() && names_of_watched.empty() && beamdyn_beams.empty())
       throw InputError(parameters.where() + ": the model has no section to report");
     return result;
   }
@@ -218,7 +177,7 @@ namespace samara
           if (pictures)
             replace_file(folder + "/section_" + file_name_of(name) + ".vtu", picture_of(*analysis));
         }
-      replace_file(folder + "/section_" + file_name_of(name) + ".txt", text_of(row));
+      replace_file(folder + "/section_" + file_name_of(name) + ".txt", file_of(row).write(16));
       return row;
     }
   } // namespace
@@ -232,22 +191,29 @@ namespace samara
     std::vector<Row>      rows;
     for (const Section *const section : wanted(model))
       {
-        const auto *const analysed = section->nearest(0);
-        const auto curvatures = analysed != nullptr ? analysed->curvatures() : std::vector<Vector3>(1, Vector3::Zero());
+        const auto curvatures = section->curvatures();
         for (std::size_t i = 0; i < std::min(most, curvatures.size()); ++i)
           {
             rows.push_back(report_one(
               section->name + (i == 0 ? "" : " " + std::to_string(i + 1)), *section, curvatures[i], folder, pictures));
-            log.line(text_of(rows.back()));
+            SectionFile shown = file_of(rows.back());
+            shown.values.outline.clear();
+            log.line(shown.write(10));
           }
         if (curvatures.size() > most)
           log.line("Section " + section->name + ": beams use it with " + std::to_string(curvatures.size() - most) +
                    " more curvatures, which are not reported");
       }
 
-    std::vector<std::string> header = {"section"};
-    for (const auto &[name, unit] : columns)
-      header.push_back(unit.empty() ? name : name + " [" + unit + "]");
+    if (rows.empty())
+      return;
+    std::vector<std::string>                         header = {"section"};
+    std::vector<std::pair<std::string, std::string>> columns;
+    for (const auto &[name, unit, number, is_vague] : numbers_of(rows.front()))
+      {
+        columns.emplace_back(name, unit);
+        header.push_back(unit.empty() ? name : name + " [" + unit + "]");
+      }
     Table                            table(header);
     std::vector<std::vector<double>> block(columns.size());
     for (const Row &row : rows)
@@ -256,8 +222,8 @@ namespace samara
         std::vector<Table::Cell> cells   = {row.name};
         for (unsigned int i = 0; i < numbers.size(); ++i)
           {
-            block[i].push_back(numbers[i]);
-            cells.push_back(Table::Cell::optional(numbers[i]));
+            block[i].push_back(numbers[i].number);
+            cells.push_back(Table::Cell::optional(numbers[i].number));
           }
         table.add_row(cells);
       }
@@ -275,7 +241,8 @@ namespace samara
     if (context.folder.empty())
       return;
     report(context.system.model, context.folder, context.pictures && context.is_shown(), context.log);
-    if (!places.empty())
+    write_beamdyn_files(context);
+    if (!places.empty() || !watched.empty())
       report_stresses(context);
   }
 
@@ -284,71 +251,36 @@ namespace samara
   void
   SectionReport::run_without_bodies(const Model &model, const std::string &folder, const bool pictures, Log &log)
   {
+    if (!names_of_watched.empty())
+      throw InputError(parameters.where("Largest of") + ": there is no beam in the model where stresses could be");
     if (!places.empty())
       throw InputError(parameters.where("Stresses at") + ": there is no beam in the model where stresses could be");
+    if (!beamdyn_beams.empty())
+      throw InputError(parameters.where("BeamDyn files") + ": there is no beam in the model");
     report(model, folder, pictures, log);
   }
 
 
 
   void
-  SectionReport::report_stresses(const Context &context) const
+  SectionReport::write_beamdyn_files(const Context &context) const
   {
-    Table table({"place",
-                 "section",
-                 "F1 [N]",
-                 "F2 [N]",
-                 "F3 [N]",
-                 "M1 [N m]",
-                 "M2 [N m]",
-                 "M3 [N m]",
-                 "stress 11 [Pa]",
-                 "stress 22 [Pa]",
-                 "stress 33 [Pa]",
-                 "stress 23 [Pa]",
-                 "stress 13 [Pa]",
-                 "stress 12 [Pa]",
-                 "von Mises stress [Pa]",
-                 "index of max stress",
-                 "index of Tsai-Wu",
-                 "index of Hashin",
-                 "index of von Mises"});
-    for (const auto &place : places)
+    for (const auto &name : beamdyn_beams)
       try
         {
-          std::string name, at;
-          const auto  dot    = place.find('.');
-          const bool  has_at = split_at(place, name, at) && name.find('.') == std::string::npos;
-          if (!has_at && dot == std::string::npos)
-            throw std::invalid_argument("a place is written <blade at 0.3> or <blade.root>, not <" + place + ">");
-          const Beam &beam     = context.system.model.find<Beam>(has_at ? name : trim(place.substr(0, dot)), "beam");
-          const auto  here     = beam.station(context.state, has_at ? "at " + at : trim(place.substr(dot + 1)));
-          const auto  analysis = here.section->analyse(here.curvature);
-          const auto  extremes =
-            SectionStresses(analysis->section, analysis->mesh, analysis->shape.materials).extremes(here.forces);
-          std::vector<Table::Cell> row = {place, here.section->name};
-          for (int i = 0; i < 6; ++i)
-            row.emplace_back(here.forces(i));
-          for (int i = 0; i < 6; ++i)
-            row.emplace_back(extremes.stress(i));
-          row.emplace_back(extremes.von_mises_stress);
-          for (const double index : {extremes.indices.max_stress,
-                                     extremes.indices.tsai_wu,
-                                     extremes.indices.hashin,
-                                     extremes.indices.von_mises})
-            row.push_back(Table::Cell::optional(index < 0 ? std::nan("") : index));
-          table.add_row(row);
-          if (context.pictures && context.is_shown())
-            replace_file(context.folder + "/stresses_" + file_name_of(place) + ".vtu",
-                         picture_of_stresses(*analysis, here.forces, here.x, here.D));
+          const Beam  &beam = context.system.model.find<Beam>(name, "beam");
+          BeamDynBlade blade;
+          blade.damping = beam.relaxation_times();
+          for (const auto &there : beam.sections_along())
+            blade.stations.push_back({there.x, there.values.stiffness, there.values.inertia});
+          const std::string file = context.folder + "/" + file_name_of(name) + "_beamdyn.dat";
+          replace_file(file, blade.write("Beam " + name + ", length " + number_to_text("%.9g", beam.length()) + " m"));
+          context.log.line("Beam " + name + ": " + std::to_string(blade.stations.size()) + " stations for BeamDyn in " +
+                           file);
         }
       catch (const std::invalid_argument &problem)
         {
-          throw InputError(parameters.where("Stresses at") + ": " + problem.what());
+          throw InputError(parameters.where("BeamDyn files") + ": " + problem.what());
         }
-    table.write(context.folder + "/stresses.csv");
-    std::ostringstream text;
-    table.print(text);
-    context.log.line(text.str());
   }
 } // namespace samara

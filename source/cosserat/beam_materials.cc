@@ -11,6 +11,8 @@ namespace samara
   Vector6
   Beam::relaxation_times() const
   {
+    if (!parameters.is_set("Damping") && !parameters.is_set("Damping ratio"))
+      return section->damping();
     Vector6 times;
     for (unsigned int i = 0; i < 6; ++i)
       {
@@ -69,6 +71,68 @@ namespace samara
     return section->at_side(s / curve->length(),
                             0.5 * (cell.start + cell.end) / curve->length(),
                             section->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero()));
+  }
+
+
+
+  namespace
+  {
+    constexpr double round_off_of_curvatures = 1e-6, round_off_of_lines = 1e-9;
+
+    bool
+    are_same(const SectionValues &a, const SectionValues &b, const double tolerance)
+    {
+      return (a.stiffness - b.stiffness).norm() <= tolerance * b.stiffness.norm() &&
+             (a.inertia - b.inertia).norm() <= tolerance * b.inertia.norm();
+    }
+  } // namespace
+
+
+
+  std::vector<Beam::SectionThere>
+  Beam::sections_along() const
+  {
+    const double        L        = curve->length();
+    const bool          is_local = section->depends_on_curvature();
+    std::vector<double> places   = {0., 1.};
+    for (const double x : section->kinks())
+      places.push_back(x);
+    for (const Cell &cell : cells)
+      for (unsigned int k = 1; is_local && k <= cell.degree; ++k)
+        places.push_back((cell.start + (cell.end - cell.start) * k / cell.degree) / L);
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end(), [](const double a, const double b) { return b - a < 1e-9; }),
+                 places.end());
+
+    const auto seen_from = [&](const double x, const double inside) {
+      const auto  has_it = [&](const Cell &cell) { return inside * L <= cell.end; };
+      const Cell &cell   = *std::find_if(cells.begin(), cells.end() - 1, has_it);
+      return SectionThere{
+        x, section->at_side(x, inside, is_local ? initial_curvature(cell, x * L) : Vector3(Vector3::Zero()))};
+    };
+    std::vector<SectionThere> result;
+    const auto                add = [&](const SectionThere &next) {
+      // a station between two others on whose line it is says nothing
+      const auto n = result.size();
+      if (n > 1 && result[n - 2].x < result[n - 1].x && result[n - 1].x < next.x)
+        {
+          const double w = (result[n - 1].x - result[n - 2].x) / (next.x - result[n - 2].x);
+          if (are_same(interpolate(result[n - 2].values, next.values, w), result[n - 1].values, round_off_of_lines))
+            result.pop_back();
+        }
+      result.push_back(next);
+    };
+    for (unsigned int i = 0; i < places.size(); ++i)
+      {
+        if (i > 0)
+          add(seen_from(places[i], 0.5 * (places[i - 1] + places[i])));
+        if (i + 1 == places.size())
+          continue;
+        const SectionThere behind = seen_from(places[i], 0.5 * (places[i] + places[i + 1]));
+        if (i == 0 || !are_same(behind.values, result.back().values, round_off_of_curvatures))
+          add(behind);
+      }
+    return result;
   }
 
 

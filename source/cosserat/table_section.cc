@@ -79,7 +79,10 @@ namespace samara
           wrong(text);
         if (has_length && has_number)
           throw std::invalid_argument("<" + text + ">: some stations have a length and some have none");
-        stations.push_back({x, &model.find<Section>(section, "section"), {}, 0.});
+        const auto &there = model.find<Section>(section, "section");
+        if (!there.damping().isZero(0.))
+          throw std::invalid_argument("the station <" + section + "> varies along a beam and has damping: a beam names it");
+        stations.push_back({x, &there, {}, 0.});
       }
     is_relative = !has_length;
     for (unsigned int i = 2; i < stations.size(); ++i)

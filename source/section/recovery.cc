@@ -127,23 +127,35 @@ namespace samara
 
 
 
+  void
+  SectionStresses::Extremes::add(const Strengths &of_material, const Vector6 &there)
+  {
+    add({there, samara::von_mises_stress(there), failure_indices(of_material, there)});
+  }
+
+
+
+  void
+  SectionStresses::Extremes::add(const Extremes &others)
+  {
+    for (int i = 0; i < 6; ++i)
+      if (std::abs(others.stress(i)) > std::abs(stress(i)))
+        stress(i) = others.stress(i);
+    von_mises_stress   = std::max(von_mises_stress, others.von_mises_stress);
+    indices.max_stress = std::max(indices.max_stress, others.indices.max_stress);
+    indices.tsai_wu    = std::max(indices.tsai_wu, others.indices.tsai_wu);
+    indices.hashin     = std::max(indices.hashin, others.indices.hashin);
+    indices.von_mises  = std::max(indices.von_mises, others.indices.von_mises);
+  }
+
+
+
   SectionStresses::Extremes
   SectionStresses::extremes(const Vector6 &forces) const
   {
     Extremes result;
     for (const Point &point : points)
-      {
-        const Vector6 stress = point.stress * forces;
-        for (int i = 0; i < 6; ++i)
-          if (std::abs(stress(i)) > std::abs(result.stress(i)))
-            result.stress(i) = stress(i);
-        result.von_mises_stress   = std::max(result.von_mises_stress, von_mises_stress(stress));
-        const FailureIndices at   = failure_indices(strengths[point.material], stress);
-        result.indices.max_stress = std::max(result.indices.max_stress, at.max_stress);
-        result.indices.tsai_wu    = std::max(result.indices.tsai_wu, at.tsai_wu);
-        result.indices.hashin     = std::max(result.indices.hashin, at.hashin);
-        result.indices.von_mises  = std::max(result.indices.von_mises, at.von_mises);
-      }
+      result.add(strengths[point.material], point.stress * forces);
     return result;
   }
 } // namespace samara

@@ -56,4 +56,35 @@ namespace samara
       }
     principal_moments = principal_of(moments);
   }
+
+
+  std::vector<SectionConstants::Named>
+  SectionConstants::list() const
+  {
+    constexpr double degrees = 180 / M_PI;
+    const auto       angle   = [](const std::string &name, const Principal &axes) {
+      return Named{"angle of larger " + name,
+                   "deg",
+                   axes.angle * degrees,
+                   axes.larger - axes.smaller < 1e-6 * axes.larger};
+    };
+    return {{"EA", "N", EA},
+            {"GJ", "N m^2", GJ},
+            {"larger EI", "N m^2", principal_bending.larger},
+            {"smaller EI", "N m^2", principal_bending.smaller},
+            angle("EI", principal_bending),
+            {"larger GA", "N", principal_shear.larger},
+            {"smaller GA", "N", principal_shear.smaller},
+            angle("GA", principal_shear),
+            {"tension centre 2", "m", tension_centre(0)},
+            {"tension centre 3", "m", tension_centre(1)},
+            {"shear centre 2", "m", shear_centre(0)},
+            {"shear centre 3", "m", shear_centre(1)},
+            {"mass", "kg/m", mass},
+            {"mass centre 2", "m", mass_centre(0)},
+            {"mass centre 3", "m", mass_centre(1)},
+            {"larger I", "kg m", principal_moments.larger},
+            {"smaller I", "kg m", principal_moments.smaller},
+            angle("I", principal_moments)};
+  }
 } // namespace samara

@@ -44,6 +44,8 @@ TEST_F(Catalogued, AllKinds)
                                    "engineering constants",
                                    "matrices",
                                    "table",
+                                   "file",
+                                   "BeamDyn",
                                    "rectangle",
                                    "tube",
                                    "ellipse",

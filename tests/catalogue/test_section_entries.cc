@@ -1,5 +1,8 @@
 // The entries of sections, materials and layups: see test_entries.cc.
 
+#include <samara/cosserat/beamdyn_file.h>
+#include <samara/cosserat/section_file.h>
+
 #include "catalogued.h"
 
 using namespace samara;
@@ -161,6 +164,29 @@ TEST_F(Catalogued, Sections)
         {{"Stations", "other at 0, thick at 1"},
          {"Start", "0.5", {"Sections/it/Stations = other at 0 m, thick at 2 m"}},
          {"File", folder + "/table.csv", {}, false, {"Sections/it/Stations = "}}});
+
+  for (const double stiffness : {1., 2.})
+    {
+      const std::string number = stiffness == 1 ? "one" : "two";
+      SectionFile       file{"it", Vector3::Zero(), {}};
+      file.values.stiffness  = stiffness * Vector6(2e4, 6e3, 6e3, 25, 35, 45).asDiagonal().toDenseMatrix();
+      file.values.inertia    = Vector6(3, 3, 3, 0.03, 0.02, 0.01).asDiagonal();
+      files[number + ".txt"] = file.write(16);
+      const auto  &v         = file.values;
+      BeamDynBlade blade{{{0, v.stiffness, v.inertia}, {1, v.stiffness, v.inertia}}, Vector6::Zero()};
+      files[number + ".dat"] = blade.write("a blade");
+      blade.stations[1].inertia(3, 3) *= 1.01;
+      files["loose_" + number + ".dat"] = blade.write("a blade with a wrong polar moment");
+    }
+  check("file",
+        models::beam("    set Type = file\n    set File = " + folder + "/one.txt\n    set Initial curvature = any\n"),
+        "Sections/it",
+        {{"File", folder + "/two.txt"}, {"Initial curvature", "of the file", {"Bodies/beam/Twist = 0.3*s"}, true}});
+  check("BeamDyn",
+        models::beam("    set Type = BeamDyn\n    set File = " + folder +
+                     "/loose_one.dat\n    set Inertia tolerance = 0.1\n"),
+        "Sections/it",
+        {{"File", folder + "/two.dat"}, {"Inertia tolerance", "0.001", {}, true}});
 }
 
 
@@ -290,5 +316,9 @@ TEST_F(Catalogued, AnalysedSections)
   check("section",
         analysed("    set Type = ellipse\n    set Radius 2 = 0.1\n    set Radius 3 = 0.05\n    set Material = metal\n"),
         "Section",
-        {{"Sections", "other"}, {"Stresses at", "beam at 0.3"}});
+        {{"Sections", "other"},
+         {"Stresses at", "beam at 0.3"},
+         {"BeamDyn files", "beam"},
+         {"Largest of", "beam", {"Materials/metal/Tensile strength = 1e4"}},
+         {"Criterion", "von Mises", {"Materials/metal/Tensile strength = 1e4", "Section/Largest of = beam"}, true}});
 }

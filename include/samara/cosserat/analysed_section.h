@@ -44,7 +44,7 @@ namespace samara
     std::unique_ptr<SectionAnalysis> analyse(const Vector3 &curvature, unsigned int more_degrees = 0) const;
 
     /** Those for which beams have asked so far, without round-off; (0, 0, 0) if none has. */
-    std::vector<Vector3> curvatures() const;
+    std::vector<Vector3> curvatures() const override;
 
     /** Whether the section is found by analysis: some shapes have a closed form, too. */
     virtual bool

@@ -88,6 +88,21 @@ namespace samara
     /** At a named point or "at 0.3". @throws std::invalid_argument if there is none, or no section that was analysed */
     Station station(const State &state, const std::string &point) const;
 
+    /** The section at a relative abscissa. */
+    struct SectionThere
+    {
+      double        x;
+      SectionValues values;
+    };
+    /**
+     * Where the values have kinks, and where elements end and inside of them if they depend on curvature; one before and
+     * one behind a jump.
+     */
+    std::vector<SectionThere> sections_along() const;
+
+    /** Viscous stress is these times the rate of elastic stress [s]. */
+    Vector6 relaxation_times() const;
+
     /**
      * The strains @p e of this beam at its integration points as coefficients of Legendre polynomials, k = 0 ... p − 1,
      * on each element: column k is √h Rᵀ a_k for e = Σ a_k L_k, L_k orthonormal on (0, 1), C = R Rᵀ the stiffness at
@@ -154,7 +169,6 @@ namespace samara
     std::vector<Matrix6>      stiffnesses_of(const Cell &cell) const;
     std::vector<Matrix6>      inertias_of(const Cell &cell) const;
     Material                  material_of(const Matrix6 &stiffness) const;
-    Vector6                   relaxation_times() const;
     Matrix3                   triad_at(double s, double inside) const;
     std::vector<unsigned int> materials_of_cell(const Cell &cell);
 

@@ -109,6 +109,20 @@ namespace samara
       return {};
     }
 
+    /** The initial twists and curvatures for which the section is known, or has been asked so far. */
+    virtual std::vector<Vector3>
+    curvatures() const
+    {
+      return std::vector<Vector3>(1, Vector3::Zero());
+    }
+
+    /** Damping that comes with the section: viscous stress is these times the rate of elastic stress [s]. */
+    virtual Vector6
+    damping() const
+    {
+      return Vector6::Zero();
+    }
+
     /**
      * This section for a beam of that length [m]: tables may have abscissae in metres. It lives as long as this one.
      * @throws std::invalid_argument if it does not reach from the start of the beam to its end

@@ -42,6 +42,11 @@ namespace samara
       Vector6        stress = Vector6::Zero(); ///< of the largest modulus, with its sign; axes of the material [Pa]
       double         von_mises_stress = 0;     ///< [Pa]
       FailureIndices indices;
+
+      /** Of one point more; @p stress in the axes of the material. */
+      void add(const Strengths &strengths, const Vector6 &stress);
+      /** Of other points. */
+      void add(const Extremes &others);
     };
     Extremes extremes(const Vector6 &forces) const;
 

@@ -3,6 +3,9 @@
 
 #include <samara/rotation/rotation.h>
 
+#include <string>
+#include <vector>
+
 namespace samara
 {
   /**
@@ -42,6 +45,16 @@ namespace samara
     double          mass;    ///< [kg/m]
     Eigen::Matrix2d moments; ///< ∫ρ of (y₃², −y₂y₃; −y₂y₃, y₂²) about the mass centre [kg m]
     Principal       principal_moments;
+
+    /** A number as people read it. */
+    struct Named
+    {
+      std::string name, unit;
+      double      number;
+      bool        is_vague = false; ///< an angle of axes that are principal axes in nearly all directions
+    };
+    /** All of them, angles in degrees. */
+    std::vector<Named> list() const;
   };
 } // namespace samara
 
