@@ -20,9 +20,6 @@ namespace samara
     constexpr double loosest_forcing = 1e-2, tightest_forcing = 1e-4;
     /** @} */
 
-    /** With exact products, which cost no turn, Newton's method is worth its quadratic convergence. */
-    constexpr double tangent_forcing = 1e-4;
-
     const std::string beyond_limits = "the targets lie beyond the limits of the controls";
 
     constexpr double       shortest_step     = 1. / 64; ///< of Newton's method
@@ -108,8 +105,7 @@ namespace samara
       try
         {
           motion->linearize(now.start);
-          return solve(
-            [this](const VectorX &direction) { return by_tangent(direction); }, r, std::min(forcing, tangent_forcing));
+          return solve([this](const VectorX &direction) { return by_tangent(direction); }, r, forcing);
         }
       catch (const NotConverged &problem)
         {
