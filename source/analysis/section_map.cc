@@ -1,7 +1,6 @@
 #include <samara/analysis/section_map.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
-#include <samara/states/control.h>
 
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -27,7 +26,7 @@ namespace samara
       std::vector<unsigned int> result;
       const auto               &states = system.model.states;
       for (const auto &item : system.model.items)
-        if (dynamic_cast<const Control *>(item.get()) != nullptr)
+        if (item->kind == "control")
           for (unsigned int i = 0; i < states.size(); ++i)
             if (states[i].name == item->name)
               result.push_back(system.layout.of_state(i));
