@@ -150,15 +150,14 @@ namespace samara
   void
   PeriodicMotion::linearize(const State &start)
   {
-    map = std::make_unique<PeriodMap>(
-      system,
-      PeriodSettings{period,
-                     n_steps,
-                     settings.n_stages,
-                     settings.spectral_radius,
-                     settings.newton_tolerance,
-                     settings.max_iterations,
-                     tolerance_of_tangent});
+    map = std::make_unique<PeriodMap>(system,
+                                      PeriodSettings{period,
+                                                     n_steps,
+                                                     settings.n_stages,
+                                                     settings.spectral_radius,
+                                                     settings.newton_tolerance,
+                                                     settings.max_iterations,
+                                                     tolerance_of_tangent});
     ++n_turns;
     map->linearize(start);
     n_marched += n_steps;

@@ -305,7 +305,7 @@ namespace samara
       qr.setThreshold(1e-10);
       return Eigen::MatrixXd(Eigen::MatrixXd(qr.householderQ()).rightCols(A.cols() - qr.rank()));
     };
-    Eigen::MatrixXd of_positions = Eigen::MatrixXd::Zero(G.rows() + kept.size(), n_positions);
+    Eigen::MatrixXd of_positions   = Eigen::MatrixXd::Zero(G.rows() + kept.size(), n_positions);
     of_positions.topRows(G.rows()) = G;
     for (const auto i : layout.nonholonomic)
       of_positions.row(i).setZero();

@@ -16,7 +16,7 @@ namespace samara
   namespace
   {
     /** Relative residual of the equations of stages that is needed: this, or ten times what is wanted. */
-    constexpr double needed_residual = 1e-10;
+    constexpr double       needed_residual = 1e-10;
     constexpr unsigned int most_products = 60;
   } // namespace
 

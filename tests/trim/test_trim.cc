@@ -75,12 +75,15 @@ TEST(Trim, ShakenMassInClosedForm)
 // A spring with a nonlinear law has no exact tangent: then products are differences of turns.
 TEST(Trim, WithoutTangent)
 {
-  Scene       scene(mass,
-              {"Joints/slide/displacement/Spring = 0", "Joints/slide/displacement/Spring force = 200 N/m * slide.displacement + 1e5 N/m^3 * slide.displacement^3"});
+  Scene scene(
+    mass,
+    {"Joints/slide/displacement/Spring = 0",
+     "Joints/slide/displacement/Spring force = 200 N/m * slide.displacement + 1e5 N/m^3 * slide.displacement^3"});
   const auto &trim = trimmed(scene);
   EXPECT_NE(scene.stream.str().find("products by differences of turns"), std::string::npos) << scene.stream.str();
   EXPECT_EQ(trim.report.products, 0u);
-  // harmonic balance of x³, x = m + a cos ωt: mean m³ + 3/2 m a², cosine 3 m² a + 3/4 a³; the third harmonic is in the orbit
+  // harmonic balance of x³, x = m + a cos ωt: mean m³ + 3/2 m a², cosine 3 m² a + 3/4 a³; the third harmonic is in the
+  // orbit
   const double m = 0.01, a = 0.005;
   EXPECT_NEAR(trim.report.controls[0], 200 * m + 1e5 * (m * m * m + 1.5 * m * a * a), 2e-3);
 }

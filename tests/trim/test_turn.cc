@@ -43,13 +43,14 @@ namespace
 // Controls prescribe pitch, so that a change of them violates constraints at the start; inflow has states.
 TEST(Turn, TangentOfAFlappingRotorInForwardFlight)
 {
-  Scene scene("prm/rotorcraft/flapping_rotor.prm", {"Aerodynamics/flow/Type = Pitt-Peters inflow", "Trim/Steps = 24", "Trim/Tolerance = 0.1"});
+  Scene                            scene("prm/rotorcraft/flapping_rotor.prm",
+              {"Aerodynamics/flow/Type = Pitt-Peters inflow", "Trim/Steps = 24", "Trim/Tolerance = 0.1"});
   const Model                     &model = scene.system.model;
   const double                     T     = 2 * M_PI / 30;
   const std::vector<PeriodAverage> averages{{PeriodAverage::mean, 0, model.probe("flow.thrust")},
                                             {PeriodAverage::cosine, 1, model.probe("blade 1:flap.rotation")},
                                             {PeriodAverage::sine, 2, model.probe("blade 2:flap.rotation")}};
-  PeriodicMotion motion(scene.context, T, 24, {0.5, 1e-13, 50, 1e-4, 3}, averages);
+  PeriodicMotion                   motion(scene.context, T, 24, {0.5, 1e-13, 50, 1e-4, 3}, averages);
   scene.analysis<TrimAnalysis>().run(scene.context);
   const State start = scene.context.state;
 
@@ -60,8 +61,8 @@ TEST(Turn, TangentOfAFlappingRotorInForwardFlight)
     x[i] = 0.02 * number(generator) * motion.scales[i];
   const auto [of_end, of_averages] = differences(scene.system, motion, start, x);
   motion.linearize(start);
-  const auto   found = motion.apply(x.data());
-  double       size = 0, error = 0;
+  const auto found = motion.apply(x.data());
+  double     size = 0, error = 0;
   for (unsigned int i = 0; i < x.size(); ++i)
     {
       size  = std::max(size, std::abs(of_end[i]) / motion.scales[i]);

@@ -107,7 +107,8 @@ namespace samara
     std::vector<double> values(const State &state, Projection &projection) const;
     /** What values() change by where the increment of a state is @p x. */
     std::vector<double> change_of_values(const State &state, const double *x, Projection &projection) const;
-    /** @p y at a time are added to @p sums of a turn, by the number of the step they are at the end of; 0: the start. */
+    /** @p y at a time are added to @p sums of a turn, by the number of the step they are at the end of; 0: the start.
+     */
     void add(std::vector<double> &sums, const std::vector<double> &y, double time, unsigned int step) const;
   };
 } // namespace samara

@@ -40,8 +40,8 @@ namespace samara
 
     /**
      * Replace the increment at the start of the step by that at its end.
-     * @throws NotConverged if the linear equations of the stages cannot be solved to 1e-10 or ten times the tolerance, as
-     * where the factors are of other rows left out, or something prescribed is not smooth.
+     * @throws NotConverged if the linear equations of the stages cannot be solved to 1e-10 or ten times the tolerance,
+     * as where the factors are of other rows left out, or something prescribed is not smooth.
      */
     void apply(double *x);
 
