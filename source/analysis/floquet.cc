@@ -100,6 +100,8 @@ namespace samara
       complain("Tolerance", "the <Tolerance> must be positive");
     if (method == "fast" && symmetry.empty())
       complain("Method", "the fast map needs the <Symmetry>: which parts are repeated");
+    if (groups().empty() && !turning.empty())
+      complain("Turning", "<Turning> belongs to a <Symmetry>: which parts are repeated");
     if (const auto g = groups(); !g.empty() && n_steps % g[0].size() != 0)
       complain("Steps", "the <Steps> must be a multiple of the " + std::to_string(g[0].size()) + " repeated parts");
   }

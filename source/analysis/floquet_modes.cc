@@ -21,11 +21,11 @@ namespace samara
 
 
 
-    /** What the vibration exp(iωt) has in place of the exponent iω when it is computed by steps of h. */
+    /** What exp(λt) has in place of the exponent λ when it is computed by steps of h. */
     Complex
-    error_of_scheme(const Tableau &tableau, const double omega, const double h)
+    error_of_scheme(const Tableau &tableau, const Complex lambda, const double h)
     {
-      const Complex    z(0, omega * h);
+      const Complex    z = lambda * h;
       Eigen::MatrixXcd A(tableau.s, tableau.s);
       Eigen::VectorXcd b(tableau.s);
       for (unsigned int k = 0; k < tableau.s; ++k)
@@ -36,8 +36,8 @@ namespace samara
         }
       const Complex R = 1. + z * (b.transpose() * A.partialPivLu().solve(Eigen::VectorXcd::Ones(tableau.s)))(0, 0);
       // arg R lies within a turn of ωh
-      const double beyond = std::remainder(std::arg(R) - omega * h, 2 * M_PI);
-      return Complex(std::log(std::abs(R)), beyond) / h;
+      const double beyond = std::remainder(std::arg(R) - z.imag(), 2 * M_PI);
+      return Complex(std::log(std::abs(R)) - z.real(), beyond) / h;
     }
 
 
@@ -245,8 +245,9 @@ namespace samara
         const Complex principal = std::log(mode.of_section) / section;
         const int     m         = largest_harmonic(map, mode, principal);
         mode.exponent           = {principal.real(), std::abs(principal.imag() + m * 2 * M_PI / T)};
-        mode.rate               = std::max(mode.rate, mode.frequency());
-        mode.scheme_error       = error_of_scheme(tableau, mode.rate, h);
+        // velocities at the ends of steps are less exact than frequencies; they are needed only where these are aliases
+        mode.rate         = mode.rate * h < M_PI ? mode.frequency() : std::max(mode.rate, mode.frequency());
+        mode.scheme_error = error_of_scheme(tableau, {mode.growth(), mode.rate}, h);
       }
   }
 } // namespace samara

@@ -13,6 +13,14 @@ namespace samara
 {
   namespace
   {
+    /** Of differences of probes, in the scales of increments: errors of its square. */
+    constexpr double step_of_probes = 1e-4;
+
+    /** Of the equations of each step's tangent: enough for Newton's method, at less than half the cost of round-off. */
+    constexpr double tolerance_of_tangent = 1e-8;
+
+
+
     double
     whole_turns(const double angle)
     {
@@ -89,6 +97,19 @@ namespace samara
 
 
 
+  void
+  PeriodicMotion::add(std::vector<double>       &sums,
+                      const std::vector<double> &y,
+                      const double               time,
+                      const unsigned int         step) const
+  {
+    const double weight = (step > 0 && step < n_steps ? 1. : 0.5) / n_steps;
+    for (unsigned int k = 0; k < sums.size(); ++k)
+      sums[k] += weight * weighted(k, y[k], time);
+  }
+
+
+
   std::vector<double>
   PeriodicMotion::turn(State &state, const Observer &observer)
   {
@@ -97,11 +118,7 @@ namespace samara
     Stepper             stepper(system, integrator, h, 1e-3 * h);
     Projection          projection(system);
     std::vector<double> sums(averages.size(), 0.);
-    const auto          add = [&](const std::vector<double> &y, const double weight) {
-      for (unsigned int k = 0; k < sums.size(); ++k)
-        sums[k] += weight * weighted(k, y[k], state.time);
-    };
-    add(values(state, projection), 0.5 / n_steps);
+    add(sums, values(state, projection), state.time, 0);
     for (unsigned int i = 0; i < n_steps; ++i)
       {
         throw_if_interrupted();
@@ -113,7 +130,7 @@ namespace samara
             ++n_marched;
           }
         const auto y = values(state, projection);
-        add(y, (i + 1 < n_steps ? 1. : 0.5) / n_steps);
+        add(sums, y, state.time, i + 1);
         if (observer)
           {
             const auto before = state.states;
@@ -125,6 +142,65 @@ namespace samara
     require_finite_state(system, state);
     ++n_turns;
     n_factorizations += integrator.n_factorizations;
+    return sums;
+  }
+
+
+
+  void
+  PeriodicMotion::linearize(const State &start)
+  {
+    map = std::make_unique<PeriodMap>(system,
+                                      PeriodSettings{period,
+                                                     n_steps,
+                                                     settings.n_stages,
+                                                     settings.spectral_radius,
+                                                     settings.newton_tolerance,
+                                                     settings.max_iterations,
+                                                     tolerance_of_tangent});
+    ++n_turns;
+    map->linearize(start);
+    n_marched += n_steps;
+    n_iterations += map->n_iterations;
+    n_factorizations += map->n_factorizations();
+  }
+
+
+
+  std::vector<double>
+  PeriodicMotion::change_of_values(const State &state, const double *x, Projection &projection) const
+  {
+    double size = 0;
+    for (unsigned int i = 0; i < scales.size(); ++i)
+      size = std::max(size, std::abs(x[i]) / scales[i]);
+    std::vector<double> result(averages.size(), 0.);
+    if (!(size > 0) || averages.empty())
+      return result;
+    const double step   = step_of_probes / size;
+    const auto   behind = values(moved(system, state, x, -step), projection);
+    result              = values(moved(system, state, x, step), projection);
+    for (unsigned int k = 0; k < result.size(); ++k)
+      result[k] = (result[k] - behind[k]) / (2 * step);
+    return result;
+  }
+
+
+
+  std::vector<double>
+  PeriodicMotion::apply(double *x)
+  {
+    AssertThrow(map, dealii::ExcMessage("No turn has been linearised."));
+    Projection          projection(system);
+    std::vector<double> sums(averages.size(), 0.);
+    for (unsigned int i = 0; i <= n_steps; ++i)
+      {
+        throw_if_interrupted();
+        if (i > 0)
+          map->apply_step(x, i - 1);
+        const State &state = map->states()[i];
+        add(sums, change_of_values(state, x, projection), state.time, i);
+      }
+    ++n_applied;
     return sums;
   }
 

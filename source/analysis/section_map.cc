@@ -16,7 +16,23 @@ namespace samara
   {
     constexpr double       smallest_part = 0.05; ///< of a Newton step
     constexpr unsigned int most_products = 100;  ///< for one
-  }                                              // namespace
+
+
+
+    /** Where in an increment controls are, which keep their values: what they change is no motion. */
+    std::vector<unsigned int>
+    entries_of_controls(const System &system)
+    {
+      std::vector<unsigned int> result;
+      const auto               &states = system.model.states;
+      for (const auto &item : system.model.items)
+        if (item->kind == "control")
+          for (unsigned int i = 0; i < states.size(); ++i)
+            if (states[i].name == item->name)
+              result.push_back(system.layout.of_state(i));
+      return result;
+    }
+  } // namespace
 
 
 
@@ -25,6 +41,7 @@ namespace samara
     , map(system, settings)
     , parts(parts)
     , scale(scales_of_increment(system, settings.period * parts.n() / (2 * M_PI)))
+    , kept(entries_of_controls(system))
   {}
 
 
@@ -168,8 +185,19 @@ namespace samara
   SectionMap::apply(double *x)
   {
     throw_if_interrupted();
+    keep_controls(x);
     map.apply(x);
     parts.apply(x);
+    keep_controls(x);
+  }
+
+
+
+  void
+  SectionMap::keep_controls(double *x) const
+  {
+    for (const auto i : kept)
+      x[i] = 0;
   }
 
 
@@ -193,6 +221,7 @@ namespace samara
     std::vector<double>                    by_map(map.size());
     for (unsigned int i = 0; i < by_map.size(); ++i)
       by_map[i] = number(generator) * scale[i];
+    keep_controls(by_map.data());
     std::vector<double> carried = by_map;
     map.apply(carried.data());
     apply(by_map.data());
@@ -276,9 +305,12 @@ namespace samara
       qr.setThreshold(1e-10);
       return Eigen::MatrixXd(Eigen::MatrixXd(qr.householderQ()).rightCols(A.cols() - qr.rank()));
     };
-    Eigen::MatrixXd of_positions = G;
+    Eigen::MatrixXd of_positions   = Eigen::MatrixXd::Zero(G.rows() + kept.size(), n_positions);
+    of_positions.topRows(G.rows()) = G;
     for (const auto i : layout.nonholonomic)
       of_positions.row(i).setZero();
+    for (unsigned int i = 0; i < kept.size(); ++i)
+      of_positions(G.rows() + i, kept[i]) = 1;
     const Eigen::MatrixXd positions = kernel(of_positions), velocities = kernel(G.leftCols(n_velocities));
     Eigen::MatrixXd       result = Eigen::MatrixXd::Zero(map.size(), positions.cols() + velocities.cols());
     for (int j = 0; j < positions.cols(); ++j)

@@ -312,8 +312,10 @@ namespace samara
     confirm(found);
     leave(found);
     write(found);
-    context.log.line("trim: found in " + std::to_string(motion->n_turns) + " turns; the orbit closes to " +
-                     number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
+    context.log.line("trim: found in " + std::to_string(motion->n_turns) + " turns" +
+                     (motion->n_applied > 0 ? " and " + std::to_string(motion->n_applied) + " products with a tangent" :
+                                              std::string()) +
+                     "; the orbit closes to " + number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
                      number_to_text("%.1e", found.miss) + " of their scales");
     for (unsigned int j = 0; j < controls.size(); ++j)
       context.log.line(

@@ -173,7 +173,8 @@ namespace samara
     prm.add("Time constant", time_constant, "Of the auto-pilot, in periods [1].", Double(0));
     prm.add("Most products",
             most_products,
-            "Of Newton-Krylov: dimensions of a Krylov space, each of which costs a period.",
+            "Of Newton-Krylov: dimensions of a Krylov space, each of which costs a product with the tangent of a "
+            "period, or a period where that is not there.",
             Integer(1));
     prm.add("Stages", n_stages, "Stages of the integrator, 1 to 3.", Integer(1, 3));
     prm.add("Spectral radius",

@@ -73,31 +73,73 @@ namespace samara
 
 
   TrimAnalysis::Run::VectorX
+  TrimAnalysis::Run::by_difference(const Look &now, const VectorX &r, const VectorX &direction)
+  {
+    const double step = difference_step / direction.norm();
+    return (residual(look(moved(now.start, direction, step))) - r) / step;
+  }
+
+
+
+  TrimAnalysis::Run::VectorX
+  TrimAnalysis::Run::by_tangent(const VectorX &direction)
+  {
+    VectorX             result(direction.size());
+    std::vector<double> x(direction.size());
+    for (unsigned int i = 0; i < x.size(); ++i)
+      x[i] = direction(i) * motion->scales[i];
+    const VectorX averages = averages_in_si(motion->apply(x.data()));
+    for (unsigned int i = 0; i < x.size(); ++i)
+      result(i) = x[i] / motion->scales[i] - direction(i);
+    for (unsigned int k = 0; k < targets.size(); ++k)
+      result(system.layout.of_state(controls[k].state)) = averages(k) / targets[k].scale;
+    return result;
+  }
+
+
+
+  TrimAnalysis::Run::VectorX
   TrimAnalysis::Run::newton_step(const Look &now, const VectorX &r, const double forcing)
+  {
+    if (has_tangent)
+      try
+        {
+          motion->linearize(now.start);
+          return solve([this](const VectorX &direction) { return by_tangent(direction); }, r, forcing);
+        }
+      catch (const NotConverged &problem)
+        {
+          has_tangent = false;
+          context.log.line(std::string("trim: products by differences of turns, as the tangent is not there: ") +
+                           problem.what());
+        }
+    return solve([&](const VectorX &direction) { return by_difference(now, r, direction); }, r, forcing);
+  }
+
+
+
+  TrimAnalysis::Run::VectorX
+  TrimAnalysis::Run::solve(const std::function<VectorX(const VectorX &)> &product,
+                           const VectorX                                 &r,
+                           const double                                   forcing) const
   {
     struct Jacobian
     {
-      Run           &run;
-      const Look    &now;
-      const VectorX &r;
+      const std::function<VectorX(const VectorX &)> &product;
 
       void
       vmult(dealii::Vector<double> &to, const dealii::Vector<double> &v) const
       {
         const Eigen::Map<const VectorX> direction(v.begin(), v.size());
         to = 0.;
-        if (direction.norm() == 0) // where GMRES starts
-          return;
-        const double  step   = difference_step / direction.norm();
-        const VectorX change = run.residual(run.look(run.moved(now.start, direction, step))) - r;
-        for (unsigned int i = 0; i < to.size(); ++i)
-          to[i] = change(i) / step;
+        if (direction.norm() > 0) // GMRES starts at zero
+          Eigen::Map<VectorX>(to.begin(), to.size()) = product(direction);
       }
     };
     dealii::Vector<double> b(r.size());
     for (unsigned int i = 0; i < b.size(); ++i)
       b[i] = -r(i);
-    const auto x = gmres(Jacobian{*this, now, r}, b, forcing, trim.most_products);
+    const auto x = gmres(Jacobian{product}, b, forcing, trim.most_products);
     return Eigen::Map<const VectorX>(x.begin(), x.size());
   }
 

@@ -137,6 +137,7 @@ namespace samara
     trim.report.controls    = {u.data(), u.data() + u.size()};
     trim.report.averages    = {look.averages.data(), look.averages.data() + look.averages.size()};
     trim.report.turns       = motion->n_turns;
+    trim.report.products    = motion->n_applied;
     trim.report.periodicity = look.largest_gap;
     trim.report.miss        = look.miss;
     trim.report.iterations  = n_looks;

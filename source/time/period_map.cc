@@ -44,10 +44,12 @@ namespace samara
 
 
   void
-  PeriodMap::step(StageIntegrator &integrator, State &state) const
+  PeriodMap::step(StageIntegrator &integrator, State &state)
   {
-    const double time = state.time;
-    if (!integrator.step(state, step_size()).converged)
+    const double     time   = state.time;
+    const StepResult result = integrator.step(state, step_size());
+    n_iterations += result.iterations;
+    if (!result.converged)
       throw NotConverged("there is no solution for the step from t = " + number_to_text("%.6g", time) + " s to " +
                          number_to_text("%.6g", time + step_size()) + " s; take more steps a period");
   }
@@ -83,6 +85,7 @@ namespace samara
         const State before = state;
         step(*integrators.back(), state);
         tangents.push_back(integrators.back()->linearize(before));
+        tangents.back()->tolerance = settings.tangent_tolerance;
         along.push_back(state);
       }
     raw_end = state;
@@ -182,6 +185,17 @@ namespace samara
     unsigned int n = 0;
     for (const auto &tangent : tangents)
       n += tangent->n_products;
+    return n;
+  }
+
+
+
+  unsigned int
+  PeriodMap::n_factorizations() const
+  {
+    unsigned int n = 0;
+    for (const auto &integrator : integrators)
+      n += integrator->n_factorizations;
     return n;
   }
 } // namespace samara

@@ -15,9 +15,8 @@ namespace samara
 {
   namespace
   {
-    /** Relative residual of the equations of stages: wanted, and needed. @{ */
-    constexpr double wanted_residual = 1e-13, needed_residual = 1e-10;
-    /** @} */
+    /** Relative residual of the equations of stages that is needed: this, or ten times what is wanted. */
+    constexpr double       needed_residual = 1e-10;
     constexpr unsigned int most_products = 60;
   } // namespace
 
@@ -66,7 +65,7 @@ namespace samara
     const double size = b.l2_norm();
     if (size > 0)
       {
-        dealii::SolverControl                       control(most_products, wanted_residual * size, false, false);
+        dealii::SolverControl                       control(most_products, tolerance * size, false, false);
         dealii::SolverGMRES<dealii::Vector<double>> gmres(control, Settings(most_products + 2));
         Matrix                                      matrix{*this, X, {}};
         try
@@ -77,7 +76,7 @@ namespace samara
           {
             // round-off may be more than what is wanted
           }
-        if (!(control.last_value() < needed_residual * size))
+        if (!(control.last_value() < std::max(needed_residual, 10 * tolerance) * size))
           throw NotConverged("the tangent of a step is not found: the equations of its stages are solved to " +
                              std::to_string(control.last_value() / size) + " only");
       }

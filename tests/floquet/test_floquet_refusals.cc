@@ -84,6 +84,7 @@ TEST(FloquetRefuses, SettingsThatDoNotFit)
   EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = along x.displacement"}), "is no rotation"));
   EXPECT_TRUE(has(said_of(hammond, {"Floquet/Turns of = blade 1:lag"}), "does not turn"));
   EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Method = fast"}), "needs the <Symmetry>"));
+  EXPECT_TRUE(has(said_of(pendulum, {"Floquet/Turning = block"}), "belongs to a <Symmetry>"));
 }
 
 

@@ -72,6 +72,24 @@ TEST(Trim, ShakenMassInClosedForm)
 
 
 
+// A spring with a nonlinear law has no exact tangent: then products are differences of turns.
+TEST(Trim, WithoutTangent)
+{
+  Scene scene(
+    mass,
+    {"Joints/slide/displacement/Spring = 0",
+     "Joints/slide/displacement/Spring force = 200 N/m * slide.displacement + 1e5 N/m^3 * slide.displacement^3"});
+  const auto &trim = trimmed(scene);
+  EXPECT_NE(scene.stream.str().find("products by differences of turns"), std::string::npos) << scene.stream.str();
+  EXPECT_EQ(trim.report.products, 0u);
+  // harmonic balance of x³, x = m + a cos ωt: mean m³ + 3/2 m a², cosine 3 m² a + 3/4 a³; the third harmonic is in the
+  // orbit
+  const double m = 0.01, a = 0.005;
+  EXPECT_NEAR(trim.report.controls[0], 200 * m + 1e5 * (m * m * m + 1.5 * m * a * a), 2e-3);
+}
+
+
+
 // The error of the controls is that of the integrator: 2s - 1 where it dissipates.
 TEST(Trim, OrderOfControls)
 {
@@ -274,6 +292,8 @@ TEST(Trim, FlappingRotor)
                          "Trim/Steps = 30"});
       const auto &trim  = trimmed(scene);
       bool        found = false;
+      EXPECT_LE(trim.report.turns, c.method == "Newton-Krylov" ? 20 : 200);
+      EXPECT_EQ(trim.report.products > 0, c.method == "Newton-Krylov");
       for (const auto &row : reference)
         if (row.at("inflow") == c.model && std::abs(std::stod(row.at("mu")) - c.mu) < 1e-9)
           {

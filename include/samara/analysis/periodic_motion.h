@@ -4,8 +4,10 @@
 #include <samara/analysis/analysis.h>
 #include <samara/time/increment.h>
 #include <samara/time/integrator.h>
+#include <samara/time/period_map.h>
 
 #include <cmath>
+#include <memory>
 
 namespace samara
 {
@@ -58,6 +60,19 @@ namespace samara
      */
     std::vector<double> turn(State &state, const Observer &observer = {});
 
+    /**
+     * March one period from @p start, and keep the tangents of its steps for apply(). Counts as a turn.
+     * @throws NotConverged where a step has no solution or no derivative
+     */
+    void linearize(const State &start);
+
+    /**
+     * An increment @p x of the start of the turn that was linearised becomes that of its end, velocities as they are
+     * there. Returns what the averages change by: exact in the motion, central differences of the probes.
+     * @throws NotConverged as StepTangent::apply()
+     */
+    std::vector<double> apply(double *x);
+
     /** The same period again: from t + T to t, with whole turns of angles as at @p start taken back. */
     void begin_again(const State &start, State &end) const;
 
@@ -78,6 +93,7 @@ namespace samara
     std::string name_of(unsigned int i) const;
 
     unsigned int n_turns   = 0;                                         ///< that have been marched
+    unsigned int n_applied = 0;                                         ///< increments that were taken through a turn
     unsigned int n_marched = 0, n_iterations = 0, n_factorizations = 0; ///< steps, and what they took
 
   private:
@@ -86,7 +102,14 @@ namespace samara
     const std::vector<PeriodAverage> averages;
     bool                             needs_velocities = false, needs_forces = false;
 
-    std::vector<double> values(const State &state, class Projection &projection) const;
+    std::unique_ptr<PeriodMap> map; ///< of the turn that was linearised
+
+    std::vector<double> values(const State &state, Projection &projection) const;
+    /** What values() change by where the increment of a state is @p x. */
+    std::vector<double> change_of_values(const State &state, const double *x, Projection &projection) const;
+    /** @p y at a time are added to @p sums of a turn, by the number of the step they are at the end of; 0: the start.
+     */
+    void add(std::vector<double> &sums, const std::vector<double> &y, double time, unsigned int step) const;
   };
 } // namespace samara
 

@@ -13,6 +13,8 @@ namespace samara
    * What a change of a periodic motion becomes in one Q-th of the period, S = P Φ(T/Q), where P renumbers what is
    * repeated Q times (RepeatedParts); Q = 1 without. S^Q is the map over the whole period, its multipliers are those of
    * S to the power of Q. (doc/theory/floquet.md)
+   *
+   * Controls keep their values: increments have none, neither do images. Each would be a multiplier 1.
    */
   class SectionMap
   {
@@ -82,7 +84,9 @@ namespace samara
   private:
     RepeatedParts       parts;
     std::vector<double> scale;
+    const std::vector<unsigned int> kept; ///< entries of an increment that belong to controls
 
+    void                keep_controls(double *x) const;
     void                keep(const State &start);
     bool                step_nearer(const std::vector<double> &x);
     std::vector<double> solve_for_correction(const std::vector<double> &lacking);

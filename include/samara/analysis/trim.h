@@ -77,7 +77,7 @@ namespace samara
    * targets, means or harmonics of probes over a period (the paper, section 4.4; doc/theory/trim.md).
    *
    *   Newton-Krylov  periodicity and targets at once, (x(T) − x(0), ȳ − y*) = 0 for (x(0), u), by Newton's method with
-   *                  GMRES on differences of the map over a period
+   *                  GMRES on products with the exact tangent of a period, or where it has none, differences
    *   discrete       lets the motion settle for some turns, corrects u ← u − J⁻¹(ȳ − y*), and J by Broyden's update
    *   auto-pilot     u̇ = −(1/τ) J⁻¹(ȳ − y*), ȳ over the last period
    *
@@ -105,6 +105,7 @@ namespace samara
     {
       std::vector<double>   controls, averages; ///< SI
       double                turns       = 0;
+      unsigned int          products    = 0; ///< with the exact tangent of a turn
       double                periodicity = 0; ///< largest gap of the orbit, in scales
       double                miss        = 0; ///< of the worst target, in scales
       unsigned int          iterations  = 0;

@@ -59,7 +59,8 @@ namespace samara
     State                           state; ///< at the start of the next period
     Look                            best;
     std::optional<Table>            history;
-    unsigned int                    n_looks = 0;
+    unsigned int                    n_looks     = 0;
+    bool                            has_tangent = true; ///< of the motion over a turn, exact
 
     std::vector<PeriodAverage> find_targets();
     void                       find_controls();
@@ -88,6 +89,12 @@ namespace samara
     VectorX residual(const Look &look) const;
     State   moved(const State &from, const VectorX &x, double factor) const;
     VectorX newton_step(const Look &now, const VectorX &r, double forcing);
+    /** @name Products with the Jacobian of residual() @{ */
+    VectorX by_difference(const Look &now, const VectorX &r, const VectorX &direction);
+    VectorX by_tangent(const VectorX &direction);
+    /** @} */
+    /** x with J x = −r to @p forcing |r|, or as near as <Most products> lead. */
+    VectorX solve(const std::function<VectorX(const VectorX &)> &product, const VectorX &r, double forcing) const;
     /** ∂ȳ/∂u of settled motions. */
     Eigen::MatrixXd control_matrix(const Look &now);
     VectorX         solve(const Eigen::MatrixXd &J, const VectorX &y) const;

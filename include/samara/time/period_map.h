@@ -19,6 +19,7 @@ namespace samara
     double       spectral_radius  = 1;  ///< of the same, at infinite frequency
     double       newton_tolerance = 1e-12;
     unsigned int max_iterations   = 50;
+    double       tangent_tolerance = 1e-13; ///< of the linear equations of each step, see StepTangent::tolerance
   };
 
 
@@ -100,7 +101,11 @@ namespace samara
     /** Products with the matrix of stages in all applications so far. */
     unsigned int n_products() const;
 
-    unsigned int n_applied = 0; ///< steps through which increments were taken so far
+    unsigned int n_applied    = 0; ///< steps through which increments were taken so far
+    unsigned int n_iterations = 0; ///< of Newton's method, of all steps so far
+
+    /** Of the integrators whose steps are kept. */
+    unsigned int n_factorizations() const;
 
   private:
     const System                                 &system;
@@ -116,7 +121,7 @@ namespace samara
       return settings.period / settings.n_steps;
     }
     std::unique_ptr<StageIntegrator> make_integrator() const;
-    void                             step(StageIntegrator &integrator, State &state) const;
+    void                             step(StageIntegrator &integrator, State &state);
     std::vector<double>              correction_of_velocities(const State &state, const double *x, double factor);
   };
 } // namespace samara

@@ -40,10 +40,13 @@ namespace samara
 
     /**
      * Replace the increment at the start of the step by that at its end.
-     * @throws NotConverged if the linear equations of the stages cannot be solved to 1e-10, as where the factors are of
-     * other rows left out, or something prescribed is not smooth.
+     * @throws NotConverged if the linear equations of the stages cannot be solved to 1e-10 or ten times the tolerance,
+     * as where the factors are of other rows left out, or something prescribed is not smooth.
      */
     void apply(double *x);
+
+    /** Relative residual of the linear equations of the stages that is enough; less is round-off. */
+    double tolerance = 1e-13;
 
     unsigned int n_products = 0; ///< with the matrix of the stages, in all applications so far
 
