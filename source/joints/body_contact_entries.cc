@@ -321,6 +321,11 @@ namespace samara
         coordinates.push_back(coordinate + i);
         multipliers.push_back(first_multiplier + i);
       }
+    // a root is found on its other branch, too: a disc that has lain flat, a ball behind the centre, would touch
+    // nothing
+    for (unsigned int i = 0; i < n_measures(); ++i)
+      if (measures[i].is_root)
+        model->lengths[coordinate + i] = measures[i].start;
     for (unsigned int i = n_measures(); i < names.size(); ++i)
       layout.nonholonomic.push_back(first_multiplier + i);
     layout.couple(own_block, {{frame_a.node}, {frame_b.node}}, coordinates, multipliers);

@@ -4,6 +4,8 @@
 // a rattleback that rolls without slip, integrated by a program of its own from the equations of Kane & Levinson
 // (Int. J. Non-Linear Mech. 17 (1982) 175) in body axes, by Runge and Kutta with 1e-4 s, its energy constant to 1e-10.
 
+#include <samara/base/errors.h>
+
 #include <gtest/gtest.h>
 
 #include "contact_motion.h"
@@ -256,7 +258,7 @@ TEST(Ellipsoids, Rattleback)
   const double reference[] = {-4.987820, -4.906228, -4.474265, -3.714099, -2.168907, -1.087212}; // at 0, 0.5, 1, …
   unsigned int n           = 0;
   double       most        = 0;
-  const auto m = contact_motion(bad.system, Tableau(3, 0.5), 2e-3, 2.5, [&](const State &state, const StepResult &) {
+  const auto   m = contact_motion(bad.system, Tableau(3, 0.5), 2e-3, 2.5, [&](const State &state, const StepResult &) {
     if (std::abs(state.time - 0.5 * (n + 1)) < 1e-9)
       most = std::max(most, std::abs(spin_of(state)(2) - reference[++n]));
   });
@@ -265,4 +267,43 @@ TEST(Ellipsoids, Rattleback)
   EXPECT_LT(m.drift, 1e-9);
   EXPECT_GE(m.least_loss, -1e-14);
   EXPECT_LT(spin_of(contact_motion(good.system, Tableau(3, 0.5), 2e-3, 0.5).state)(2) / 5 - 1, 0.02);
+}
+
+
+
+// Where the distance is a root, the other branch of it would let a disc that falls flat, or a ball that crosses the
+// centre of a hollow one, go through the wall: steps that lead there have no solution.
+TEST(Ellipsoids, RootsStayOnTheirBranch)
+{
+  const std::vector<std::string> models = {
+    model(rigid_body(
+            "a",
+            "set Mass = 1\n set Inertia = 2.5e-3, 2.5e-3, 5e-3\n set Rotation = 0, 0.4, 0\n set Position = 0, 0, " +
+              number_of(0.1 * std::sin(0.4)) + "\n"),
+          on_floor("ellipsoid on plane",
+                   "a.centre",
+                   "set Stiffness = 1e5\n set Damping = 100\n set Semi-axes = 0.1, 0.1, 0\n"),
+          gravity),
+    model(
+      ball("a", 0.1, {0.5, 0, 0}, {-3, 0, 0}, {0, 0, 0}),
+      joint(
+        "bowl",
+        "ball on ball",
+        "set Body A = ground\n set Body B = a.centre\n set Position = 0, 0, 0\n set Radius = 0.1\n set Radius A = 1\n"
+        " set Side = inside\n set Stiffness = 1e5\n"))};
+  for (const auto &text : models)
+    {
+      const Scene scene(text);
+      EXPECT_THROW(contact_motion(scene.system, Tableau(2, 0.5), 2e-3, 2.), NotConverged);
+    }
+  // a bit off the centre it goes across, and comes back from the wall on the other side
+  const Scene off(
+    model(ball("a", 0.1, {0.5, 0.01, 0}, {-3, 0, 0}, {0, 0, 0}),
+          joint("bowl",
+                "ball on ball",
+                "set Body A = ground\n set Body B = a.centre\n set Position = 0, 0, 0\n set Radius = 0.1\n"
+                " set Radius A = 1\n set Side = inside\n set Stiffness = 1e6\n")));
+  const auto m = contact_motion(off.system, Tableau(2, 1.), 2e-3, 0.6);
+  EXPECT_LT(m.drift, 1e-11);
+  EXPECT_GT(velocity_of(m.state)(0), 2.9);
 }
