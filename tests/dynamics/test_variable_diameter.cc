@@ -1,4 +1,5 @@
-// The shipped blade of a rotor of variable diameter: forces and energy while the nut on its jackscrew draws it in.
+// Shipped models with sliding joints: the blade of a rotor of variable diameter, forces and energy while the nut on its
+// jackscrew draws it in; a carriage on a boom beside one with the classical joint.
 //
 // References: m Ω² r of the blade's centre (17.1 kg, 2.667 m to 1.372 m at 20 rad/s: 18.24 kN to 9.38 kN); the Coriolis
 // moment 2 Ω v m r; the statics of a screw.
@@ -49,4 +50,38 @@ TEST(VariableDiameter, ForcesOfStrapAndScrew)
   EXPECT_LT(tube, 0.01 * end); // nothing but its own weight
   EXPECT_NEAR(std::abs(sum_of_moments / sum_of_reference), 1, 0.02);
   EXPECT_LT(std::abs(dynamics.budget.balance()), 1e-8 * dynamics.budget.kinetic);
+}
+
+
+
+// Where the carriage stands still it is as low as the cantilever bends under it and its own weight, and the drive holds
+// m g w'; the classical joint goes straight on.
+TEST(SlidingBoom, FollowsTheBeam)
+{
+  Scene        scene("prm/benchmarks/sliding_boom.prm", {"Constants/sag = 1e-2", "Dynamic/End time = 1.5 s"});
+  const double g = 9.80665, P = 2 * g, q = 0.5 * g, L = 2, S = 1.8, EI = P * L * L / (3 * 1e-2);
+  const double w      = P * S * S * S / (3 * EI) + q * S * S * (6 * L * L - 4 * L * S + S * S) / (24 * EI);
+  const double slope  = P * S * S / (2 * EI) + q * S * (3 * L * L - 3 * L * S + S * S) / (6 * EI);
+  double       height = 0, force = 0, root = 0, classical = 0, n = 0;
+  auto        &dynamics = scene.analysis<DynamicAnalysis>();
+  dynamics.observer     = [&](const State &state) {
+    const auto value = [&](const std::string &probe) { return scene.input.model.probe(probe).value(state); };
+    classical        = std::max({classical,
+                                 std::abs(value("classical carriage.position z")),
+                          state.time > 1.01 ? std::abs(value("classical slide.force 3")) : 0.});
+    if (state.time < 1.01)
+      return;
+    height += value("carriage.position z");
+    force += value("slide.force 1");
+    root += value("boom.start.moment 2");
+    ++n;
+  };
+  scene.equilibrium();
+  dynamics.start(scene.context);
+  dynamics.run(scene.context);
+  EXPECT_NEAR(height / n, -w, 0.01 * w);
+  EXPECT_NEAR(force / n, -P * slope, 0.02 * P * slope);
+  EXPECT_NEAR(root / n, P * S + q * L * L / 2, 0.01 * P * S);
+  EXPECT_LT(classical, 1e-6);
+  EXPECT_LT(std::abs(dynamics.budget.balance()), 1e-9 * P);
 }
