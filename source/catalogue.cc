@@ -98,6 +98,7 @@ namespace samara
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
     joints.add<BallOnPlane>("ball on plane", "contact of a ball and a plane, with friction");
     joints.add<BallOnBall>("ball on ball", "contact of two balls, or of a ball in a hollow one, with friction");
+    joints.add<EllipsoidOnPlane>("ellipsoid on plane", "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
     joints.add<BallOnCylinder>("ball on cylinder", "contact of a ball and a cylinder, or of a ball in a tube, with friction");
 
     Registry<Item> loads;

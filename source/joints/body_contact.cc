@@ -6,21 +6,35 @@
 
 namespace samara
 {
+  namespace
+  {
+    /** Three slips, as many rates of rolling, and one about the normal. */
+    constexpr unsigned int max_rates = 7;
+  } // namespace
+
+
+
   /** The place of the contact and the directions of its slips at one configuration; inertial components. */
   template <typename Number>
   struct BodyContact::Geometry
   {
+    const BodyContact          &contact;
     const PairValues<Number>   &pair;
     Vec3<Number>                from_a, from_b; ///< to the contact from the origins of the frames [m]
     std::array<Vec3<Number>, 3> t;
+    Vec3<Number>                n; ///< normal of the surfaces
 
     Geometry(const BodyContact &contact, const PairValues<Number> &pair)
-      : pair(pair)
+      : contact(contact)
+      , pair(pair)
     {
       const Vec3<Number> E3 = pair.A.col(2), &gap = pair.gap;
-      if (contact.surface == Surface::plane)
+      if (contact.surface == Surface::plane || contact.surface == Surface::ellipsoid)
         {
+          n      = E3;
           from_b = Number(-contact.radius) * E3;
+          if (contact.surface == Surface::ellipsoid)
+            from_b -= lowest();
           from_a = gap + from_b;
           t      = {{pair.A.col(0), pair.A.col(1), Vec3<Number>::Zero()}};
           return;
@@ -29,8 +43,8 @@ namespace samara
       const double R             = contact.direction < 0 ? contact.radius : -contact.radius,
                    part          = contact.radius_a / (contact.radius_a + R);
       const bool         is_ball = contact.surface == Surface::ball;
-      const Vec3<Number> radial  = is_ball ? gap : Vec3<Number>(gap - E3 * product(E3, gap)),
-                         n       = radial / std::sqrt(product(radial, radial));
+      const Vec3<Number> radial  = is_ball ? gap : Vec3<Number>(gap - E3 * product(E3, gap));
+      n                          = radial / std::sqrt(product(radial, radial));
       from_b                     = Number(part - 1) * radial;
       from_a                     = gap + from_b;
       if (is_ball)
@@ -43,15 +57,20 @@ namespace samara
         t = {{cross(E3, n), E3, Vec3<Number>::Zero()}};
     }
 
-    /** Add λ_i b_i, the forces of multipliers of the slips, to those of the two nodes. */
+    /** Add λ_i b_i, the forces and moments of multipliers of what is resisted, to those of the two nodes. */
     void
-    add_forces(const unsigned int n, const Number *lambda, Number *at_a, Number *at_b) const
+    add_forces(const Number *lambda, Number *at_a, Number *at_b) const
     {
-      Vec3<Number> f = Vec3<Number>::Zero();
-      for (unsigned int i = 0; i < n; ++i)
+      const unsigned int first_roll = contact.n_slips, first_turn = first_roll + contact.n_rolls;
+      Vec3<Number>       f = Vec3<Number>::Zero(), m = Vec3<Number>::Zero();
+      for (unsigned int i = 0; i < contact.n_slips; ++i)
         f += lambda[i] * t[i];
-      const Vec3<Number> none = Vec3<Number>::Zero(), m_a = pair.in_a(Vec3<Number>(-cross(from_a, f))),
-                         m_b = pair.in_b(cross(from_b, f));
+      for (unsigned int i = 0; i < contact.n_rolls; ++i)
+        m += lambda[first_roll + i] * t[i];
+      if (contact.n_turns > 0)
+        m += lambda[first_turn] * n;
+      const Vec3<Number> none = Vec3<Number>::Zero(), m_a = pair.in_a(Vec3<Number>(-cross(from_a, f) - m)),
+                         m_b = pair.in_b(Vec3<Number>(cross(from_b, f) + m));
       pair.a.add_force(pair.q, Vec3<Number>(-f), none, at_a);
       pair.b.add_force(pair.q, f, none, at_b);
       for (unsigned int i = 0; i < 3; ++i)
@@ -62,6 +81,23 @@ namespace samara
     }
 
   private:
+    /** Σ a_j² m_j B_j/h, from the lowest point of the ellipsoid to its centre. */
+    Vec3<Number>
+    lowest() const
+    {
+      const Mat3<Number> B = pair.b.triad(pair.q);
+      Vec3<Number>       x = Vec3<Number>::Zero();
+      Number             h_2(0);
+      for (unsigned int j = 0; j < 3; ++j)
+        {
+          const Number m   = pair.cosines(2, j);
+          const double a_2 = contact.semi_axes(j) * contact.semi_axes(j);
+          x += (a_2 * m) * B.col(j);
+          h_2 += a_2 * m * m;
+        }
+      return x / std::sqrt(h_2);
+    }
+
     static Number
     product(const Vec3<Number> &a, const Vec3<Number> &b)
     {
@@ -71,47 +107,47 @@ namespace samara
 
 
 
-  /** The rows of the distance, and those of the slips. */
+  /** The rows of the distance, and those of what is resisted. */
   class BodyContact::Constraints : public Evaluated<BodyContact::Constraints, Constraint>
   {
   public:
     explicit Constraints(const BodyContact &contact)
       : contact(contact)
-      , n(contact.n_measures)
-      , n_all(contact.n_measures + contact.n_slips)
+      , n(contact.n_measures())
+      , n_all(contact.n_measures() + contact.n_rates())
     {}
 
     template <typename Number>
     void
     residual_at(const Point<Number> &point, Number *r) const
     {
-      const PairValues<Number> pair(contact.frame_a, contact.frame_b, point.q, false);
+      const PairValues<Number> pair   = values(point.q);
       const Block             &block  = contact.own_block;
       const Number *const      lambda = point.multipliers + contact.first_multiplier;
-      const Number             d      = value(point, n - 1);
       PairForces<Number>       forces;
       for (unsigned int i = 0; i < n; ++i)
         {
-          const PairFunction function = measured(i);
-          r[block.row(12 + n_all + i)] += function_value(function, pair, point, i);
-          if (!is_radius(i))
+          const Measure &m      = contact.measures[i];
+          const double   factor = m.is_root ? 0.5 / m.start : 1.;
+          r[block.row(12 + n_all + i)] += factor * gap(m, i, pair, point);
+          if (m.function)
+            forces.add(*m.function, pair, Number(factor) * lambda[i]);
+          if (m.is_root)
             {
-              forces.add(function, pair, lambda[i]);
-              r[block.row(12 + i)] -= lambda[i];
+              r[block.row(12 + i)] -= lambda[i] * value(point, i) / m.start;
+              for (const auto &[j, w] : m.squares)
+                r[block.row(12 + j)] += w * lambda[i] * value(point, j) / m.start;
               continue;
             }
-          r[block.row(12 + i)] -= lambda[i] * d / reference();
-          if (contact.surface == Surface::ball)
-            forces.add(function, pair, Number(0.5 / reference()) * lambda[i]);
-          else
-            for (const unsigned int j : {0, 1})
-              r[block.row(12 + j)] += lambda[i] * value(point, j) / reference();
+          r[block.row(12 + i)] -= lambda[i];
+          if (m.less >= 0)
+            r[block.row(12 + m.less)] -= lambda[i];
         }
       forces.add_to_nodes(pair, r + block.row(0), r + block.row(6));
-      if (contact.n_slips == 0)
+      if (n_all == n)
         return;
       const Geometry<Number> geometry(contact, pair);
-      geometry.add_forces(contact.n_slips, lambda + n, r + block.row(0), r + block.row(6));
+      geometry.add_forces(lambda + n, r + block.row(0), r + block.row(6));
       for (unsigned int i = n; i < n_all; ++i)
         r[block.row(12 + i)] -= lambda[i];
     }
@@ -123,64 +159,49 @@ namespace samara
     const BodyContact &contact;
     const unsigned int n, n_all;
 
-    double
-    reference() const
+    template <typename Number>
+    PairValues<Number>
+    values(const Number *q) const
     {
-      return contact.start(2);
+      return {contact.frame_a, contact.frame_b, q, contact.surface == Surface::ellipsoid};
     }
 
-    /** Whether row i is the last one, (… − d²)/(2 d₀). */
-    bool
-    is_radius(const unsigned int i) const
-    {
-      return contact.surface != Surface::plane && i + 1 == n;
-    }
-
-    PairFunction
-    measured(const unsigned int i) const
-    {
-      return contact.surface == Surface::ball  ? PairFunction{PairFunction::squared_distance} :
-             contact.surface == Surface::plane ? PairFunction{PairFunction::gap, 2} :
-                                                 PairFunction{PairFunction::gap, i};
-    }
-
-    /** a, b, d themselves. */
+    /** The unknowns that measure, themselves. */
     template <typename Number>
     Number
     value(const Point<Number> &point, const unsigned int i) const
     {
-      return point.coordinates[contact.coordinate + i] + contact.start(i + 3 - n);
+      return point.coordinates[contact.coordinate + i] + contact.measures[i].start;
     }
 
+    /** What the row says, but for the factor of roots. */
     template <typename Number>
     Number
-    function_value(const PairFunction       &function,
-                   const PairValues<Number> &pair,
-                   const Point<Number>      &point,
-                   const unsigned int        i) const
+    gap(const Measure &m, const unsigned int i, const PairValues<Number> &pair, const Point<Number> &point) const
     {
-      const Number d = value(point, i);
-      if (!is_radius(i))
-        return function.value(pair) - d;
-      const Number square = contact.surface == Surface::ball ?
-                              function.value(pair) :
-                              value(point, 0) * value(point, 0) + value(point, 1) * value(point, 1);
-      return 0.5 / reference() * (square - d * d);
+      Number       sum = m.function ? m.function->value(pair) : Number(0);
+      const Number u   = value(point, i);
+      if (!m.is_root)
+        return sum - u - (m.less >= 0 ? value(point, m.less) : Number(0));
+      for (const auto &[j, w] : m.squares)
+        sum += w * value(point, j) * value(point, j);
+      return sum - u * u;
     }
 
-    void add_tangent_of_slips(const Point<double>      &point,
+    void add_tangent_of_measures(const Point<double> &point, SparseMatrix &K) const;
+    void add_tangent_of_rates(const Point<double>      &point,
                               const PairValues<double> &pair,
                               Matrix12                 &H,
                               SparseMatrix             &K) const;
 
-    /** The coefficients of the twists in a slip. */
+    /** The coefficients of the twists in a rate that is resisted. */
     Vector12
     coefficients(const Geometry<double> &geometry, const unsigned int i) const
     {
-      double unit[3] = {0, 0, 0};
-      unit[i]        = 1;
-      Vector12 b     = Vector12::Zero();
-      geometry.add_forces(contact.n_slips, unit, b.data(), b.data() + 6);
+      double unit[max_rates] = {};
+      unit[i]                = 1;
+      Vector12 b             = Vector12::Zero();
+      geometry.add_forces(unit, b.data(), b.data() + 6);
       return b;
     }
   };
@@ -190,50 +211,64 @@ namespace samara
   void
   BodyContact::Constraints::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    const PairValues<double> pair(contact.frame_a, contact.frame_b, point.q, false);
-    const Block             &block         = contact.own_block;
-    const double *const      lambda        = point.multipliers + contact.first_multiplier;
-    const auto               add_symmetric = [&](const unsigned int i, const unsigned int j, const double value) {
-      block.add_entry(i, j, value, K);
-      block.add_entry(j, i, value, K);
-    };
-    PairTangent twists(pair);
-    Matrix12    H = Matrix12::Zero();
+    const PairValues<double> pair   = values(point.q);
+    const Block             &block  = contact.own_block;
+    const double *const      lambda = point.multipliers + contact.first_multiplier;
+    PairTangent              twists(pair);
+    Matrix12                 H = Matrix12::Zero();
+    add_tangent_of_measures(point, K);
     for (unsigned int i = 0; i < n; ++i)
-      {
-        const unsigned int row = 12 + n_all + i;
-        if (is_radius(i))
-          {
-            add_symmetric(12 + i, row, -value(point, i) / reference());
-            block.add_entry(12 + i, 12 + i, -lambda[i] / reference(), K);
-          }
-        else
-          add_symmetric(12 + i, row, -1.);
-        if (is_radius(i) && contact.surface == Surface::cylinder)
-          {
-            for (const unsigned int j : {0, 1})
-              {
-                add_symmetric(12 + j, row, value(point, j) / reference());
-                block.add_entry(12 + j, 12 + j, lambda[i] / reference(), K);
-              }
-            continue;
-          }
-        const double factor = is_radius(i) ? 0.5 / reference() : 1.;
-        Vector12     g      = Vector12::Zero();
-        measured(i).add_gradient(pair, factor, g);
-        twists.add(measured(i), factor * lambda[i]);
-        block.add_border(row, g, K);
-      }
+      if (const Measure &m = contact.measures[i]; m.function)
+        {
+          const double factor = m.is_root ? 0.5 / m.start : 1.;
+          Vector12     g      = Vector12::Zero();
+          m.function->add_gradient(pair, factor, g);
+          twists.add(*m.function, factor * lambda[i]);
+          block.add_border(12 + n_all + i, g, K);
+        }
     twists.add_to(H);
-    if (contact.n_slips > 0)
-      add_tangent_of_slips(point, pair, H, K);
+    if (n_all > n)
+      add_tangent_of_rates(point, pair, H, K);
     block.add_twists(H, K);
   }
 
 
 
+  /** By the unknowns that measure. */
   void
-  BodyContact::Constraints::add_tangent_of_slips(const Point<double>      &point,
+  BodyContact::Constraints::add_tangent_of_measures(const Point<double> &point, SparseMatrix &K) const
+  {
+    const Block        &block         = contact.own_block;
+    const double *const lambda        = point.multipliers + contact.first_multiplier;
+    const auto          add_symmetric = [&](const unsigned int i, const unsigned int j, const double value) {
+      block.add_entry(i, j, value, K);
+      block.add_entry(j, i, value, K);
+    };
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const Measure     &m   = contact.measures[i];
+        const unsigned int row = 12 + n_all + i;
+        if (!m.is_root)
+          {
+            add_symmetric(12 + i, row, -1.);
+            if (m.less >= 0)
+              add_symmetric(12 + m.less, row, -1.);
+            continue;
+          }
+        add_symmetric(12 + i, row, -value(point, i) / m.start);
+        block.add_entry(12 + i, 12 + i, -lambda[i] / m.start, K);
+        for (const auto &[j, w] : m.squares)
+          {
+            add_symmetric(12 + j, row, w * value(point, j) / m.start);
+            block.add_entry(12 + j, 12 + j, w * lambda[i] / m.start, K);
+          }
+      }
+  }
+
+
+
+  void
+  BodyContact::Constraints::add_tangent_of_rates(const Point<double>      &point,
                                                  const PairValues<double> &pair,
                                                  Matrix12                 &H,
                                                  SparseMatrix             &K) const
@@ -252,9 +287,9 @@ namespace samara
     Frame            a = pair.a, b = pair.b;
     a.node = 0;
     b.node = 1;
-    Complex lambda[3];
-    for (unsigned int i = 0; i < contact.n_slips; ++i)
-      lambda[i] = point.multipliers[contact.first_multiplier + n + i];
+    Complex lambda[max_rates];
+    for (unsigned int i = n; i < n_all; ++i)
+      lambda[i - n] = point.multipliers[contact.first_multiplier + i];
     for (unsigned int j = 0; j < 12; ++j)
       {
         Complex q[24];
@@ -272,9 +307,9 @@ namespace samara
             for (unsigned int i = 0; i < 9; ++i)
               moved[3 + i] += Complex(0, epsilon * change.data()[i]);
           }
-        const PairValues<Complex> moved_pair(a, b, q, false);
+        const PairValues<Complex> moved_pair(a, b, q, contact.surface == Surface::ellipsoid);
         Complex                   forces[12] = {};
-        Geometry<Complex>(contact, moved_pair).add_forces(contact.n_slips, lambda, forces, forces + 6);
+        Geometry<Complex>(contact, moved_pair).add_forces(lambda, forces, forces + 6);
         for (unsigned int i = 0; i < 12; ++i)
           H(i, j) += forces[i].imag() / epsilon;
       }
@@ -285,23 +320,25 @@ namespace samara
   void
   BodyContact::Constraints::rates(const Point<double> &point, double *rates) const
   {
-    const PairValues<double> pair(contact.frame_a, contact.frame_b, point.q, false);
+    const PairValues<double> pair = values(point.q);
     const PairRates          change(pair, point.y);
     const double *const      coordinate_rates = point.rates + contact.coordinate;
     double *const            g                = rates + contact.first_multiplier;
     for (unsigned int i = 0; i < n; ++i)
       {
-        const double d = value(point, i);
-        if (!is_radius(i))
-          g[i] = measured(i).rate(pair, change) - coordinate_rates[i];
-        else if (contact.surface == Surface::ball)
-          g[i] = (0.5 * measured(i).rate(pair, change) - d * coordinate_rates[i]) / reference();
-        else
-          g[i] =
-            (value(point, 0) * coordinate_rates[0] + value(point, 1) * coordinate_rates[1] - d * coordinate_rates[i]) /
-            reference();
+        const Measure &m        = contact.measures[i];
+        const double   function = m.function ? m.function->rate(pair, change) : 0.;
+        if (!m.is_root)
+          {
+            g[i] = function - coordinate_rates[i] - (m.less >= 0 ? coordinate_rates[m.less] : 0.);
+            continue;
+          }
+        double sum = 0.5 * function - value(point, i) * coordinate_rates[i];
+        for (const auto &[j, w] : m.squares)
+          sum += w * value(point, j) * coordinate_rates[j];
+        g[i] = sum / m.start;
       }
-    if (contact.n_slips == 0)
+    if (n_all == n)
       return;
     const Geometry<double>          geometry(contact, pair);
     const Eigen::Map<const Vector6> y_a(point.y + 6 * pair.a.node), y_b(point.y + 6 * pair.b.node);
@@ -323,13 +360,16 @@ namespace samara
 
 
   Vector3
-  BodyContact::friction_on_b(const State &state) const
+  BodyContact::resistance_on_b(const State &state, const bool is_moment) const
   {
-    const PairValues<double> pair(frame_a, frame_b, state.q.data(), false);
+    const PairValues<double> pair(frame_a, frame_b, state.q.data());
     const Geometry<double>   geometry(*this, pair);
-    Vector3                  force = Vector3::Zero();
-    for (unsigned int i = 0; i < n_slips; ++i)
-      force -= state.multipliers[first_multiplier + n_measures + i] * geometry.t[i];
-    return pair.in_axes_of_a(force);
+    const double *const      lambda = &state.multipliers[first_multiplier + n_measures()];
+    Vector3                  sum    = Vector3::Zero();
+    for (unsigned int i = 0; i < (is_moment ? n_rolls : n_slips); ++i)
+      sum -= lambda[is_moment ? n_slips + i : i] * geometry.t[i];
+    if (is_moment && n_turns > 0)
+      sum -= lambda[n_slips + n_rolls] * geometry.n;
+    return pair.in_axes_of_a(sum);
   }
 } // namespace samara

@@ -122,6 +122,11 @@ namespace samara
             sticking_speed,
             "Slip below which friction is proportional to it; what should stick creeps with a part of it [m/s].",
             Double(0));
+    prm.add("Bristle stiffness",
+            bristle_stiffness,
+            "Of bristles that bend until they slip, in place of a sticking speed: what sticks does not creep [N/m].",
+            Double(0));
+    prm.add("Bristle damping", bristle_damping, "Of bristles that bend [N*s/m].", Double(0));
     if (turns)
       prm.add("Friction radius", radius, "Arm of the friction: the radius of the pin [m].", Double(0));
     if (with_preload)
@@ -134,11 +139,24 @@ namespace samara
   FrictionEntries::law(const Parameters &prm, const std::string &whose, Complaints &complaints) const
   {
     FrictionLaw law;
-    law.kinetic        = kinetic;
-    law.breakaway      = prm.is_set("Static friction") ? breakaway : kinetic;
-    law.stribeck_speed = stribeck_speed > 0 ? stribeck_speed : 1;
-    law.sticking_speed = sticking_speed;
-    if (sticking_speed == 0)
+    law.kinetic           = kinetic;
+    law.breakaway         = prm.is_set("Static friction") ? breakaway : kinetic;
+    law.stribeck_speed    = stribeck_speed > 0 ? stribeck_speed : 1;
+    law.sticking_speed    = sticking_speed;
+    law.bristle_stiffness = bristle_stiffness;
+    law.bristle_damping   = bristle_damping;
+    if (prm.is_set("Bristle stiffness") && bristle_stiffness == 0)
+      complaints.add(prm.where("Bristle stiffness"), whose + ": the <Bristle stiffness> must be above zero");
+    else if (bristle_damping > 0 && bristle_stiffness == 0)
+      complaints.add(prm.where("Bristle damping"), whose + ": a <Bristle damping> needs a <Bristle stiffness>");
+    if (law.has_bristles())
+      {
+        if (prm.is_set("Sticking speed"))
+          complaints.add(prm.where("Sticking speed"),
+                         whose + ": bristles stick; the <Sticking speed> has no place beside a <Bristle stiffness>");
+        law.sticking_speed = 0;
+      }
+    else if (sticking_speed == 0)
       complaints.add(prm.where("Sticking speed"), whose + ": the <Sticking speed> must be above zero");
     if (law.breakaway < law.kinetic)
       complaints.add(prm.where("Static friction"),
@@ -148,7 +166,7 @@ namespace samara
         if (stribeck_speed == 0)
           complaints.add(prm.where("Static friction"),
                          whose + ": a <Static friction> above the <Friction> needs a <Stribeck speed> above zero");
-        else if (stribeck_speed < 10 * sticking_speed)
+        else if (!law.has_bristles() && stribeck_speed < 10 * sticking_speed)
           complaints.add(prm.where("Stribeck speed"),
                          whose + ": the <Stribeck speed> must be ten times the <Sticking speed> at least, or the peak "
                                  "of the friction is lost; a hundred times is better");

@@ -146,6 +146,15 @@ namespace samara
 
 
   void
+  FreeMotion::add_bristles(Model &model, const std::string &joint)
+  {
+    if (friction.is_given() && friction_law.has_bristles())
+      bristles = model.add_state(joint + "." + name + " bristles", "m", 0., 1.);
+  }
+
+
+
+  void
   Joint::add_friction(Layout &layout)
   {
     for (const auto *m : used)
@@ -153,10 +162,12 @@ namespace samara
         {
           Layout::Friction friction;
           friction.coordinates = {static_cast<unsigned int>(m->coordinate)};
-          friction.arm         = m->is_angle() ? m->friction.radius : 1.;
-          friction.law         = m->friction_law;
-          friction.preload     = m->friction.preload;
-          friction.name        = "joint " + name + ", friction of the " + m->name;
+          if (m->bristles >= 0)
+            friction.states = {static_cast<unsigned int>(m->bristles)};
+          friction.arm     = m->is_angle() ? m->friction.radius : 1.;
+          friction.law     = m->friction_law;
+          friction.preload = m->friction.preload;
+          friction.name    = "joint " + name + ", friction of the " + m->name;
           for (unsigned int i = 0; i < locked.size(); ++i)
             if (locked[i].function.kind == PairFunction::gap)
               friction.multipliers.push_back(first_multiplier + i);

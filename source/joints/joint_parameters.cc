@@ -480,6 +480,7 @@ namespace samara
           use_coordinate(m, motion.name);
         if (motion.friction.is_given())
           check_friction(m, motion);
+        motion.add_bristles(m, name);
       }
   }
 

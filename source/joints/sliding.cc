@@ -102,6 +102,7 @@ namespace samara
     frame_b          = m.frame_at(b, at.x[0], E);
     free.front().check_parameters(parameters.subsection("displacement"), m.complaints);
     use_coordinate(m, "displacement");
+    free.front().add_bristles(m, name);
   }
 
 

@@ -7,10 +7,78 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace samara
 {
+  namespace
+  {
+    using Values = std::vector<double>;
+
+    double
+    largest_of(const Values &values)
+    {
+      double result = 0;
+      for (const double value : values)
+        result = std::max(result, std::abs(value));
+      return result;
+    }
+
+
+
+    /** The derivative of @p f at zero by central differences of fourth order. */
+    template <typename Function>
+    Values
+    difference(const double dt, const Function &f)
+    {
+      Values result;
+      for (const auto &[steps, weight] : std::array<std::pair<double, double>, 4>{{{-2, 1}, {-1, -8}, {1, 8}, {2, -1}}})
+        {
+          const Values values = f(steps * dt);
+          result.resize(values.size());
+          for (std::size_t i = 0; i < values.size(); ++i)
+            result[i] += weight * values[i] / (12 * dt);
+        }
+      return result;
+    }
+
+
+
+    /**
+     * The same where the scale of @p f is not known, nor whether it has a corner nearby: @p dt is made shorter as long
+     * as that brings two differences nearer to each other; behind that is round-off.
+     */
+    template <typename Function>
+    Values
+    limit_of_differences(double dt, const Function &f)
+    {
+      constexpr unsigned int most_differences = 11;
+      constexpr double       shorter = 0.1, precision = 1e-10;
+      Values                 last = difference(dt, f), best = last;
+      double                 least = std::numeric_limits<double>::infinity();
+      for (unsigned int i = 0; i < most_differences; ++i)
+        {
+          dt *= shorter;
+          Values next   = difference(dt, f);
+          double change = 0;
+          for (std::size_t j = 0; j < next.size(); ++j)
+            change = std::max(change, std::abs(next[j] - last[j]));
+          if (change >= least)
+            break;
+          least = change;
+          best  = next;
+          if (change <= precision * largest_of(next))
+            break;
+          last = std::move(next);
+        }
+      return best;
+    }
+  } // namespace
+
+
+
   Projection::Projection(const System &system)
     : system(system)
     , K(system.layout.pattern)
@@ -255,7 +323,6 @@ namespace samara
     Point<double> moved = state.point();
     moved.q             = moved_q.data();
     moved.coordinates   = moved_coordinates.data();
-    moved.time += dt;
     if (system.layout.n_states > 0)
       {
         moved_states = state.states;
@@ -352,7 +419,8 @@ namespace samara
     for (int i = 0; i < system.layout.of_multiplier(0); ++i)
       b[i] = -r[i];
 
-    // Ġ y by differences of fourth order over a time in which nothing turns by more than a thousandth
+    // Ġ y by differences of fourth order over a time in which nothing turns by more than a thousandth; with it, what
+    // changes with time alone, however fast that is
     double fastest = 1e-3;
     for (const auto node : bound)
       fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[6 * node + 3]).norm());
@@ -360,12 +428,35 @@ namespace samara
       fastest = std::max(fastest, std::abs(rate));
     const double dt = 1e-3 / fastest;
     if (system.layout.n_multipliers > 0)
-      for (const auto &[steps, weight] : std::array<std::pair<double, double>, 4>{{{-2, 1}, {-1, -8}, {1, 8}, {2, -1}}})
-        {
-          constraint_rates_after(state, steps * dt, later);
-          for (unsigned int i = 0; i < later.size(); ++i)
-            b[system.layout.of_multiplier(i)] -= weight * later[i] / (12 * dt);
-        }
+      {
+        const auto on_path = difference(dt, [&](const double by) {
+          constraint_rates_after(state, by, later);
+          return later;
+        });
+        for (unsigned int i = 0; i < later.size(); ++i)
+          b[system.layout.of_multiplier(i)] -= on_path[i];
+        const auto later_at = [&](const double by) {
+          Point<double> point = state.point();
+          point.time += by;
+          moved_state_rates.resize(system.layout.n_states);
+          system.state_rates(point, moved_state_rates.data());
+          point.state_rates = moved_state_rates.data();
+          return point;
+        };
+        const auto is_driven = [&](const double by) {
+          system.constraint_time_rates(later_at(by), later.data());
+          return largest_of(later) > 0;
+        };
+        if (is_driven(0) || is_driven(-dt) || is_driven(dt) || is_driven(-2 * dt) || is_driven(2 * dt))
+          {
+            const auto in_time = limit_of_differences(dt, [&](const double by) {
+              constraint_rates(later_at(by), later);
+              return later;
+            });
+            for (unsigned int i = 0; i < later.size(); ++i)
+              b[system.layout.of_multiplier(i)] -= in_time[i];
+          }
+      }
     for (const auto i : system.released_multipliers())
       b[system.layout.of_multiplier(i)] = 0;
     // rates of states are known, and in Ġ y already

@@ -72,7 +72,7 @@ namespace samara
         strain_increment[i] += tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
     const double square = 2 * system.strain_energy(strain_increment.data());
     const double factor = h * h / (2 * (2. * s - 1)), raw = square + kinetic(state.y);
-    result.dissipated = tableau.alpha * factor * raw;
+    result.dissipated += tableau.alpha * factor * raw;
     result.indicator  = factor * (wants_estimates ? square + kinetic(admissible_velocities(state)) : raw);
   }
 

@@ -4,6 +4,8 @@
 //
 // The normal force of a stop is that of the stage. Multipliers of a single stage are good for three stages; for one and
 // two their mean over the step is better.
+//
+// Bristles (stage_bristles.h) have states of first order, which follow from the slips: they are set, not solved for.
 
 #include <samara/time/stage_integrator.h>
 
@@ -70,6 +72,17 @@ namespace samara
       of_normal.setZero(s, n);
     normal_forces(device, values, h, normal, slopes != nullptr ? &of_normal : nullptr);
     force.setZero();
+    if (!friction.states.empty())
+      {
+        const BristleForces f   = bristles_of(device, values, normal, h, slopes != nullptr);
+        force.head(s * n_slips) = arm * f.force;
+        if (slopes != nullptr)
+          {
+            slopes->topRows(s * n_slips) = arm * f.by_normal * of_normal;
+            slopes->topLeftCorner(s * n_slips, s * n_slips) += arm * arm * f.by_slip;
+          }
+        return;
+      }
     for (unsigned int k = 0; k < s; ++k)
       {
         double square = 0;
@@ -92,13 +105,74 @@ namespace samara
 
 
 
+  BristleForces
+  StageIntegrator::bristles_of(const Device &device,
+                               const double *values,
+                               const double *normal,
+                               const double  h,
+                               const bool    with_slopes) const
+  {
+    const Layout::Friction &friction = system.layout.frictions[device.number];
+    Eigen::VectorXd         start(friction.states.size()), slips(tableau.s * friction.states.size());
+    for (unsigned int i = 0; i < start.size(); ++i)
+      start(i) = states_at_start[friction.states[i]];
+    for (unsigned int i = 0; i < slips.size(); ++i)
+      slips(i) = friction.arm * values[i];
+    return bristle_forces(friction.law, tableau, start, slips, normal, h, with_slopes);
+  }
+
+
+
+  BristleForces
+  StageIntegrator::bristles_now(const Device &device, const double h) const
+  {
+    std::array<double, 30> values;
+    double                 normal[3];
+    for (unsigned int p = 0; p < device.n_ports; ++p)
+      for (unsigned int k = 0; k < tableau.s; ++k)
+        values[tableau.s * p + k] = port_value(ports[device.first_port + p], k);
+    normal_forces(device, values.data(), h, normal, nullptr);
+    return bristles_of(device, values.data(), normal, h, false);
+  }
+
+
+
+  void
+  StageIntegrator::move_bristles(const double h)
+  {
+    for (const Device &device : devices)
+      {
+        if (!device.is_friction || system.layout.frictions[device.number].states.empty())
+          continue;
+        const auto         &numbers = system.layout.frictions[device.number].states;
+        const BristleForces f       = bristles_now(device, h);
+        for (unsigned int i = 0; i < numbers.size(); ++i)
+          for (unsigned int k = 0; k < tableau.s; ++k)
+            {
+              Stage &stage                                       = stages[k];
+              stage.states[numbers[i]]                           = f.deflection(tableau.s * i + k);
+              stage.state_rates[numbers[i]]                      = f.rate(tableau.s * i + k);
+              stage.residual[system.layout.of_state(numbers[i])] = 0;
+            }
+      }
+  }
+
+
+
   void
   StageIntegrator::account_for_friction(const double h, StepResult &result) const
   {
     const auto &frictions = system.layout.frictions;
     result.creep.assign(frictions.size(), 0.);
     for (const Device &device : devices)
-      if (device.is_friction)
+      if (device.is_friction && !frictions[device.number].states.empty())
+        {
+          const BristleForces f = bristles_now(device, h);
+          result.friction_loss += f.loss;
+          result.work_of_loads -= f.elastic; // a potential
+          result.dissipated += f.dissipated;
+        }
+      else if (device.is_friction)
         for (unsigned int k = 0; k < tableau.s; ++k)
           {
             const Layout::Friction &friction = frictions[device.number];

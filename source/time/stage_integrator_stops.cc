@@ -77,6 +77,7 @@ namespace samara
       return;
     if (devices.empty())
       make_devices();
+    states_at_start = state.states;
     gaps.resize(layout.stops.size());
     stop_forces_now.resize(gaps.size());
     for (unsigned int i = 0; i < gaps.size(); ++i)
@@ -138,6 +139,7 @@ namespace samara
             for (unsigned int k = 0; k < tableau.s; ++k)
               stages[k].residual[ports[p].row] += ports[p].side * device_forces_now(tableau.s * p + k);
       }
+    move_bristles(h);
   }
 
 

@@ -91,6 +91,9 @@ namespace samara
         changes.push_back({"Static friction", "0.6", sticks});
         changes.push_back({"Stribeck speed", "0.8", sticks});
         changes.push_back({"Sticking speed", "0.01", slips});
+        changes.push_back({"Bristle stiffness", "300", slips});
+        slips.push_back(path + "Bristle stiffness = 200");
+        changes.push_back({"Bristle damping", "20", slips});
       }
     for (auto &change : changes)
       change.entry = motion + " / " + change.entry;
@@ -104,8 +107,9 @@ namespace samara
     const std::string              path    = object + "/";
     const std::vector<std::string> bounces = {path + "Restitution = 0.5", path + "Impact speed = 1"},
                                    slips   = {path + "Friction = 0.3"};
-    std::vector<std::string> sticks        = slips;
+    std::vector<std::string> sticks = slips, bends = slips;
     sticks.insert(sticks.end(), {path + "Static friction = 0.5", path + "Stribeck speed = 0.5"});
+    bends.push_back(path + "Bristle stiffness = 200");
     return {{"Body A", "ground"},
             {"Body B", "b.other"},
             {"Axis 1", "0.3, 1, 0.2", slips},
@@ -118,7 +122,11 @@ namespace samara
             {"Friction", "0.4", slips},
             {"Static friction", "0.6", sticks},
             {"Stribeck speed", "0.8", sticks},
-            {"Sticking speed", "0.01", slips}};
+            {"Sticking speed", "0.01", slips},
+            {"Bristle stiffness", "300", slips},
+            {"Bristle damping", "20", bends},
+            {"Rolling friction", "0.2"},
+            {"Turning friction", "0.2"}};
   }
 
   inline Changes

@@ -97,7 +97,7 @@ TEST_F(Catalogued, AllKinds)
                                    "knife edge",
                                    "ball on plane",
                                    "ball on ball",
-                                   "ball on cylinder",
+                                   "ball on cylinder", "ellipsoid on plane",
                                    "support",
                                    "distributing",
                                    "gravity",
@@ -238,6 +238,18 @@ TEST_F(Catalogued, Contacts)
               "it.gap, it.force",
               joined(changes_of_contact("Joints/it"),
                      {{{"Axis", "0.3, 1, 0.2"}, {"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}}}));
+  const std::vector<std::string> turned = {"Joints/it/Axis on B = 0.2, 0.3, 1", "Joints/it/Axis 1 on B = 1, 0, 0.1"};
+  check_joint("ellipsoid on plane",
+              "    set Axis = 1, 2, -1\n    set Position = 0.9, 0.3, 0.3\n    set Semi-axes = 0.15, 0.2, 0.1\n    set Rounding = 0.05"
+              "\n    set Stiffness = 100\n    set Friction = 0",
+              "it.gap, it.force",
+              joined(changes_of_contact("Joints/it"),
+                     {{{"Axis", "0.3, 1, 0.2"},
+                       {"Position", "0.9, 0.31, 0.3"},
+                       {"Semi-axes", "0.15, 0.21, 0.1"},
+                       {"Rounding", "0.06"},
+                       {"Axis on B", "0, 1, 1", turned},
+                       {"Axis 1 on B", "0, 1, 0", turned}}}));
   const Changes other = {{"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}, {"Radius A", "0.12"}, {"Side", "inside", {}, true}};
   check_joint("ball on ball",
               "    set Position = 0.9, 0.3, 0.3\n    set Radius A = 0.1" + entries,

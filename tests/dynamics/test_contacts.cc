@@ -138,3 +138,35 @@ TEST(Contacts, StepsInAllOrders)
   again.set_numbers(contacts.to_numbers());
   EXPECT_EQ(again.to_numbers(), contacts.to_numbers());
 }
+
+
+
+// The shipped rotor that is braked: a rigid blade on its hinge droops by g/(Ω² (e + 2 L/3)), and meets its stop where
+// that is 2 degrees; at rest the stop holds it with m g L/2, and its tip hangs lower than the hinge by the stop's and
+// the beam's bending.
+TEST(Contacts, DroopStop)
+{
+  Scene        scene("prm/rotorcraft/droop_stop.prm");
+  const double e = 0.15, L = 3.85, g = 9.80665, droop = 2 * M_PI / 180, brake = 10, start = 25,
+               speed = std::sqrt(g / (droop * (e + 2 * L / 3))), m = 4, moment = m * g * L * L / 2;
+  double sum_moment = 0, sum_tip = 0, n = 0;
+  auto  &dynamics   = scene.analysis<DynamicAnalysis>();
+  dynamics.observer = [&](const State &state) {
+    if (state.time < brake + 0.5)
+      return;
+    sum_moment += scene.input.model.probe("flap.moment 3").value(state);
+    sum_tip += scene.input.model.probe("blade.end.position z").value(state);
+    ++n;
+  };
+  scene.equilibrium();
+  dynamics.start(scene.context);
+  dynamics.run(scene.context);
+  const auto &touches = dynamics.contacts.all();
+  ASSERT_EQ(touches.size(), 1u);
+  EXPECT_NEAR(touches[0].onset, brake * (1 - speed / start), 0.05);
+  EXPECT_NEAR(sum_moment / n / moment, 1, 0.02);
+  const double sag = m * g * std::pow(L, 4) / (8 * 4e4) + m * g * L * L / 2 / 1e7;
+  EXPECT_NEAR(sum_tip / n, -L * (droop + moment / 2e5) - sag, 2e-3);
+  EXPECT_LT(std::abs(dynamics.budget.balance()),
+            1e-9 * scene.context.system.energy(scene.context.state).kinetic + 1e-4);
+}

@@ -125,13 +125,17 @@ end
                                                                      {"knife edge", {}},
                                                                      {"ball on plane", {}},
                                                                      {"ball on ball", {}},
-                                                                     {"ball on cylinder", {}}};
+                                                                     {"ball on cylinder", {}},
+                                                                     {"ellipsoid on plane", {}}};
     const std::string bounces = "set Stop exponent = 1.5\n set Stop restitution = 0.5\n set Stop speed = 3\n",
                       rubs    = "set Friction = 0.3\n set Static friction = 0.5\n set Stribeck speed = 0.9\n"
-                                " set Sticking speed = 0.09\n";
+                                " set Sticking speed = 0.09\n",
+                      sticks  = "set Friction = 0.3\n set Static friction = 0.5\n set Stribeck speed = 0.9\n"
+                                " set Bristle stiffness = 2\n set Bristle damping = 0.7\n";
     for (const auto &[kind, free] : motions)
       {
-        std::string text = "subsection Joints\n subsection j\n set Type = " + kind +
+        const bool  is_contact = kind.find("ball on ") == 0 || kind == "ellipsoid on plane";
+        std::string text       = "subsection Joints\n subsection j\n set Type = " + kind +
                            "\n set Body A = block.centre\n set Body B = rod.start\n";
         if (kind == "point on curve")
           text += "set Expressions = 1 + sin(s) - s^2, 0.4 + 0.3*s, 0.2 + exp(s)/2 - 0.5\n";
@@ -155,9 +159,11 @@ end
           text += "set Stiffness = 1, 2, 3\n set Rotational stiffness = 4, 5, 6\n set Damping = 6, 5, 4\n"
                   "set Rotational damping = 3, 2, 1\n set Coupling = .1, .2, .1, .2, .1, "
                   ".3, .1, .2, .1, .1, .2, .1, .2, .1, .1\n";
-        if (kind.find("ball on ") == 0)
-          text += "set Radius = 5\n set Stiffness = 2\n set Exponent = 1.5\n set Restitution = 0.5\n set Impact speed = 3\n"
-                  " set Damping = 0.2\n" + rubs + (kind == "ball on plane" ? "" : "set Radius A = 0.1\n");
+        if (is_contact)
+          text += (kind == "ellipsoid on plane" ? "set Semi-axes = 4, 5, 6\n set Rounding = 1\n" : std::string("set Radius = 5\n")) +
+                  "set Rolling friction = 0.1\n set Turning friction = 0.2\n"
+                  " set Stiffness = 2\n set Exponent = 1.5\n set Restitution = 0.5\n set Impact speed = 3\n"
+                  " set Damping = 0.2\n" + rubs + (kind.find(" on plane") != std::string::npos ? "" : "set Radius A = 0.1\n");
         for (const auto &motion : free)
           {
             // one with linear stops, all others with those that are not, and with friction
@@ -168,6 +174,8 @@ end
             text += "end\n";
           }
         s[kind].rest = text + "end\nend\n";
+        if (const auto at = text.find(rubs); at != std::string::npos && (kind == "revolute" || is_contact))
+          s[kind + " with bristles"].rest = text.substr(0, at) + sticks + text.substr(at + rubs.size()) + "end\nend\n";
       }
     const std::string rail = R"(
   subsection rail

@@ -136,3 +136,33 @@ TEST(Drives, ForceOnAHubThatStaysInItsPlace)
   EXPECT_LT(largest, 3 * largest_reported);
   EXPECT_GT(largest, 0.3 * largest_reported);
 }
+
+
+
+// What is reported of something that hardly moves: accelerations of a drive that starts from rest and stops, whatever
+// its time is, also next to its corners; differences over a time in which nothing moves would be wrong there.
+TEST(Drives, ReportsNextToRest)
+{
+  for (const double T : {1e-4, 1., 1e4})
+    {
+      const std::string tau = "(t/" + number_to_text("%.17g", T) + ")";
+      Scene             scene(
+        driven(false,
+               "t < " + number_to_text("%.17g", T) + " ? 10*" + tau + "^3 - 15*" + tau + "^4 + 6*" + tau + "^5 : 1"));
+      const double largest = 2 * 10 / std::sqrt(3.) / (T * T); // 2 kg
+      for (const double x : {0., 1e-5, 1e-3, 0.01, 0.3, 0.5, 0.99, 0.9999, 1., 1.001, 1.5, 10.})
+        {
+          State &state                          = scene.context.state;
+          state                                 = start_of({"", "", 0, 0}, scene.system);
+          state.time                            = x * T;
+          state.held                            = false;
+          state.coordinates[0]                  = x < 1 ? x * x * x * (10 - 15 * x + 6 * x * x) : 1;
+          Eigen::Map<Vector3> (&state.q[12])(2) = state.coordinates[0];
+          Projection(scene.system).report(state);
+          EXPECT_NEAR(scene.value("j.force 3"),
+                      x < 1 ? 2 * (60 * x - 180 * x * x + 120 * x * x * x) / (T * T) : 0,
+                      1e-5 * largest)
+            << "at " << x << " of " << T;
+        }
+    }
+}

@@ -27,7 +27,7 @@ namespace
                  gravity);
   }
 
-  constexpr double g = 9.80665;
+  constexpr double g_n = 9.80665;
 } // namespace
 
 
@@ -36,7 +36,7 @@ namespace
 TEST(DryFriction, BlockOnASlope)
 {
   const double angle = 0.3, mu = 0.5, v = 2, epsilon = 1e-4;
-  const double way   = v * v / (2 * g * (std::sin(angle) + mu * std::cos(angle))),
+  const double way   = v * v / (2 * g_n * (std::sin(angle) + mu * std::cos(angle))),
                creep = epsilon * std::tan(angle) / std::sqrt(mu * mu - std::pow(std::tan(angle), 2));
   const Scene scene(block_on_slope(angle, mu, v, epsilon));
   for (const auto &[s, rho] : {std::make_pair(1, 1. / 3),
@@ -55,12 +55,12 @@ TEST(DryFriction, BlockOnASlope)
         {
           EXPECT_NEAR(m.state.rates[0] / -creep, 1, 1e-5);
         }
-      EXPECT_NEAR(m.friction_loss + m.dissipated, 0.5 * v * v - g * std::sin(angle) * m.state.coordinates[0], 1e-6);
+      EXPECT_NEAR(m.friction_loss + m.dissipated, 0.5 * v * v - g_n * std::sin(angle) * m.state.coordinates[0], 1e-6);
     }
   // less friction than the slope: down again, v² = 2 g s (sin α − μ cos α) behind
   const Scene  slips(block_on_slope(angle, 0.2, v, epsilon));
-  const double up = v * v / (2 * g * (std::sin(angle) + 0.2 * std::cos(angle))), t_up = 2 * up / v,
-               a = g * (std::sin(angle) - 0.2 * std::cos(angle));
+  const double up = v * v / (2 * g_n * (std::sin(angle) + 0.2 * std::cos(angle))), t_up = 2 * up / v,
+               a = g_n * (std::sin(angle) - 0.2 * std::cos(angle));
   const auto m   = contact_motion(slips.system, Tableau(3, 0.5), 1e-3, 2.);
   EXPECT_NEAR(m.state.coordinates[0], up - 0.5 * a * std::pow(2 - t_up, 2), 1e-3);
 }
@@ -105,7 +105,7 @@ TEST(DryFriction, NormalForceOfAReaction)
 // (π + 2 atan2(V/ω, D))/ω + 2 D/V, D = (μ_s − μ_d) N/k.
 TEST(DryFriction, StickSlip)
 {
-  const double k = 10, N = g, mu_s = 0.6, mu_d = 0.4, V = 1, w = std::sqrt(k), D = (mu_s - mu_d) * N / k;
+  const double k = 10, N = g_n, mu_s = 0.6, mu_d = 0.4, V = 1, w = std::sqrt(k), D = (mu_s - mu_d) * N / k;
   const double period = (M_PI + 2 * std::atan2(V / w, D)) / w + 2 * D / V;
   const Scene  scene(
     model(rigid_body("belt", "set Mass = 1\n set Inertia = 1, 1, 1\n" + moving("1, 0, 0", "0, 0, 0")) +
@@ -150,7 +150,7 @@ TEST(DryFriction, StickSlip)
 // across the axes of the floor, and where the floor is tilted with gravity along its normal.
 TEST(DryFriction, BallSlipsAndRolls)
 {
-  const double mu = 0.3, v = 2, R = 0.1, k = 1e6, depth = std::pow(g / k, 1 / 1.5);
+  const double mu = 0.3, v = 2, R = 0.1, k = 1e6, depth = std::pow(g_n / k, 1 / 1.5);
   for (const bool is_tilted : {false, true})
     {
       const Matrix3 Q    = is_tilted ? rotation_of_angles({0.4, -0.7, 0.3}, "321") : Matrix3::Identity();
@@ -165,10 +165,10 @@ TEST(DryFriction, BallSlipsAndRolls)
                 list(Q.col(2)) +
                 "\n set Stiffness = 1e6\n set Exponent = 1.5\n set Friction = 0.3\n"
                 " set Sticking speed = 1e-4\n"),
-        "subsection weight\n set Type = gravity\n set Acceleration = " + list(-g * Q.col(2)) + "\n end\n"));
+        "subsection weight\n set Type = gravity\n set Acceleration = " + list(-g_n * Q.col(2)) + "\n end\n"));
       for (const unsigned int s : {2, 3})
         {
-          const double t_roll       = 2 * v / (7 * mu * g);
+          const double t_roll       = 2 * v / (7 * mu * g_n);
           double       slip_at_half = 0;
           const auto   m            = contact_motion(
             scene.system, Tableau(s, 0.5), t_roll / 40, 2 * t_roll, [&](const State &state, const StepResult &) {
@@ -179,7 +179,7 @@ TEST(DryFriction, BallSlipsAndRolls)
           EXPECT_NEAR(velocity(0), 5. / 7 * 1.2, 2e-4);
           EXPECT_NEAR(velocity(1), 5. / 7 * 1.6, 2e-4);
           EXPECT_NEAR(velocity(2), 0, 1e-5);
-          EXPECT_NEAR(slip_at_half, v - 3.5 * mu * g * t_roll / 2, 3e-4); // rates at the ends of steps, of lower order
+          EXPECT_NEAR(slip_at_half, v - 3.5 * mu * g_n * t_roll / 2, 3e-4); // rates at the ends of steps, of lower order
           EXPECT_NEAR(m.friction_loss, v * v / 7, 1e-3);
           EXPECT_LT(m.drift, 1e-11);
           EXPECT_EQ(m.least_loss, 0);

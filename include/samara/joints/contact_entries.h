@@ -43,7 +43,8 @@ namespace samara
   /** What users say of dry friction. */
   struct FrictionEntries
   {
-    double kinetic = 0, breakaway = 0, stribeck_speed = 0, sticking_speed = 1e-4, preload = 0, radius = 0;
+    double kinetic = 0, breakaway = 0, stribeck_speed = 0, sticking_speed = 1e-4, preload = 0, radius = 0,
+           bristle_stiffness = 0, bristle_damping = 0;
 
     /** @p with_preload: not only what presses by itself; @p turns: of a rotation, with a radius. */
     void add_parameters(Parameters &prm, bool with_preload, bool turns);

@@ -29,13 +29,15 @@ namespace samara
     clear()
     {
       terms.clear();
+      equations.clear();
     }
 
   private:
     class Elastic;
     class Damper;
     class Friction;
-    std::vector<std::unique_ptr<Force>> terms;
+    std::vector<std::unique_ptr<Force>>         terms;
+    std::vector<std::unique_ptr<StateEquation>> equations; ///< of bristles
 
     void add(Layout &layout, const Item &item, std::unique_ptr<Force> term);
   };

@@ -62,6 +62,10 @@ namespace samara
     }
 
     int coordinate = -1; ///< its number in the model, negative while nothing uses it
+    int bristles   = -1; ///< number of the state that is the deflection of those of its friction; negative: none
+
+    /** Give bristles a state if the friction has them; @p joint: its name. */
+    void add_bristles(Model &model, const std::string &joint);
 
     bool
     is_angle() const

@@ -118,10 +118,13 @@ namespace samara
     /**
      * Dry friction against the rates of one to three joint coordinates, which together are a slip: w = arm times the
      * rates. The normal force is that of a stop or the size of the reactions of some multipliers, and a preload.
+     * Where the law has bristles, their deflections [m] along the coordinates are states of first order. In steps they
+     * follow from the slips; the integrator sets them.
      */
     struct Friction
     {
       std::vector<unsigned int> coordinates;
+      std::vector<unsigned int> states;  ///< of the bristles, one a coordinate; empty: there are none
       double                    arm = 1; ///< radius of what turns [m]; 1 for displacements
       FrictionLaw               law;
       int                       stop = -1; ///< number in stops; -1: none

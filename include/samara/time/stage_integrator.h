@@ -6,6 +6,7 @@
 #include <samara/time/exact_stages.h>
 #include <samara/time/integrator.h>
 #include <samara/time/projection.h>
+#include <samara/time/stage_bristles.h>
 #include <samara/time/stage_stops.h>
 #include <samara/time/tableau.h>
 
@@ -295,6 +296,7 @@ namespace samara
     std::vector<Column>       columns;
     std::vector<unsigned int> touched, touched_ports; ///< devices that act, and their ports
     Eigen::VectorXd           device_forces_now;      ///< of all ports
+    std::vector<double>       states_at_start;        ///< deflections of bristles among them
     Eigen::VectorXd           touched_free, port_changes, force_changes;
     Eigen::MatrixXd           touched_compliance, touched_slopes, touched_matrix;
 
@@ -318,6 +320,14 @@ namespace samara
                                   double                       h,
                                   Eigen::Ref<Eigen::VectorXd> force,
                                   Eigen::MatrixXd             *slopes) const;
+    BristleForces bristles_of(const Device &device,
+                              const double *values,
+                              const double *normal,
+                              double        h,
+                              bool          with_slopes) const;
+    BristleForces bristles_now(const Device &device, double h) const;
+    /** Set the states that are deflections of bristles, in all stages. */
+    void          move_bristles(double h);
     void          normal_forces(const Device    &device,
                                 const double    *values,
                                 double           h,
