@@ -94,7 +94,8 @@ namespace samara
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
     joints.add<BallOnPlane>("ball on plane", "contact of a ball and a plane, with friction");
     joints.add<BallOnBall>("ball on ball", "contact of two balls, or of a ball in a hollow one, with friction");
-    joints.add<BallOnCylinder>("ball on cylinder", "contact of a ball and a cylinder, or of a ball in a tube, with friction");
+    joints.add<BallOnCylinder>("ball on cylinder",
+                               "contact of a ball and a cylinder, or of a ball in a tube, with friction");
 
     Registry<Item> loads;
     loads.add<Gravity>("gravity", "weight of everything");
@@ -123,6 +124,8 @@ namespace samara
     aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
     aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
     aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");
+    aerodynamics.add<AnnularInflow>(
+      "annular inflow", "blade elements: momentum of each annulus, tip loss, high thrust, two states a station");
 
     Registry<Item> surfaces;
     surfaces.add<Surface>("lifting line", "wing or blade on a beam or a rigid body");

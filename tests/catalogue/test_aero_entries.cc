@@ -161,6 +161,18 @@ TEST_F(Catalogued, AirAndInflow)
         flyer(analytic, air, changed(uniform, "uniform", "Peters-He"), ""),
         "Aerodynamics/flow",
         joined(of_hub, {{{"Initial", "2"}, {"Harmonics", "3"}, {"Power", "7"}, {"Mass flow", "first state"}}}));
+  check("annular inflow",
+        flyer(analytic, air, changed(uniform, "uniform", "annular"), ""),
+        "Aerodynamics/flow",
+        joined(without_direction,
+               {{{"Initial", "2"},
+                 {"Blades", "3"},
+                 {"Tip loss", "none"},
+                 {"Root", "0.1"},
+                 {"Swirl", "false"},
+                 {"Skew", "none"},
+                 {"Apparent mass", "1"}}}),
+        {{"Direction", "annuli have no azimuth"}, {"Air", "the wind is that of the surfaces, the densities are the same"}});
 }
 
 
