@@ -128,6 +128,8 @@ namespace samara
     aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
     aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
     aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");
+    aerodynamics.add<AnnularInflow>(
+      "annular inflow", "blade elements: momentum of each annulus, tip loss, high thrust, two states a station");
 
     Registry<Item> surfaces;
     surfaces.add<Surface>("lifting line", "wing or blade on a beam or a rigid body");

@@ -117,56 +117,18 @@ namespace samara
         for (auto &element : elements)
           for (auto &station : element.stations)
             add_states(station, element);
+        where = "Inflow";
+        if (auto *const flow = dynamic_cast<AnnularInflow *>(inflow))
+          {
+            annular = flow;
+            for (auto &element : elements)
+              for (auto &station : element.stations)
+                add_flow(station, element, *flow);
+          }
       }
     catch (const std::invalid_argument &problem)
       {
         model->complaints.add(parameters.where(where), problem.what());
-      }
-  }
-
-
-
-  void
-  Surface::check_disk() const
-  {
-    for (const auto &element : elements)
-      for (const auto &station : element.stations)
-        {
-          Vector3 x = Vector3::Zero();
-          for (unsigned int a = 0; a < element.frames.size(); ++a)
-            x += station.N[a] * (model->position(element.frames[a]) + model->triad(element.frames[a]) * station.quarter);
-          const Vector3 seen = model->triad(inflow->hub).transpose() * (x - model->position(inflow->hub));
-          if (const double r = seen.head<2>().norm(); r > (1 + 1e-6) * inflow->radius)
-            {
-              model->complaints.add(parameters.where("Inflow"),
-                                    "the surface is outside of the disk of <" + inflow_name + ">: at s = " +
-                                      number_to_text("%.4g", station.s) + " m it is " + number_to_text("%.4g", r) +
-                                      " m from the axis, and the radius is " + number_to_text("%.4g", inflow->radius) +
-                                      " m");
-              return;
-            }
-        }
-  }
-
-
-
-  void
-  Surface::add_states(Station &station, Element &element)
-  {
-    static const std::array<std::array<std::string, 2>, 4> names = {
-      {{{"lag 1", "m/s"}}, {{"lag 2", "m/s"}}, {{"angle of pressure", "rad"}}, {{"separation", "1"}}}};
-    station.first_lag = element.lags.size();
-    for (unsigned int i = 0; i < states_of(unsteady); ++i)
-      element.lags.push_back(
-        model->add_state(name + ", " + names[i][0] + " at s = " + number_to_text("%.4g", station.s),
-                         names[i][1],
-                         i == 3 ? 1. : 0., // attached at the start
-                         1.));
-    if (unsteady == Unsteady::dynamic_stall)
-      {
-        const SectionOfWing section = station.section;
-        station.section.separation =
-          std::make_shared<Separation>([section](const double alpha) { return section.coefficients(alpha, 0.).lift; });
       }
   }
 
@@ -493,7 +455,7 @@ namespace samara
       }
     loads.surface = rates.surface = this;
     layout.add(*this, loads);
-    if (states_of(unsteady) > 0 || (inflow != nullptr && !inflow->states.empty()))
+    if (states_of(unsteady) > 0 || annular != nullptr || (inflow != nullptr && !inflow->states.empty()))
       layout.add(*this, rates);
   }
 } // namespace samara

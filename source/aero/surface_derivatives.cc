@@ -41,6 +41,7 @@ namespace samara
     Change<3>       air, spin;     ///< of the air's velocity, of the section's spin; inertial
     Change<3>       relative, V;   ///< of the relative air, inertial, and in section axes
     Change<3>       on_disk, axis; ///< in the hub's frame; of the thrust axis
+    Change<3>       free;          ///< of the air without annular inflow, in the hub's axes
     Change<3>       place;         ///< of the quarter chord
     Change<4>       loads;
     Change<3>       force, moment, middle_force;
@@ -54,6 +55,7 @@ namespace samara
       , V(n_twists, n_states)
       , on_disk(n_twists, n_states)
       , axis(n_twists, n_states)
+      , free(n_twists, n_states)
       , place(n_twists, n_states)
       , loads(n_twists, n_states)
       , force(n_twists, n_states)
@@ -140,20 +142,81 @@ namespace samara
       moment.add<3>(c * at.V(1) * e1 * Eigen::RowVector3d::Unit(0), dw);
     }
 
-    /** The inflow follows the hub, the last frame, the place on the disk and its own states. */
+    /** The place on the disk and the thrust axis follow the hub, the last frame. */
+    void
+    of_hub(const Gathered<double> &g, const AtStation<double> &at)
+    {
+      const Matrix3     &H     = g.frames.D.back();
+      const unsigned int first = 6 * (g.frames.D.size() - 1);
+      on_disk.add<3>(H.transpose(), place);
+      on_disk.place.middleCols<3>(first) -= H.transpose() * H;
+      on_disk.place.middleCols<3>(first + 3) += skew(at.on_disk);
+      axis.place.middleCols<3>(first + 3) -= H * skew(Vector3::Unit(2));
+    }
+
+    /** As seen from the hub: δ(Hᵀa). */
+    static Change<3>
+    seen(const Change<3> &a, const Gathered<double> &g, const Vector3 &components)
+    {
+      const Matrix3 &H = g.frames.D.back();
+      Change<3>      result(a.place.cols(), a.states.cols());
+      result.add<3>(H.transpose(), a);
+      result.place.middleCols<3>(6 * (g.frames.D.size() - 1) + 3) += skew(components);
+      return result;
+    }
+
+    /** Annular inflow follows the place on the disk, the free air and its own states; J is AnnularMomentum's. */
+    void
+    of_annulus(const Station                                             &station,
+               const Gathered<double>                                    &g,
+               const AtStation<double>                                   &at,
+               const Eigen::Matrix<double, 5, AnnularMomentum::n_inputs> &J)
+    {
+      const Matrix3     &H     = g.frames.D.back();
+      const unsigned int first = 6 * (g.frames.D.size() - 1);
+      const Vector3      v     = g.frames.y.back().head<3>();
+      free                     = seen(air, g, at.free);
+      free.place.middleCols<3>(first + 3) += H.transpose() * H * skew(v);
+      free.twist.middleCols<3>(first) -= H.transpose() * H;
+      Change<3> added(turn.place.cols(), turn.states.cols());
+      added.add<3>((Matrix3() << J.topLeftCorner<3, 2>(), Vector3::Zero()).finished(), on_disk);
+      added.add<3>(J.block<3, 3>(0, 2), free);
+      added.states.middleCols<2>(station.first_flow) += J.block<3, 2>(0, 5);
+      air.add<3>(H, added);
+      air.place.middleCols<3>(first + 3) -= H * skew(at.added);
+    }
+
+    /** Rates of its states. */
+    void
+    add_flow_rows(const Station                                             &station,
+                  const Gathered<double>                                    &g,
+                  const AtStation<double>                                   &at,
+                  const Eigen::Matrix<double, 5, AnnularMomentum::n_inputs> &J,
+                  Eigen::MatrixXd                                           &K,
+                  Eigen::MatrixXd                                           &C) const
+    {
+      const Matrix3     &H        = g.frames.D.back();
+      const unsigned int n_twists = turn.place.cols(), row = n_twists + station.first_flow;
+      const auto         slopes = J.bottomRows<2>();
+      Change<2>          rate(n_twists, turn.states.cols());
+      rate.add<3>((Eigen::Matrix<double, 2, 3>() << slopes.leftCols<2>(), Eigen::Vector2d::Zero()).finished(), on_disk);
+      rate.add<3>(slopes.middleCols<3>(2), free);
+      rate.add<3>(slopes.middleCols<3>(7), seen(relative, g, H.transpose() * at.relative));
+      rate.add<3>(slopes.middleCols<3>(10), seen(force, g, H.transpose() * at.force));
+      rate.states.middleCols<2>(station.first_flow) += slopes.middleCols<2>(5);
+      K.middleRows<2>(row).leftCols(n_twists) -= rate.place;
+      K.middleRows<2>(row).rightCols(turn.states.cols()) -= rate.states;
+      C.middleRows<2>(row).leftCols(n_twists) -= rate.twist;
+    }
+
+    /** The inflow follows the place on the disk and its own states. */
     void
     of_inflow(const Inflow            &inflow,
               const Gathered<double>  &g,
               const AtStation<double> &at,
               const unsigned int       first_state)
     {
-      const Matrix3     &H     = g.frames.D.back();
-      const unsigned int first = 6 * (g.frames.D.size() - 1), n = at.shapes.size();
-      on_disk.add<3>(H.transpose(), place);
-      on_disk.place.middleCols<3>(first) -= H.transpose() * H;
-      on_disk.place.middleCols<3>(first + 3) += skew(at.on_disk);
-      axis.place.middleCols<3>(first + 3) -= H * skew(Vector3::Unit(2));
-
+      const unsigned int n = at.shapes.size();
       by_x.resize(n);
       by_y.resize(n);
       inflow.disk.gradients(at.on_disk(0) / inflow.radius, at.on_disk(1) / inflow.radius, by_x.data(), by_y.data());
@@ -166,6 +229,27 @@ namespace samara
         air.states.middleCols(first_state, n) -= at.thrust_axis * phi.transpose();
     }
   };
+
+
+
+  /**
+   * In air at rest the equations of annular inflow are of second order in their states, which statics would not leave:
+   * Newton's first step is one through air that moves.
+   */
+  void
+  Surface::add_still_air(const Station           &station,
+                         const Gathered<double>  &g,
+                         const AtStation<double> &at,
+                         Eigen::MatrixXd         &K) const
+  {
+    const auto      &theory    = annular->theory;
+    constexpr double that_fast = 1e4; // in least speeds
+    if (theory.mass_flow(in_annulus(station, g, at), 1.) > 1.01 * theory.least_speed)
+      return;
+    const unsigned int row = 6 * g.frames.D.size() + station.first_flow;
+    for (unsigned int i = 0; i < AnnularMomentum::n_states; ++i)
+      K(row + i, row + i) += 2 * that_fast * theory.least_speed / (theory.apparent_mass * theory.radius);
+  }
 
 
 
@@ -182,7 +266,19 @@ namespace samara
     Derivatives        d(n_twists, n_states);
     d.of_frames(station, g.frames, at.axes);
     d.air.add<3>(air->gradient(at.place(2), point.time) * Eigen::RowVector3d::Unit(2), d.place);
+    Eigen::Matrix<double, 5, AnnularMomentum::n_inputs> annular_slopes;
     if (inflow != nullptr)
+      d.of_hub(g, at);
+    if (annular != nullptr)
+      {
+        const Matrix3 &H = g.frames.D.back();
+        annular_slopes   = annular->theory.derivatives(in_annulus(station, g, at),
+                                                     H.transpose() * at.relative,
+                                                     H.transpose() * at.force,
+                                                     station.width);
+        d.of_annulus(station, g, at, annular_slopes);
+      }
+    else if (inflow != nullptr)
       d.of_inflow(*inflow, g, at, n_lags);
     d.relative.add<3>(Matrix3::Identity(), d.air);
 
@@ -241,6 +337,12 @@ namespace samara
     // rows of dynamic stall
     if (unsteady == Unsteady::dynamic_stall)
       d.add_stall_rows(station, g, at, *air, K, C);
+
+    if (annular != nullptr)
+      {
+        d.add_flow_rows(station, g, at, annular_slopes, K, C);
+        add_still_air(station, g, at, K);
+      }
 
     // rows of the inflow
     if (inflow == nullptr || inflow->states.empty())

@@ -39,13 +39,21 @@ namespace samara
         const Mat3<Number> &H = g.frames.D.back();
         at.on_disk            = H.transpose() * (at.place - g.frames.x.back());
         at.thrust_axis        = H.col(2);
+        if (annular != nullptr)
+          {
+            at.free    = H.transpose() * (wind - H * g.frames.y.back().template head<3>());
+            at.added   = annular->theory.induced(in_annulus(station, g, at));
+            at.induced = -at.added(2);
+            wind += H * at.added;
+          }
         at.shapes.resize(g.amplitudes.size());
         inflow->disk.evaluate(Number(at.on_disk(0) / inflow->radius),
                               Number(at.on_disk(1) / inflow->radius),
                               at.shapes.data());
         for (unsigned int k = 0; k < at.shapes.size(); ++k)
           at.induced += g.amplitudes[k] * at.shapes[k];
-        wind -= at.induced * at.thrust_axis;
+        if (annular == nullptr)
+          wind -= at.induced * at.thrust_axis;
       }
     at.air                  = wind;
     at.spin                 = g.frames.spin(station.N);
@@ -128,7 +136,7 @@ namespace samara
           {
             const auto   at    = surface->evaluate(station, g, point.time);
             const Number speed = 2 / station.section.chord * lags::speed(at.V, *surface->air);
-            for (unsigned int i = 0; i < lags::n && !element.lags.empty(); ++i)
+            for (unsigned int i = 0; i < lags::n && surface->unsteady != Unsteady::quasi_steady; ++i)
               {
                 const unsigned int k = station.first_lag + i;
                 local(first_lag + k) -= lags::b[i] * speed * (at.V(2) - g.lags[k]);
@@ -141,6 +149,16 @@ namespace samara
                 const Number       f = internal::continued(v.place, v.place_alpha, 0., angle, Number(0));
                 local(first_lag + k) -= speed / lags::T_p * lack;
                 local(first_lag + k + 1) -= speed / lags::T_f * (f - g.lags[k + 1]);
+              }
+            if (surface->annular != nullptr)
+              {
+                const Mat3<Number> &H    = g.frames.D.back();
+                const auto          rate = surface->annular->theory.rates(in_annulus(station, g, at),
+                                                                 Vec3<Number>(H.transpose() * at.relative),
+                                                                 Vec3<Number>(H.transpose() * at.force),
+                                                                 station.width);
+                for (unsigned int i = 0; i < AnnularMomentum::n_states; ++i)
+                  local(first_lag + station.first_flow + i) -= rate[i];
               }
             if (inflow != nullptr && !inflow->states.empty())
               for (unsigned int k = 0; k < at.shapes.size(); ++k)

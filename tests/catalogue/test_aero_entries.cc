@@ -161,6 +161,23 @@ TEST_F(Catalogued, AirAndInflow)
         flyer(analytic, air, changed(uniform, "uniform", "Peters-He"), ""),
         "Aerodynamics/flow",
         joined(of_hub, {{{"Initial", "2"}, {"Harmonics", "3"}, {"Power", "7"}, {"Mass flow", "first state"}}}));
+  Changes of_annuli; // neither azimuth nor another air
+  for (const auto &change : of_flow)
+    if (change.entry != "Direction")
+      of_annuli.push_back(change);
+  check("annular inflow",
+        flyer(analytic, air, changed(uniform, "uniform", "annular"), ""),
+        "Aerodynamics/flow",
+        joined(of_annuli,
+               {{{"Initial", "2"},
+                 {"Blades", "3"},
+                 {"Tip loss", "none"},
+                 {"Root", "0.1"},
+                 {"Swirl", "false"},
+                 {"Skew", "none"},
+                 {"Apparent mass", "1"}}}),
+        {{"Direction", "annuli have no azimuth"},
+         {"Air", "the wind is that of the surfaces, the densities are the same"}});
 }
 
 

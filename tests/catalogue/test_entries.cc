@@ -66,6 +66,7 @@ TEST_F(Catalogued, AllKinds)
                                    "uniform inflow",
                                    "Pitt-Peters inflow",
                                    "Peters-He inflow",
+                                   "annular inflow",
                                    "lifting line",
                                    "rigid body",
                                    "beam",

@@ -277,7 +277,8 @@ TEST(Tangents, EveryKindOfTheCatalogueIsTested)
   const std::set<std::string> elsewhere = {
     "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C",
     "PID", "transfer function", "state space", "delay", "control",
-    "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "lifting line"};
+    "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow",
+    "lifting line"};
   for (const auto &group : Catalogue().groups)
     for (const auto &kind : group.kinds.kinds())
       EXPECT_EQ(tested.count(kind) + elsewhere.count(kind), 1u) << "there is no scene for the kind <" << kind << ">";

@@ -27,6 +27,8 @@ namespace samara
     SectionOfWing section;
     double        virtual_mass = 0; ///< of the air moved along, per length; zero if it does not count [kg/m]
     unsigned int  first_lag    = 0; ///< of its states among those of the element
+    unsigned int  first_flow   = 0; ///< of those of an annular inflow, likewise
+    double        width        = 1; ///< dr/ds of the line on the disk of an annular inflow, reference configuration
 
     /** Of the point at half chord. */
     Vector3

@@ -1,6 +1,7 @@
 #ifndef samara_aero_surface_h
 #define samara_aero_surface_h
 
+#include <samara/aero/annular_inflow.h>
 #include <samara/aero/station.h>
 #include <samara/model/moved.h>
 #include <samara/model/virtual_mass.h>
@@ -59,10 +60,11 @@ namespace samara
     Vector3                  leading_edge = Vector3::Zero(), upper_side = Vector3::Zero();
     std::vector<std::string> airfoil_names;
 
-    Model     *model    = nullptr;
-    const Air *air      = nullptr;
-    Inflow    *inflow   = nullptr;
-    Unsteady   unsteady = Unsteady::two_lags;
+    Model               *model    = nullptr;
+    const Air           *air      = nullptr;
+    Inflow              *inflow   = nullptr;
+    const AnnularInflow *annular  = nullptr; ///< the same, if it is one
+    Unsteady             unsteady = Unsteady::two_lags;
 
     struct PlacedAirfoil
     {
@@ -84,9 +86,11 @@ namespace samara
     };
     std::vector<Element> elements;
 
-    void add_states(Station &station, Element &element);
-    void check_disk() const;
-    void find_virtual_mass(Element &element);
+    void    add_states(Station &station, Element &element);
+    void    add_flow(Station &station, Element &element, AnnularInflow &flow);
+    void    check_disk() const;
+    Vector3 on_disk(const Station &station, const Element &element) const;
+    void    find_virtual_mass(Element &element);
 
     /** The loads, and all derivatives: those of the states' rates, too. */
     class Loads : public Evaluated<Loads, Force>
@@ -130,6 +134,7 @@ namespace samara
       Vec3<Number>        air, spin;            ///< velocity of the air, spin of the section; inertial axes
       Vec3<Number>        relative, V;          ///< of the air to three quarters of the chord: inertial, section axes
       Vec3<Number>        on_disk, thrust_axis; ///< place in the hub's frame
+      Vec3<Number>        free, added;          ///< of an annular inflow, hub's axes: air without it, and what it adds
       std::vector<Number> shapes;               ///< of the inflow
       Number              induced = Number(0), upwash = Number(0), separated = Number(1);
       SectionFlow<Number> flow;
@@ -146,6 +151,13 @@ namespace samara
     };
     template <typename Number>
     Gathered<Number> gather(const Element &element, const Point<Number> &point) const;
+    /** Where an annular inflow is asked. */
+    template <typename Number>
+    static AnnularMomentum::Place<Number>
+    in_annulus(const Station &station, const Gathered<Number> &g, const AtStation<Number> &at)
+    {
+      return {at.on_disk, at.free, g.lags[station.first_flow], g.lags[station.first_flow + 1]};
+    }
     template <typename Number>
     AtStation<Number> evaluate(const Station &station, const Gathered<Number> &g, double time) const;
 
@@ -155,6 +167,10 @@ namespace samara
                        const Point<double>    &point,
                        Eigen::MatrixXd        &K,
                        Eigen::MatrixXd        &C) const;
+    void add_still_air(const Station           &station,
+                       const Gathered<double>  &g,
+                       const AtStation<double> &at,
+                       Eigen::MatrixXd         &K) const;
     void add_matrix(const Point<double> &point, bool by_velocity, SparseMatrix &A) const;
   };
 } // namespace samara
