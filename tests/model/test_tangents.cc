@@ -275,7 +275,7 @@ TEST(Tangents, EveryKindOfTheCatalogueIsTested)
   const auto tested = scenes();
   // sections give the beam its matrices; the others have tests of their own, in tests/section, tests/states, tests/trim and tests/aero
   const std::set<std::string> elsewhere = {
-    "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C",
+    "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C", "file", "BeamDyn",
     "PID", "transfer function", "state space", "delay", "control",
     "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow",
     "lifting line"};
