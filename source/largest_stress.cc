@@ -43,9 +43,12 @@ namespace samara
             const auto analysis = here.section->analyse(here.curvature);
             places.push_back(
               {x, std::make_shared<SectionStresses>(analysis->section, analysis->mesh, analysis->shape.materials)});
-            if (index_of(places.back().stresses->extremes(Vector6::Zero()).indices) < 0)
-              throw std::invalid_argument("section <" + here.section->name + "> of beam <" + beam.name +
-                                          "> has a material whose strengths the criterion <" + criterion + "> needs");
+            // of all materials: the largest index of some says nothing of the others
+            for (const auto &material : analysis->shape.materials)
+              if (index_of(failure_indices(material.strengths, Vector6::Zero())) < 0)
+                throw std::invalid_argument("section <" + here.section->name + "> of beam <" + beam.name +
+                                            "> has a material, <" + material.name +
+                                            ">, without strengths that the criterion <" + criterion + "> needs");
           }
         else
           places.push_back({x, places[same - known.begin()].stresses});

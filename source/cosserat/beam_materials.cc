@@ -82,8 +82,17 @@ namespace samara
     bool
     are_same(const SectionValues &a, const SectionValues &b, const double tolerance)
     {
-      return (a.stiffness - b.stiffness).norm() <= tolerance * b.stiffness.norm() &&
-             (a.inertia - b.inertia).norm() <= tolerance * b.inertia.norm();
+      // entries have different units: against the diagonal, c_ij²/(c_ii c_jj)
+      const auto difference = [](const Matrix6 &x, const Matrix6 &y) {
+        const Vector6 scale = y.diagonal().cwiseAbs().cwiseMax(x.diagonal().cwiseAbs()).cwiseSqrt();
+        double        result = 0;
+        for (int i = 0; i < 6; ++i)
+          for (int j = 0; j < 6; ++j)
+            if (x(i, j) != y(i, j))
+              result = std::max(result, std::abs(x(i, j) - y(i, j)) / (scale(i) * scale(j)));
+        return result;
+      };
+      return difference(a.stiffness, b.stiffness) <= tolerance && difference(a.inertia, b.inertia) <= tolerance;
     }
   } // namespace
 

@@ -150,6 +150,9 @@ namespace samara
           table != nullptr && !table->fits_all_beams())
         throw std::invalid_argument("the station <" + table->name +
                                     "> is itself a table whose abscissae are lengths: it belongs to a beam");
+      else if (station.section != nullptr && (table != nullptr || !station.section->kinks().empty()))
+        throw std::invalid_argument("the station <" + station.section->name +
+                                    "> varies along a beam itself: a station is one section, a beam names what varies");
     auto &one = made[fits_all_beams() ? 1. : length];
     if (one == nullptr)
       one = make(length);

@@ -47,30 +47,37 @@ namespace samara
 
 
     /**
-     * The same where the scale of @p f is not known, nor whether it has a corner nearby: @p dt is made shorter as long
-     * as that brings two differences nearer to each other; behind that is round-off.
+     * The same where the scale of @p f is not known, nor whether it has a corner nearby: from very short times to
+     * @p longest, and of each value the difference that changes least from one to the next. Before that there is
+     * round-off, of values and of @p time; behind it truncation, where differences of a fast oscillation look alike once
+     * more, so that nothing is believed any longer once they have changed.
      */
     template <typename Function>
     Values
-    limit_of_differences(double dt, const Function &f)
+    limit_of_differences(const double longest, const double time, const Function &f)
     {
-      constexpr unsigned int most_differences = 11;
-      constexpr double       shorter = 0.1, precision = 1e-10;
+      constexpr unsigned int n_differences = 12;
+      constexpr double       longer = 10, round_off = 4e-16, has_changed = 30;
+      double                 dt   = longest * std::pow(longer, 1. - n_differences);
       Values                 last = difference(dt, f), best = last;
-      double                 least = std::numeric_limits<double>::infinity();
-      for (unsigned int i = 0; i < most_differences; ++i)
+      Values                 least(best.size(), std::numeric_limits<double>::infinity());
+      std::vector<bool>      is_found(best.size(), false);
+      for (unsigned int i = 1; i < n_differences; ++i)
         {
-          dt *= shorter;
-          Values next   = difference(dt, f);
-          double change = 0;
+          const double size = largest_of(f(dt));
+          const double part = round_off * std::abs(time) / dt;
+          dt *= longer;
+          Values next = difference(dt, f);
           for (std::size_t j = 0; j < next.size(); ++j)
-            change = std::max(change, std::abs(next[j] - last[j]));
-          if (change >= least)
-            break;
-          least = change;
-          best  = next;
-          if (change <= precision * largest_of(next))
-            break;
+            {
+              const double change =
+                std::max(std::abs(next[j] - last[j]), round_off * size * longer / dt + part * std::abs(next[j]));
+              is_found[j] = is_found[j] || change > has_changed * least[j];
+              if (is_found[j] || !(change < least[j]))
+                continue;
+              least[j] = change;
+              best[j]  = next[j];
+            }
           last = std::move(next);
         }
       return best;
@@ -449,7 +456,7 @@ namespace samara
         };
         if (is_driven(0) || is_driven(-dt) || is_driven(dt) || is_driven(-2 * dt) || is_driven(2 * dt))
           {
-            const auto in_time = limit_of_differences(dt, [&](const double by) {
+            const auto in_time = limit_of_differences(dt, state.time, [&](const double by) {
               constraint_rates(later_at(by), later);
               return later;
             });

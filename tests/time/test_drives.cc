@@ -166,3 +166,31 @@ TEST(Drives, ReportsNextToRest)
         }
     }
 }
+
+
+
+// Fast and small oscillations: where their rate is zero, and where it is so small that nothing tells how fast they are.
+TEST(Drives, ReportsFastOscillations)
+{
+  struct Oscillation
+  {
+    double amplitude, frequency;
+  };
+  for (const auto &[a, f] : {Oscillation{0.1, 10}, Oscillation{0.1, 7}, Oscillation{1e-5, 200}, Oscillation{1e-4, 1000}})
+    {
+      const double w = 2 * M_PI * f;
+      Scene        scene(driven(false, number_to_text("%.17g", a) + "*sin(" + number_to_text("%.17g", w) + "*t)"));
+      for (const double periods : {0., 0.25, 0.5, 0.75, 1., 3.1, 10.25, 47.337})
+        {
+          const double t                        = periods / f, value = a * std::sin(w * t);
+          State       &state                    = scene.context.state;
+          state                                 = start_of({"", "", 0, 0}, scene.system);
+          state.time                            = t;
+          state.held                            = false;
+          state.coordinates[0]                  = value;
+          Eigen::Map<Vector3> (&state.q[12])(2) = value;
+          Projection(scene.system).report(state);
+          EXPECT_NEAR(scene.value("j.force 3"), -2 * w * w * value, 1e-5 * 2 * w * w * a) << f << " Hz at " << t << " s";
+        }
+    }
+}

@@ -10,7 +10,7 @@ using namespace samara::systems;
 
 namespace
 {
-  const double weight_of_1_kg = 9.81, radius = 0.3;
+  const double g_on_slope = 9.81, radius = 0.3;
 
   /** A solid ball, J = 2/5 m R², on the plane through the origin normal to the axis 3, (−s, 0, c). */
   std::string
@@ -74,7 +74,7 @@ TEST(Nonholonomic, BallRollsDownAPlane)
   const double slope = 0.4;
   Scene        scene(ball_on_slope("", "", "ground", "", slope), {"Loads/weight/Acceleration = 0, 0, -9.81"});
   const State  start = start_of({"", "", 0, 0}, scene.system);
-  const double T = 1, a = 5. / 7 * weight_of_1_kg * std::sin(slope);
+  const double T = 1, a = 5. / 7 * g_on_slope * std::sin(slope);
   const auto   error = [&](const State &end) {
     State state = end;
     Projection(scene.system).velocities(state);
@@ -88,9 +88,9 @@ TEST(Nonholonomic, BallRollsDownAPlane)
   Projection(scene.system).report(scene.context.state);
   EXPECT_LT(error(scene.context.state), 1e-9);
   EXPECT_NEAR(std::hypot(scene.value("floor.force 1"), scene.value("floor.force 2")),
-              2. / 7 * 5 * weight_of_1_kg * std::sin(slope),
+              2. / 7 * 5 * g_on_slope * std::sin(slope),
               1e-8);
-  EXPECT_NEAR(scene.value("floor.force 3"), 5 * weight_of_1_kg * std::cos(slope), 1e-8);
+  EXPECT_NEAR(scene.value("floor.force 3"), 5 * g_on_slope * std::cos(slope), 1e-8);
 }
 
 
