@@ -49,22 +49,23 @@ namespace samara
     /**
      * The same where the scale of @p f is not known, nor whether it has a corner nearby: from very short times to
      * @p longest, and of each value the difference that changes least from one to the next. Before that there is
-     * round-off, of values and of @p time; behind it truncation, where differences of a fast oscillation look alike once
-     * more, so that nothing is believed any longer once they have changed.
+     * round-off, of values and of @p time; behind it truncation, where differences of a fast oscillation look alike
+     * once more, so that nothing is believed any longer once they have changed. @p terms is the size of what @p f is a
+     * sum of.
      */
     template <typename Function>
     Values
-    limit_of_differences(const double longest, const double time, const Function &f)
+    limit_of_differences(const double longest, const double time, const double terms, const Function &f)
     {
       constexpr unsigned int n_differences = 12;
-      constexpr double       longer = 10, round_off = 4e-16, has_changed = 30;
+      constexpr double       longer = 10, round_off = 1e-15, has_changed = 30;
       double                 dt   = longest * std::pow(longer, 1. - n_differences);
       Values                 last = difference(dt, f), best = last;
       Values                 least(best.size(), std::numeric_limits<double>::infinity());
       std::vector<bool>      is_found(best.size(), false);
       for (unsigned int i = 1; i < n_differences; ++i)
         {
-          const double size = largest_of(f(dt));
+          const double size = std::max(terms, largest_of(f(dt)));
           const double part = round_off * std::abs(time) / dt;
           dt *= longer;
           Values next = difference(dt, f);
@@ -456,10 +457,12 @@ namespace samara
         };
         if (is_driven(0) || is_driven(-dt) || is_driven(dt) || is_driven(-2 * dt) || is_driven(2 * dt))
           {
-            const auto in_time = limit_of_differences(dt, state.time, [&](const double by) {
-              constraint_rates(later_at(by), later);
-              return later;
-            });
+            const double rates = std::max(largest_of(state.y), largest_of(state.rates));
+            const auto   in_time =
+              limit_of_differences(dt, state.time, rates * std::max(1., largest_of(state.q)), [&](const double by) {
+                constraint_rates(later_at(by), later);
+                return later;
+              });
             for (unsigned int i = 0; i < later.size(); ++i)
               b[system.layout.of_multiplier(i)] -= in_time[i];
           }
