@@ -318,7 +318,7 @@ TEST(Tangents, ContactsAgreeWithComplexStepWhereTheyMove)
           const Scene       scene(model);
           const ComplexStep check(scene.system, orthonormal, true, true);
           EXPECT_LT(check.error_of_tangent(), 2e-14) << kind << orthonormal;
-          EXPECT_LT(check.error_of_damping(), 2e-14) << kind << orthonormal;
+          EXPECT_LT(check.error_of_damping(), 1e-13) << kind << orthonormal;
         }
 }
 
