@@ -3,6 +3,7 @@
 #include <samara/aero/surface.h>
 #include <samara/analysis/dynamic.h>
 #include <samara/analysis/floquet.h>
+#include <samara/analysis/linear_system.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/trim.h>
@@ -155,6 +156,7 @@ namespace samara
 
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
+    analyses.add<LinearSystemAnalysis>("linear system", "linear equations from controls to probes, for controllers");
     analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
     analyses.add<TrimAnalysis>("trim", "controls for which a periodic motion meets its targets");
     analyses.add<FloquetAnalysis>("floquet", "stability of periodic motion");
