@@ -25,7 +25,7 @@ namespace samara
 
     /** What has more of its norm than this in the slow modes at the start is one of them; but not if its velocities are
      * so many times faster than the slow ones: a direction that dies in a step lies anywhere. @{ */
-    constexpr double least_share = 0.5, too_fast = 10;
+    constexpr double least_share = 0.5, too_fast = 3;
     /** @} */
 
     /** Parts of vectors that are left outside of a space, over their norm, below which they are round-off. */
@@ -84,46 +84,125 @@ namespace samara
 
 
 
-    Eigen::Map<const VectorXd>
+    VectorXcd
     scales_of(const SectionMap &map)
     {
-      return {map.scales().data(), static_cast<Eigen::Index>(map.scales().size())};
+      return Eigen::Map<const VectorXd>(map.scales().data(), map.scales().size()).cast<Complex>();
     }
 
 
 
-    /** Root mean square of velocities over that of displacements of an increment in scales, by energy [rad/s]. */
-    double
-    rate_of(const SectionMap &map, const VectorXcd &scaled)
+    /**
+     * Coordinates of increments x whose squares are kinetic energies: of velocities ζ̇ = δy − ad_y ζ, and of
+     * displacements at the highest slow frequency; states over their scales. In these slow modes are nearly orthogonal
+     * to fast ones, so that a small residual means a small error, and of multipliers one of its square. Among stiff
+     * modes numbers over plain scales are hundreds of times less telling. What has no mass counts by a little.
+     */
+    class EnergyCoordinates
     {
-      const Layout   &layout        = map.system.layout;
-      const State    &state         = map.map.states().front();
-      const VectorXcd x             = scaled.cwiseProduct(scales_of(map).cast<Complex>());
-      double          displacements = 0, velocities = 0;
-      for (unsigned int node = 1; node < layout.n_nodes; ++node)
-        {
-          using Twist          = Eigen::Matrix<Complex, 6, 1>;
-          const Matrix6 &M     = map.system.model.nodes[node].inertia;
-          const Twist    zeta  = x.segment<6>(layout.of_node(node)),
-                      zeta_dot = x.segment<6>(map.map.first_velocity() + layout.of_node(node)) -
-                                 ad(Eigen::Map<const Vector6>(&state.y[6 * node])).cast<Complex>() * zeta;
-          displacements += (zeta.adjoint() * M * zeta)(0, 0).real();
-          velocities += (zeta_dot.adjoint() * M * zeta_dot)(0, 0).real();
-        }
-      return displacements > 0 ? std::sqrt(velocities / displacements) : 0.;
-    }
+    public:
+      EnergyCoordinates(const SectionMap &map, const double highest)
+        : layout(map.system.layout)
+        , state(map.map.states().front())
+        , first(map.map.first_velocity())
+        , highest(highest)
+        , weights(map.map.size())
+      {
+        double mass = 0;
+        for (const auto &node : map.system.model.nodes)
+          mass += node.inertia(0, 0);
+        if (!(mass > 0))
+          mass = 1;
+        // one is the motion of all of the mass by the length of the model, at the highest frequency
+        const double length = map.scales()[0], unit = mass * length * length * highest * highest;
+        for (int i = 0; i < weights.size(); ++i)
+          weights(i) = (i >= layout.n_kinematic() && i < int(first) ? 1. : least_weight) / map.scales()[i];
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          {
+            Matrix6 inertia = map.system.model.nodes[node].inertia / unit;
+            for (unsigned int i = 0; i < 6; ++i)
+              inertia(i, i) += std::pow(weights(layout.of_node(node) + i) / highest, 2);
+            roots.push_back(inertia.llt().matrixU());
+          }
+      }
+
+      template <typename Vector>
+      Vector
+      from_increment(const Vector &x) const
+      {
+        using Number = typename Vector::Scalar;
+        Vector z     = x.cwiseProduct(weights.cast<Number>());
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          {
+            const int  row             = layout.of_node(node);
+            const auto U               = roots[node - 1].cast<Number>();
+            z.template segment<6>(row) = highest * (U * x.template segment<6>(row));
+            z.template segment<6>(first + row) =
+              U * (x.template segment<6>(first + row) - ad_of(node).cast<Number>() * x.template segment<6>(row));
+          }
+        return z;
+      }
+
+      template <typename Vector>
+      Vector
+      to_increment(const Vector &z) const
+      {
+        using Number = typename Vector::Scalar;
+        Vector x     = z.cwiseQuotient(weights.cast<Number>());
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          {
+            const int                         row  = layout.of_node(node);
+            const Eigen::Matrix<Number, 6, 6> U    = roots[node - 1].cast<Number>();
+            const Eigen::Matrix<Number, 6, 1> zeta = U.template triangularView<Eigen::Upper>().solve(
+              Eigen::Matrix<Number, 6, 1>(z.template segment<6>(row) / highest));
+            x.template segment<6>(row)         = zeta;
+            x.template segment<6>(first + row) = U.template triangularView<Eigen::Upper>().solve(
+                                                   Eigen::Matrix<Number, 6, 1>(z.template segment<6>(first + row))) +
+                                                 ad_of(node).cast<Number>() * zeta;
+          }
+        return x;
+      }
+
+      /** Root mean square of velocities over that of displacements, by energy [rad/s]. */
+      double
+      rate(const VectorXcd &z) const
+      {
+        const int    n             = layout.of_coordinate(0);
+        const double displacements = z.head(n).norm() / highest, velocities = z.segment(first, n).norm();
+        return displacements > 0 ? velocities / displacements : 0.;
+      }
+
+    private:
+      static constexpr double least_weight = 1e-4;
+
+      const Layout        &layout;
+      const State         &state;
+      const unsigned int   first;
+      const double         highest;
+      VectorXd             weights; ///< of what is no node
+      std::vector<Matrix6> roots;   ///< U of each node, UᵀU = M
+
+      Matrix6
+      ad_of(const unsigned int node) const
+      {
+        return ad(Eigen::Map<const Vector6>(&state.y[6 * node]));
+      }
+    };
 
 
 
-    /** The map projected on a growing space: orthonormal columns V in terms of the map's scales, and their images. */
+    /** The map projected on a growing space: orthonormal columns V in coordinates of energy, and their images. */
     class Projected
     {
     public:
-      explicit Projected(SectionMap &map)
-        : map(map)
+      Projected(SectionMap &map, const double highest)
+        : energy(map, highest)
+        , map(map)
         , V(map.map.size(), 0)
         , images(map.map.size(), 0)
       {}
+
+      const EnergyCoordinates energy;
 
       /** Take a vector in, unless it lies in the space; returns whether it did not. */
       bool
@@ -145,12 +224,12 @@ namespace samara
       {
         for (int j = images.cols(); j < V.cols(); ++j)
           {
-            VectorXd x = V.col(j).cwiseProduct(scales_of(map));
+            VectorXd x = energy.to_increment(VectorXd(V.col(j)));
             map.apply(x.data());
             if (!x.allFinite())
               throw NotConverged("the map over the period gives what is not a number");
             images.conservativeResize(Eigen::NoChange, j + 1);
-            images.col(j) = x.cwiseQuotient(scales_of(map));
+            images.col(j) = energy.from_increment(x);
           }
       }
 
@@ -181,7 +260,7 @@ namespace samara
               continue;
             Pair pair{eigen.eigenvalues()(i), V * y, {}, share};
             pair.residual = images * y - pair.value * pair.vector;
-            if (rate_of(map, pair.vector) <= too_fast * highest)
+            if (energy.rate(pair.vector) <= too_fast * highest)
               result.push_back(pair);
           }
         std::stable_sort(result.begin(), result.end(), [](const Pair &a, const Pair &b) { return a.share > b.share; });
@@ -221,7 +300,7 @@ namespace samara
           if (part.isZero(0.))
             continue;
           map.map.project_increment(map.map.states().front(), part.data());
-          result.push_back(part.cwiseQuotient(scales_of(map)));
+          result.push_back(part);
         }
       return result;
     }
@@ -249,7 +328,7 @@ namespace samara
       for (const auto &mode : modes)
         {
           for (const auto &column : columns_of(map, mode))
-            space.add(column);
+            space.add(space.energy.from_increment(column));
           if (mode.frequency() <= highest)
             n_slow = space.size();
         }
@@ -296,7 +375,7 @@ namespace samara
     if (result.n_looked_for == 0)
       throw NotConverged("nothing at the start of the period is as slow as the <Highest frequency>, " +
                          number_to_text("%.4g", which.highest) + " rad/s");
-    Projected                    space(map);
+    Projected                    space(map, which.highest);
     const unsigned int           n_first = add_modes(map, modes, which.highest, space);
     std::vector<Projected::Pair> pairs;
     do
@@ -309,7 +388,10 @@ namespace samara
     result.n_columns = space.size();
     for (const auto &pair : pairs)
       if (pair.error() <= which.tolerance)
-        result.found.push_back(mode_of(map, pair.value, pair.vector, pair.residual.norm()));
+        {
+          const VectorXcd x = space.energy.to_increment(pair.vector);
+          result.found.push_back(mode_of(map, pair.value, x.cwiseQuotient(scales_of(map)), pair.residual.norm()));
+        }
       else
         {
           ++result.n_open;

@@ -47,10 +47,10 @@ TEST(SlowModes, AreAmongAllMultipliers)
 {
   const auto expected = modes_of(
     elastic,
-    {"Floquet/Steps = 6", "Floquet/Method = classical", "Floquet/Highest frequency = 0", "Floquet/Wanted = 1000"});
-  ASSERT_GT(expected.size(), 40u);
+    {"Floquet/Steps = 6", "Floquet/Method = classical", "Floquet/Highest frequency = 0", "Floquet/Wanted = 30"});
+  ASSERT_EQ(expected.size(), 30u);
   std::string                said;
-  const auto                 found = modes_of(elastic, {"Floquet/Steps = 6", "Floquet/Tolerance = 1e-7"}, &said);
+  const auto                 found = modes_of(elastic, {"Floquet/Steps = 6", "Floquet/Method = implicit"}, &said);
   std::multiset<std::string> families;
   for (const auto &mode : found)
     {
@@ -60,7 +60,7 @@ TEST(SlowModes, AreAmongAllMultipliers)
         nearest = std::min({nearest,
                             std::abs(mode.multiplier - other.multiplier),
                             std::abs(mode.multiplier - std::conj(other.multiplier))});
-      EXPECT_LT(nearest, 1e-6) << name_of(mode);
+      EXPECT_LT(nearest, 1e-5) << name_of(mode);
     }
   EXPECT_EQ(families,
             (std::multiset<std::string>{"flap 1", "flap 1", "flap 1", "lag 1", "lag 1", "lag 1", "lag 1", "support"}))
@@ -121,7 +121,7 @@ TEST(Multipliers, BandOfHammondsRotorWithADamperOut)
                                     {"Constants/out = 1",
                                      "Constants/Omega = " + number_to_text("%.12g", rpm + beside) + "*2*pi/60",
                                      "Floquet/Method = classical",
-                                     "Floquet/Steps = 24"});
+                                     "Floquet/Steps = 12"});
         EXPECT_EQ(std::abs(modes[0].multiplier) > 1, into * beside > 0) << rpm << " " << beside;
       }
 }
