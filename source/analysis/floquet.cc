@@ -83,7 +83,7 @@ namespace samara
       Double(0));
     prm.add("Tolerance",
             tolerance,
-            "Of what is found by iteration: residual relative to each multiplier [1].",
+            "Of what is found by iteration: residual relative to each multiplier; 0: 1e-9, of slow modes 1e-5 [1].",
             Double(0, 1));
     prm.add(
       "Symmetry",

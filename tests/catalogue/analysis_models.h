@@ -216,7 +216,12 @@ end
 )";
 
   /** A disk with a tip on a flexible joint, which two controls push. */
-  const std::string pushed_rotor = std::regex_replace(rotor, std::regex("modal"), "linear system") + R"(
+  const std::string pushed_rotor =
+    std::regex_replace(std::regex_replace(rotor, std::regex("modal"), "linear system"),
+                       std::regex("subsection Loads\n"),
+                       "subsection Loads\n  subsection at tip\n    set Type = point load\n    set At = tip\n"
+                       "    set Force = 0, 0, push - 2*pull\n  end\n") +
+    R"(
 subsection States
   subsection push
     set Type = control
@@ -226,15 +231,8 @@ subsection States
     set Copy of = push
   end
 end
-subsection Loads
-  subsection at tip
-    set Type  = point load
-    set At    = tip
-    set Force = 0, 0, push - 2*pull
-  end
-end
 subsection Output
-  set Probes = tip.displacement z
+  set Probes = tip.displacement z, tip.displacement x
 end
 )";
 

@@ -61,7 +61,7 @@ TEST_F(Catalogued, LinearSystem)
          {"Lowest frequency", "2", {highest, lowest}},
          {"Highest frequency", "50", {highest, lowest}},
          {"Frequencies", "7", {highest, lowest}},
-         {"Most states", "2", {}, true},
+         {"Most states", "2"},
          {"Hold rotations", "true"}});
 }
 
