@@ -7,12 +7,14 @@
 #include <samara/analysis/static.h>
 #include <samara/analysis/trim.h>
 #include <samara/catalogue.h>
+#include <samara/cosserat/airfoil_section.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/beamdyn_file.h>
+#include <samara/cosserat/mesh_section.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
-#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/joints/body_contact.h>
 #include <samara/joints/distributing.h>
@@ -61,6 +63,8 @@ namespace samara
     sections.add<EllipticSection>("ellipse", "solid ellipse");
     sections.add<BoxSection>("box", "hollow rectangle with a layup on each wall");
     sections.add<ISection>("I", "two flanges and a web between them");
+    sections.add<MeshSection>("mesh", "quadrilaterals and triangles of Gmsh or Abaqus");
+    sections.add<AirfoilSection>("airfoil", "skins, spar caps, webs and a trailing edge in an outline by coordinates");
     sections.add<ChannelSection>("C", "channel: two flanges and a web on their left");
 
     Registry<Item> bodies;
@@ -98,8 +102,10 @@ namespace samara
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
     joints.add<BallOnPlane>("ball on plane", "contact of a ball and a plane, with friction");
     joints.add<BallOnBall>("ball on ball", "contact of two balls, or of a ball in a hollow one, with friction");
-    joints.add<EllipsoidOnPlane>("ellipsoid on plane", "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
-    joints.add<BallOnCylinder>("ball on cylinder", "contact of a ball and a cylinder, or of a ball in a tube, with friction");
+    joints.add<EllipsoidOnPlane>("ellipsoid on plane",
+                                 "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
+    joints.add<BallOnCylinder>("ball on cylinder",
+                               "contact of a ball and a cylinder, or of a ball in a tube, with friction");
 
     Registry<Item> loads;
     loads.add<Gravity>("gravity", "weight of everything");

@@ -6,7 +6,7 @@
 #include <Eigen/CholmodSupport>
 
 #include <complex>
-#include <map>
+#include <memory>
 #include <stdexcept>
 
 namespace samara
@@ -29,34 +29,24 @@ namespace samara
       {
         const unsigned int                                n = E.m();
         Eigen::SparseMatrix<Number, Eigen::ColMajor, int> lower(n, n);
-        const auto                                       &pattern = E.get_sparsity_pattern();
-        Eigen::VectorXi                                   sizes(n);
-        for (unsigned int j = 0; j < n; ++j)
-          sizes(j) = pattern.row_length(j);
-        lower.reserve(sizes);
+        lower.reserve((E.n_nonzero_elements() + n) / 2);
         for (unsigned int j = 0; j < n; ++j)
           {
-            if (is_pinned[j])
+            // the pattern is symmetric: the row lists the column's entries, the diagonal first, others in order
+            lower.startVec(j);
+            auto e = E.begin(j), c = C.begin(j), m = M.begin(j);
+            for (; e != E.end(j); ++e, ++c, ++m)
               {
-                lower.insert(j, j) = E.diag_element(j);
-                continue;
-              }
-            // the pattern is symmetric: the row lists the column's entries, not in order
-            std::map<unsigned int, Number> column;
-            for (auto entry = pattern.begin(j); entry != pattern.end(j); ++entry)
-              {
-                const unsigned int i = entry->column();
-                if (i < j || is_pinned[i])
+                const unsigned int i = e->column();
+                if (i < j || (i > j && (is_pinned[i] || is_pinned[j])))
                   continue;
-                Number value = E(i, j);
-                if (theta != Number(0))
-                  value += theta * (C(j, i) - C(i, j)) - theta * theta * M(i, j);
-                column[i] = value;
+                Number value = e->value();
+                if (theta != Number(0) && !is_pinned[j])
+                  value += theta * (c->value() - C(i, j)) - theta * theta * Number(m->value());
+                lower.insertBack(i, j) = value;
               }
-            for (const auto &[i, value] : column)
-              lower.insert(i, j) = value;
           }
-        lower.makeCompressed();
+        lower.finalize();
         factors.compute(lower);
         if (factors.info() != Eigen::Success)
           throw std::invalid_argument(
