@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <limits>
 
 namespace samara
 {
@@ -16,6 +16,10 @@ namespace samara
             "Speed of sound, of which the Mach number is a part [m/s].",
             Double(1e-300));
     prm.add("Wind", components, "Velocity of the air, inertial components, functions of time t [m/s].");
+    prm.add("Gust",
+            gust,
+            "Velocity of the air in addition to the wind, inertial components, functions of the place x, y, z and of "
+            "time t: 0, 0, 3 m/s * (1 - cos(2*pi*(x - 30 m/s * t)/(50 m))). Steps end at its corners [m/s].");
     prm.add("Shear exponent",
             exponent,
             "p of a wind that grows with the height as (z/z_ref)^p; 0: the same everywhere [1].");
@@ -30,18 +34,30 @@ namespace samara
 
   void
   Air::initialize(Model &)
-  {}
-
-
-
-  Vector3
-  Air::gradient(const double z, const double time) const
   {
-    const double height = (z - ground) / reference_height;
-    if (exponent == 0 || height <= lowest)
-      return Vector3::Zero();
-    const double slope = exponent * std::pow(height, exponent - 1) / reference_height;
-    return slope * Vector3(components[0](time), components[1](time), components[2](time));
+    for (const auto &component : gust)
+      {
+        has_gust      = has_gust || !component.is_zero();
+        gust_varies   = gust_varies || component.depends_on_place();
+        gust_switches = gust_switches || component.switches_in_place();
+      }
+  }
+
+
+
+  Matrix3
+  Air::gradient(const Vector3 &x, const double time) const
+  {
+    Matrix3      result = Matrix3::Zero();
+    const double height = (x(2) - ground) / reference_height;
+    if (exponent != 0 && height > lowest)
+      {
+        const double slope = exponent * std::pow(height, exponent - 1) / reference_height;
+        result.col(2)      = slope * Vector3(components[0](time), components[1](time), components[2](time));
+      }
+    for (unsigned int i = 0; i < 3 && gust_varies; ++i)
+      result.row(i) += gust[i].gradient(x, time).transpose();
+    return result;
   }
 
 
@@ -49,8 +65,20 @@ namespace samara
   double
   Air::next_corner(const double from, const double to) const
   {
-    return std::min(
-      {components[0].next_corner(from, to), components[1].next_corner(from, to), components[2].next_corner(from, to)});
+    double first = std::numeric_limits<double>::infinity();
+    for (unsigned int i = 0; i < 3; ++i)
+      first = std::min({first, components[i].next_corner(from, to), gust[i].next_corner(from, to)});
+    return first;
+  }
+
+
+
+  void
+  Air::pieces(const Vector3 &x, const double time, std::vector<double> &result) const
+  {
+    for (const auto &component : gust)
+      if (component.switches_in_place())
+        component.pieces(x, time, result);
   }
 
 

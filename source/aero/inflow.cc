@@ -24,6 +24,28 @@ namespace samara
 
 
   void
+  Inflow::add_tip_loss(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    has_factor_of_tips = true;
+    prm.add("Tip loss",
+            tip_loss,
+            "Whether Prandtl's factor reduces the lift of blades at tips and roots. Not together with harmonics up to "
+            "the number of blades, which have the loss in them.",
+            Selection("none|Prandtl"));
+    prm.add("Root",
+            corrections.root,
+            "Radius at which blades begin, for Prandtl's factor there; 0: no loss at roots [m].",
+            Double(0));
+    prm.add("Blades",
+            given_blades,
+            "How many blades the rotor has, for Prandtl's factor; 0: as many as surfaces name this inflow.",
+            Integer(0, 100));
+  }
+
+
+
+  void
   Inflow::be_placed(const Placement &placement)
   {
     // the azimuth that is chosen where none is given is one of the subsystem
@@ -56,12 +78,21 @@ namespace samara
                                  "the direction of azimuth zero is along the thrust axis");
             return;
           }
-        hub = model.frame_at(given, model.position(given), triad_about(e3, e1));
+        hub                      = model.frame_at(given, model.position(given), triad_about(e3, e1));
+        corrections.has_tip_loss = tip_loss == "Prandtl";
+        corrections.radius       = radius;
+        corrections.least_speed  = 1e-7 * air->speed_of_sound;
       }
     catch (const std::invalid_argument &problem)
       {
         model.complaints.add(parameters.where(where), problem.what());
       }
+    if (corrections.root >= radius)
+      model.complaints.add(parameters.where("Root"), "<Root> of <" + name + "> is not less than its <Radius>");
+    for (const std::string entry : {"Root", "Blades"})
+      if (has_factor_of_tips && tip_loss == "none" && parameters.is_set(entry))
+        model.complaints.add(parameters.where(entry),
+                             "<" + entry + "> of <" + name + "> is for <Tip loss = Prandtl>, and there is none");
   }
 
 
@@ -69,7 +100,15 @@ namespace samara
   void
   Inflow::connect(Layout &layout)
   {
-    hub = layout.model.resolved(hub);
+    hub                = layout.model.resolved(hub);
+    corrections.blades = given_blades > 0 ? given_blades : std::max<std::size_t>(1, surfaces.size());
+    corrections.averages.clear();
+    for (const auto &shape : disk.shapes) // 2 ∫ r^{2j} r dr
+      {
+        corrections.averages.push_back(0.);
+        for (unsigned int j = 0; j < shape.c.size() && shape.m == 0; ++j)
+          corrections.averages.back() += shape.c[j] / (j + 1.);
+      }
   }
 
 
@@ -145,6 +184,7 @@ namespace samara
       "w0, wc, ws: flow against the thrust axis, and how much more it is at the edge at azimuth 0 and 90 degrees, "
       "functions of time t [m/s].");
     prm.turns("Velocity", Turning::own_axes);
+    add_tip_loss(prm);
   }
 
 

@@ -11,6 +11,12 @@ namespace samara
   {
     Inflow::add_parameters(prm);
     prm.add("Initial", initial, "Mean inflow at the start; statics find theirs [m/s].");
+    prm.add("Ground effect",
+            ground_effect,
+            "How the ground of the air, a plane, reduces the inflow: by the image of a source, of use from half a "
+            "radius above it on.",
+            dealii::Patterns::Selection("none|Cheeseman-Bennett"));
+    add_tip_loss(prm);
   }
 
 
@@ -51,6 +57,12 @@ namespace samara
     disk = theory.disk;
     if (air == nullptr)
       return;
+    corrections.has_ground = ground_effect == "Cheeseman-Bennett";
+    corrections.ground     = air->ground;
+    if (corrections.has_ground && model.position(hub)(2) <= air->ground)
+      model.complaints.add(parameters.where("Ground effect"),
+                           "the hub of <" + name + "> is not above the ground, which is at z = " +
+                             number_to_text("%.4g", air->ground) + " m: <Ground> of the air says where it is");
     // a uniform flow: of radial functions φ, one for each n, the sum of a_n φ_n is 1 where all of them are taken; the
     // first state alone has the mean flow that is given
     const FiniteStateInflow::Flow<double> unit =
@@ -142,7 +154,7 @@ namespace samara
 
     // v = Hᵀ s, s = wind − H y
     Eigen::Matrix<double, 3, 6> place = Eigen::Matrix<double, 3, 6>::Zero(), twist = place;
-    place.leftCols<3>()  = H.transpose() * air->gradient(x(2), point.time) * H.row(2);
+    place.leftCols<3>()  = H.transpose() * air->gradient(x, point.time) * H;
     place.rightCols<3>() = skew(Vector3(H.transpose() * s)) + H.transpose() * H * skew(Vector3(y.head<3>()));
     twist.leftCols<3>()  = -H.transpose() * H;
 
@@ -205,6 +217,41 @@ namespace samara
     Eigen::MatrixXd K, C;
     differentiate(point, K, C);
     block.add(C, A);
+  }
+
+
+
+  std::vector<Doubt>
+  MomentumInflow::doubts(const State &state) const
+  {
+    const auto         point = state.point();
+    const auto         f     = flight(point);
+    const Vector3      e3    = hub.triad(point.q).col(2);
+    const auto         text  = [](const double x) { return number_to_text("%.3g", x); };
+    std::vector<Doubt> result;
+    if (const double thrust = f.lambda_f < 0 && !surfaces.empty() ? e3.dot(loads(state).force) : 0.; thrust > 0)
+      {
+        const double hover = std::sqrt(thrust / (2 * air->density * M_PI)) / radius, ratio = f.lambda_f / hover;
+        if (ratio > -2 && ratio < -0.3 && std::hypot(f.mu_x, f.mu_y) < hover)
+          result.push_back({"vortex rings",
+                            "the rotor of <" + name + "> descends with " + text(-f.lambda_f) +
+                              " m/s into its own wake, " + text(-ratio) +
+                              " of its flow in hover: from 0.3 to 2 there are vortex rings, of which momentum theory "
+                              "knows nothing. Results may be wrong there"});
+      }
+    if (!corrections.has_ground)
+      return result;
+    if (const double height = hub.position(point.q)(2) - corrections.ground; height < 0.5 * radius)
+      result.push_back({"low hub",
+                        "the hub of <" + name + "> is " + text(height) +
+                          " m above the ground, less than half a radius: what <Ground effect> says there is continued "
+                          "from above, and no more than a guess"});
+    if (e3(2) < std::cos(M_PI / 6))
+      result.push_back({"tilted disk",
+                        "the thrust axis of <" + name + "> leans by " +
+                          text(std::acos(std::clamp(e3(2), -1., 1.)) * 180 / M_PI) +
+                          " deg: <Ground effect> is that of a disk that is parallel to the ground"});
+    return result;
   }
 
 

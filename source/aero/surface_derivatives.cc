@@ -214,7 +214,8 @@ namespace samara
     of_inflow(const Inflow            &inflow,
               const Gathered<double>  &g,
               const AtStation<double> &at,
-              const unsigned int       first_state)
+              const unsigned int       first_state,
+              const Change<5>         &disk)
     {
       const unsigned int n = at.shapes.size();
       by_x.resize(n);
@@ -224,9 +225,68 @@ namespace samara
       by_y /= inflow.radius;
       const Eigen::Map<const Eigen::VectorXd> z(g.amplitudes.data(), n), phi(at.shapes.data(), n);
       air.add<3>(-at.induced * Matrix3::Identity(), axis);
-      air.add<3>(-at.thrust_axis * Eigen::RowVector3d(z.dot(by_x), z.dot(by_y), 0.), on_disk);
+      air.add<3>(-at.thrust_axis * g.near * Eigen::RowVector3d(z.dot(by_x), z.dot(by_y), 0.), on_disk);
       if (!inflow.states.empty())
-        air.states.middleCols(first_state, n) -= at.thrust_axis * phi.transpose();
+        air.states.middleCols(first_state, n) -= at.thrust_axis * g.near * phi.transpose();
+      if (inflow.corrections.has_ground)
+        air.add<5>(-at.thrust_axis * z.dot(phi) * inflow.corrections.ground_slopes(g.disk), disk);
+    }
+
+    /** How the flow through the disk as a whole changes, with the hub and the inflow's states. */
+    static Change<5>
+    of_disk(const Inflow           &inflow,
+            const Gathered<double> &g,
+            const unsigned int      first_state,
+            const Point<double>    &point,
+            const unsigned int      n_twists,
+            const unsigned int      n_states)
+    {
+      Change<5> disk(n_twists, n_states);
+      if (!inflow.corrections.any())
+        return disk;
+      const Matrix3     &H = g.frames.D.back();
+      const Vector3     &x = g.frames.x.back(), v = g.frames.y.back().head<3>();
+      const unsigned int first = 6 * (g.frames.D.size() - 1), n = inflow.states.size();
+      const Vector3      s    = inflow.air->wind(x, point.time) - H * v;
+      const Matrix3      sign = Vector3(1., 1., -1.).asDiagonal(), HtH = H.transpose() * H;
+      disk.place.block<3, 3>(0, first)     = sign * H.transpose() * inflow.air->gradient(x, point.time) * H;
+      disk.place.block<3, 3>(0, first + 3) = sign * (skew(Vector3(H.transpose() * s)) + HtH * skew(v));
+      disk.twist.block<3, 3>(0, first)     = -sign * HtH;
+      disk.place.block<1, 3>(4, first)     = H.row(2);
+      if (n > 0)
+        disk.states.row(3).segment(first_state, n) =
+          Eigen::Map<const Eigen::RowVectorXd>(inflow.corrections.averages.data(), n);
+      return disk;
+    }
+
+    /** What tips leave of the lift: @p by_kept are the loads' slopes. */
+    void
+    of_tips(const Inflow            &inflow,
+            const Gathered<double>  &g,
+            const AtStation<double> &at,
+            const Change<5>         &disk,
+            const Eigen::Vector4d   &by_kept)
+    {
+      const auto slopes =
+        inflow.corrections.tip_slopes(at.on_disk(0), at.on_disk(1), g.disk(2) + g.disk(3), at.spin.dot(at.thrust_axis));
+      loads.add<3>(by_kept * Eigen::RowVector3d(slopes(0), slopes(1), 0.), on_disk);
+      Eigen::Matrix<double, 1, 5> through = Eigen::Matrix<double, 1, 5>::Zero();
+      through(2) = through(3) = slopes(2);
+      loads.add<5>(by_kept * through, disk);
+      loads.add<3>(by_kept * slopes(3) * at.thrust_axis.transpose(), spin);
+      loads.add<3>(by_kept * slopes(3) * at.spin.transpose(), axis);
+    }
+
+    /** The air where the flow is met, if it is not the same everywhere. */
+    void
+    of_wind(const Station &station, const Gathered<double> &g, const Matrix3 &gradient)
+    {
+      for (unsigned int a = 0; a < station.N.size(); ++a)
+        {
+          const Matrix3 GD = station.N[a] * gradient * g.frames.D[a];
+          air.place.middleCols<3>(6 * a) += GD;
+          air.place.middleCols<3>(6 * a + 3) -= GD * skew(station.three_quarters);
+        }
     }
   };
 
@@ -265,10 +325,13 @@ namespace samara
     const bool         has_lags = unsteady != Unsteady::quasi_steady;
     Derivatives        d(n_twists, n_states);
     d.of_frames(station, g.frames, at.axes);
-    d.air.add<3>(air->gradient(at.place(2), point.time) * Eigen::RowVector3d::Unit(2), d.place);
+    if (air->varies_in_space())
+      d.of_wind(station, g, air->gradient(g.frames.position(station.N, station.three_quarters), point.time));
     Eigen::Matrix<double, 5, AnnularMomentum::n_inputs> annular_slopes;
     if (inflow != nullptr)
       d.of_hub(g, at);
+    const Change<5> disk =
+      inflow == nullptr ? Change<5>(0, 0) : Derivatives::of_disk(*inflow, g, n_lags, point, n_twists, n_states);
     if (annular != nullptr)
       {
         const Matrix3 &H = g.frames.D.back();
@@ -279,7 +342,7 @@ namespace samara
         d.of_annulus(station, g, at, annular_slopes);
       }
     else if (inflow != nullptr)
-      d.of_inflow(*inflow, g, at, n_lags);
+      d.of_inflow(*inflow, g, at, n_lags, disk);
     d.relative.add<3>(Matrix3::Identity(), d.air);
 
     Matrix3 E;
@@ -287,7 +350,10 @@ namespace samara
     d.V.add<3>(E.transpose(), d.relative);
     d.V.add<3>(E.transpose() * skew(at.relative), d.turn);
 
-    Eigen::Matrix<double, 4, 5> J = section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.flow);
+    Eigen::Matrix<double, 4, 6> J =
+      section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.kept, at.flow);
+    if (inflow != nullptr && inflow->corrections.has_tip_loss)
+      d.of_tips(*inflow, g, at, disk, J.col(5));
     if (unsteady == Unsteady::dynamic_stall)
       d.loads.states.col(station.first_lag + 3) += J.col(4);
     if (has_lags)

@@ -2,6 +2,7 @@
 
 #include <samara/aero/surface.h>
 
+#include <array>
 #include <cmath>
 
 namespace samara
@@ -23,6 +24,22 @@ namespace samara
                                                                                   {"moment", "N"},
                                                                                   {"inflow", "m/s"}};
       return quantities;
+    }
+
+    /** Their values, in this order. */
+    std::array<double, 10>
+    values_at_station(const SectionFlow<double> &flow, const double induced)
+    {
+      return {{flow.alpha * 180 / M_PI,
+               flow.mach,
+               flow.speed,
+               flow.lift,
+               flow.drag,
+               flow.moment,
+               flow.loads(2),
+               flow.loads(1),
+               flow.loads(3),
+               induced}};
     }
 
     /** Direction x, y, z at the end of "force x"; nothing if there is none. */
@@ -73,18 +90,8 @@ namespace samara
     for (unsigned int k = 0; k < quantities_of_station().size() && nearest != nullptr; ++k)
       if (quantity == quantities_of_station()[k].first)
         return Probe{path, quantities_of_station()[k].second, [this, in, nearest, k](const State &state) {
-                       const auto   at       = evaluate(*nearest, gather(*in, state.point()), state.time);
-                       const double values[] = {at.flow.alpha * 180 / M_PI,
-                                                at.flow.mach,
-                                                at.flow.speed,
-                                                at.flow.lift,
-                                                at.flow.drag,
-                                                at.flow.moment,
-                                                at.flow.loads(2),
-                                                at.flow.loads(1),
-                                                at.flow.loads(3),
-                                                at.induced};
-                       return values[k];
+                       const auto at = evaluate(*nearest, gather(*in, state.point()), state.time);
+                       return values_at_station(at.flow, at.induced)[k];
                      }};
     return {};
   }
@@ -105,6 +112,18 @@ namespace samara
 
 
 
+  double
+  Surface::azimuth(const AtStation<double> &at, const Vector3 &centre) const
+  {
+    // the direction of azimuth zero does not turn, be the hub one that turns or not
+    const Vector3 e3 = at.thrust_axis.normalized(), zero = model->triad(inflow->hub).col(0),
+                  e1 = (zero - e3 * e3.dot(zero)).normalized(), r = at.place - centre;
+    const double angle = std::atan2(r.dot(e3.cross(e1)), r.dot(e1)) * 180 / M_PI;
+    return angle < 0 ? angle + 360 : angle;
+  }
+
+
+
   void
   Surface::draw(const State &state, Drawing &drawing) const
   {
@@ -118,6 +137,8 @@ namespace samara
       unit.push_back({0.25 - x[i], -t[i]});
     std::vector<Sample>                       axis;
     std::vector<std::vector<Eigen::Vector2d>> outlines;
+    std::vector<std::array<double, 10>>       values;
+    std::vector<std::array<double, 2>>        places;
     for (const auto &element : elements)
       {
         const auto g = gather(element, state.point());
@@ -129,6 +150,9 @@ namespace samara
             sample.D << at.axes.e1, at.axes.e2, at.axes.e3;
             sample.velocity = g.frames.velocity(station.N, station.quarter);
             axis.push_back(sample);
+            values.push_back(values_at_station(at.flow, at.induced));
+            if (inflow != nullptr)
+              places.push_back({{at.on_disk.head<2>().norm(), azimuth(at, g.frames.x.back())}});
             outlines.push_back(unit);
             for (auto &corner : outlines.back())
               corner *= station.section.chord;
@@ -137,6 +161,19 @@ namespace samara
     if (axis.size() < 2)
       return;
     drawing.begin_object(name);
-    drawing.tube(axis, outlines);
+    const unsigned int first     = drawing.tube(axis, outlines).first_sample;
+    const auto         set_field = [&](const std::string &quantity, const std::string &unit, const auto &of_station) {
+      Field &field = drawing.field(quantity, unit);
+      for (unsigned int i = 0; i < axis.size(); ++i)
+        field.set(first + i, of_station(i));
+    };
+    for (unsigned int k = 0; k < quantities_of_station().size(); ++k)
+      set_field(quantities_of_station()[k].first, quantities_of_station()[k].second, [&](const unsigned int i) {
+        return values[i][k];
+      });
+    if (inflow == nullptr)
+      return;
+    set_field("radius", "m", [&](const unsigned int i) { return places[i][0]; });
+    set_field("azimuth", "deg", [&](const unsigned int i) { return places[i][1]; });
   }
 } // namespace samara

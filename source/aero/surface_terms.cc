@@ -20,6 +20,11 @@ namespace samara
       {
         g.amplitudes.resize(inflow->disk.shapes.size());
         inflow->amplitudes(point, g.amplitudes.data());
+        if (inflow->corrections.any())
+          g.disk = inflow->flow_through_disk(
+            g.frames.x.back(), g.frames.D.back(), g.frames.y.back(), g.amplitudes.data(), point.time);
+        if (inflow->corrections.has_ground)
+          g.near = inflow->corrections.ground_factor(g.disk);
       }
     return g;
   }
@@ -31,8 +36,10 @@ namespace samara
   Surface::evaluate(const Station &station, const Gathered<Number> &g, const double time) const
   {
     AtStation<Number> at(station, g.frames);
-    at.place          = g.frames.position(station.N, station.quarter);
-    Vec3<Number> wind = air->wind(at.place, time);
+    at.place = g.frames.position(station.N, station.quarter);
+    // where the velocity of the section counts, that of the air does
+    Vec3<Number> wind =
+      air->wind(air->varies_in_space() ? g.frames.position(station.N, station.three_quarters) : at.place, time);
     if (inflow != nullptr)
       {
         // as seen from the hub, whose frame is the last one
@@ -51,19 +58,24 @@ namespace samara
                               Number(at.on_disk(1) / inflow->radius),
                               at.shapes.data());
         for (unsigned int k = 0; k < at.shapes.size(); ++k)
-          at.induced += g.amplitudes[k] * at.shapes[k];
+          at.induced += g.near * g.amplitudes[k] * at.shapes[k];
         if (annular == nullptr)
           wind -= at.induced * at.thrust_axis;
       }
-    at.air                  = wind;
-    at.spin                 = g.frames.spin(station.N);
+    at.air  = wind;
+    at.spin = g.frames.spin(station.N);
+    if (inflow != nullptr && inflow->corrections.has_tip_loss)
+      at.kept = inflow->corrections.tip_factor(at.on_disk(0),
+                                               at.on_disk(1),
+                                               Number(g.disk(2) + g.disk(3)),
+                                               dot(at.spin, at.thrust_axis));
     at.relative             = at.air - g.frames.velocity(station.N, station.three_quarters);
     at.V                    = at.axes.components(at.relative);
     const Number *const lag = g.lags.data() + station.first_lag;
     at.upwash               = unsteady == Unsteady::quasi_steady ? at.V(2) : lags::effective_upwash(at.V(2), lag);
     if (unsteady == Unsteady::dynamic_stall)
       at.separated = lag[3];
-    at.flow       = section_flow(station.section, *air, at.V, at.upwash, at.separated);
+    at.flow       = section_flow(station.section, *air, at.V, at.upwash, at.separated, at.kept);
     const auto &l = at.flow.loads;
     at.force      = l(0) * at.axes.e1 + l(1) * at.axes.e2 + l(2) * at.axes.e3;
     at.moment     = l(3) * at.axes.e1;
@@ -176,6 +188,22 @@ namespace samara
   {
     const double corner = surface->air->next_corner(from, to);
     return surface->inflow == nullptr ? corner : std::min(corner, surface->inflow->next_corner(from, to));
+  }
+
+
+
+  void
+  Surface::Loads::pieces(const Point<double> &point, std::vector<double> &pieces) const
+  {
+    if (!surface->air->switches_in_place())
+      return;
+    for (const auto &element : surface->elements)
+      {
+        FramesInState<double> frames;
+        frames.gather(element.frames, point);
+        for (const auto &station : element.stations)
+          surface->air->pieces(frames.position(station.N, station.three_quarters), point.time, pieces);
+      }
   }
 
 

@@ -1,6 +1,7 @@
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/finite_matrix.h>
 #include <samara/base/finite.h>
+#include <samara/model/doubts.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -44,6 +45,11 @@ namespace samara
             context.log.warning(when, place + ". Results may be wrong: give it more <Elements>, or a higher <Degree>.");
             warned.insert(c.get());
           }
+    for (const auto &c : context.system.model.items)
+      if (const auto *const doubtful = dynamic_cast<const Doubtful *>(c.get()))
+        for (const auto &doubt : doubtful->doubts(state))
+          if (doubted.emplace(c.get(), doubt.about).second)
+            context.log.warning(when, doubt.text);
   }
 
 

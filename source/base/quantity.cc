@@ -242,7 +242,9 @@ namespace samara
     const Dimension a_number = {{0, 0, 0, 0, 0}}, a_length = {{1, 0, 0, 0, 0}}, a_time = {{0, 0, 1, 0, 0}};
     std::map<std::string, Dimension> dimensions;
     for (const auto &name : variables)
-      dimensions[name] = name == "t" ? a_time : name == "s" ? a_length : a_number;
+      dimensions[name] = name == "t"                                              ? a_time :
+                         name == "s" || name == "x" || name == "y" || name == "z" ? a_length :
+                                                                                    a_number;
     const Evaluation evaluation(trimmed, words, dimensions);
     if (!evaluation.has_variables())
       return number_to_text(number(trimmed, unit));
@@ -314,8 +316,8 @@ namespace samara
   namespace
   {
     /**
-     * @p text, in SI units with a word for each signal, as a law: a component along an axis of a subsystem is the sum of those
-     * along inertial axes, of which the model knows: eᵢ·v = Σⱼ Rⱼᵢ vⱼ, and eᵢ·(x − x₀) of a position.
+     * @p text, in SI units with a word for each signal, as a law: a component along an axis of a subsystem is the sum
+     * of those along inertial axes, of which the model knows: eᵢ·v = Σⱼ Rⱼᵢ vⱼ, and eᵢ·(x − x₀) of a position.
      */
     Law
     in_inertial_axes(const std::string &text, const std::vector<std::string> &local_paths, const Placement &placement)

@@ -104,6 +104,56 @@ subsection Bodies
                         "    set Upper side = 0, 0, 1\n" +
                           entries));
   }
+
+  /** Four blades on a body that turns at 30 rad/s about z; hub, inflow and wind as given. */
+  inline std::string
+  four_bladed_rotor(const std::string &inflow,
+                    const std::string &hub,
+                    const std::string &wind = "0, 0, 0",
+                    const std::string &more = "")
+  {
+    std::string surfaces;
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        const int  x = k == 0 ? 1 : k == 2 ? -1 : 0, y = k == 1 ? 1 : k == 3 ? -1 : 0;
+        const auto at = [&](const double r) { return number_to_text(x * r) + ", " + number_to_text(y * r) + ", 0"; };
+        surfaces += subsection("blade " + std::to_string(k + 1),
+                               "    set Body = rotor\n    set Line = " + at(0.6) + "; " + at(3) +
+                                 "\n    set Leading edge = " + number_to_text(-y) + ", " + number_to_text(x) +
+                                 ", 0\n    set Chord = 0.2\n    set Twist = 10 deg - 1.2 deg*s\n"
+                                 "    set Airfoils = plain\n    set Inflow = flow\n    set Unsteady = quasi-steady\n" +
+                                 more);
+      }
+    return R"(
+subsection Bodies
+  subsection rotor
+    set Type    = rigid body
+    set Mass    = 5
+    set Inertia = 2, 2, 4
+  end
+end
+subsection Joints
+  subsection shaft
+    set Type   = revolute
+    set Body A = ground
+    set Body B = rotor.centre
+    set Axis   = 0, 0, 1
+  end
+end
+subsection Loads
+  subsection turning
+    set Type  = steady rotation
+    set Joint = shaft
+    set Speed = 30
+  end
+end
+)" + airfoils() +
+           subsection("Aerodynamics",
+                      air(wind) +
+                        subsection("flow",
+                                   "    set Type = " + inflow + "\n    set Hub = " + hub + "\n    set Radius = 3\n")) +
+           subsection("Surfaces", surfaces);
+  }
 } // namespace samara::aero_models
 
 #endif

@@ -281,61 +281,6 @@ TEST(FiniteStateInflow, DerivativesAgainstComplexSteps)
 
 
 
-namespace
-{
-  /** Four blades on a body that turns at 30 rad/s about z; hub, inflow and wind as given. */
-  std::string
-  four_bladed_rotor(const std::string &inflow,
-                    const std::string &hub,
-                    const std::string &wind = "0, 0, 0",
-                    const std::string &more = "")
-  {
-    std::string surfaces;
-    for (unsigned int k = 0; k < 4; ++k)
-      {
-        const int  x = k == 0 ? 1 : k == 2 ? -1 : 0, y = k == 1 ? 1 : k == 3 ? -1 : 0;
-        const auto at = [&](const double r) { return number_to_text(x * r) + ", " + number_to_text(y * r) + ", 0"; };
-        surfaces += subsection("blade " + std::to_string(k + 1),
-                               "    set Body = rotor\n    set Line = " + at(0.6) + "; " + at(3) +
-                                 "\n    set Leading edge = " + number_to_text(-y) + ", " + number_to_text(x) +
-                                 ", 0\n    set Chord = 0.2\n    set Twist = 10 deg - 1.2 deg*s\n"
-                                 "    set Airfoils = plain\n    set Inflow = flow\n    set Unsteady = quasi-steady\n" +
-                                 more);
-      }
-    return R"(
-subsection Bodies
-  subsection rotor
-    set Type    = rigid body
-    set Mass    = 5
-    set Inertia = 2, 2, 4
-  end
-end
-subsection Joints
-  subsection shaft
-    set Type   = revolute
-    set Body A = ground
-    set Body B = rotor.centre
-    set Axis   = 0, 0, 1
-  end
-end
-subsection Loads
-  subsection turning
-    set Type  = steady rotation
-    set Joint = shaft
-    set Speed = 30
-  end
-end
-)" + airfoils() +
-           subsection("Aerodynamics",
-                      air(wind) +
-                        subsection("flow",
-                                   "    set Type = " + inflow + "\n    set Hub = " + hub + "\n    set Radius = 3\n")) +
-           subsection("Surfaces", surfaces);
-  }
-} // namespace
-
-
-
 TEST(MomentumInflow, DerivativesAgainstComplexSteps)
 {
   for (const std::string kind :
@@ -344,10 +289,16 @@ TEST(MomentumInflow, DerivativesAgainstComplexSteps)
       {
         if (hub == "ground" && kind != "uniform inflow") // refused in statics
           continue;
-        const Scene       scene(four_bladed_rotor(kind, hub, "12, 3, -1", "    set Virtual mass = true\n"));
-        const ComplexStep step(scene.system, false, false, true);
-        EXPECT_LT(step.error_of_tangent(), 1e-12) << kind << hub;
-        EXPECT_LT(step.error_of_damping(), 1e-12) << kind << hub;
+        const std::string factors =
+          "\n    set Ground effect = Cheeseman-Bennett\n    set Tip loss = Prandtl\n    set Root = 0.4";
+        for (const std::string &more : {std::string(), factors})
+          {
+            const std::string wind = "12, 3, -1\n    set Ground = -2\n    set Gust = sin(x + y), 0, 2*cos(x*z)";
+            const Scene       scene(four_bladed_rotor(kind + more, hub, wind, "    set Virtual mass = true\n"));
+            const ComplexStep step(scene.system, false, false, true);
+            EXPECT_LT(step.error_of_tangent(), 1e-12) << kind << more << hub;
+            EXPECT_LT(step.error_of_damping(), 1e-12) << kind << more << hub;
+          }
       }
 }
 

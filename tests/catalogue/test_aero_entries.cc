@@ -73,6 +73,9 @@ end
                     flow     = "    set Hub = body\n    set Radius = 2.5\n    set Air = air\n",
                     uniform  = "    set Type = uniform inflow\n" + flow;
 
+  const std::string with_loss = "Aerodynamics/flow/Tip loss = Prandtl";
+  const Changes     of_tips   = {{"Tip loss", "Prandtl"}, {"Root", "0.1", {with_loss}}, {"Blades", "3", {with_loss}}};
+
   const Changes of_hub = {{"Hub", "body.other"},
                           {"Axis", "0.1, 0.3, 1"},
                           {"Direction", "0, 1, 0"},
@@ -131,6 +134,7 @@ TEST_F(Catalogued, AirAndInflow)
         {{"Density", "1"},
          {"Speed of sound", "300", {"Airfoils/it/Compressible = true"}},
          {"Wind", "1, -31, 4"},
+         {"Gust", "0, 0, 2*sin(x - 20*t)"},
          {"Shear exponent", "0.2"},
          {"Shear height", "5", {"Aerodynamics/air/Shear exponent = 0.2"}},
          {"Ground", "-4", {"Aerodynamics/air/Shear exponent = 0.2"}}});
@@ -141,8 +145,9 @@ TEST_F(Catalogued, AirAndInflow)
   check("prescribed inflow",
         flyer(analytic, air, "    set Type = prescribed inflow\n    set Velocity = 2, 1, 0.5\n" + flow, ""),
         "Aerodynamics/flow",
-        joined(of_flow, {{{"Velocity", "2, 1, 0.4"}}}),
+        joined(of_flow, {of_tips, {{"Velocity", "2, 1, 0.4"}}}),
         {{"Air", "the flow is given"}});
+  const Changes     of_momentum = joined(of_tips, {{{"Initial", "2"}, {"Ground effect", "Cheeseman-Bennett"}}});
   Changes           without_direction;
   const std::string no_azimuth = "a uniform flow has no azimuth";
   for (const auto &change : of_hub)
@@ -151,16 +156,16 @@ TEST_F(Catalogued, AirAndInflow)
   check("uniform inflow",
         flyer(analytic, air, uniform, ""),
         "Aerodynamics/flow",
-        joined(without_direction, {{{"Initial", "2"}}}),
+        joined(without_direction, {of_momentum}),
         {{"Direction", no_azimuth}});
   check("Pitt-Peters inflow",
         flyer(analytic, air, changed(uniform, "uniform", "Pitt-Peters"), ""),
         "Aerodynamics/flow",
-        joined(of_hub, {{{"Initial", "2"}}}));
+        joined(of_hub, {of_momentum}));
   check("Peters-He inflow",
         flyer(analytic, air, changed(uniform, "uniform", "Peters-He"), ""),
         "Aerodynamics/flow",
-        joined(of_hub, {{{"Initial", "2"}, {"Harmonics", "3"}, {"Power", "7"}, {"Mass flow", "first state"}}}));
+        joined(of_hub, {of_momentum, {{"Harmonics", "3"}, {"Power", "7"}, {"Mass flow", "first state"}}}));
   Changes of_annuli; // neither azimuth nor another air
   for (const auto &change : of_flow)
     if (change.entry != "Direction")

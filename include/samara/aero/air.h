@@ -1,10 +1,11 @@
 #ifndef samara_aero_air_h
 #define samara_aero_air_h
 
-#include <samara/base/function_of_time.h>
+#include <samara/base/field_function.h>
 #include <samara/model/model.h>
 
 #include <array>
+#include <complex>
 
 namespace samara
 {
@@ -12,7 +13,7 @@ namespace samara
    * The air in which surfaces move: its density, the speed of sound, and the wind w(x, t), inertial components [m/s].
    *
    * The wind is the same everywhere, or grows with the height z above the ground as (z/z_ref)^p; below a thousandth of
-   * z_ref it is what it is there.
+   * z_ref it is what it is there. A gust, any function of place and time, is added to it.
    */
   class Air : public Item
   {
@@ -27,6 +28,7 @@ namespace samara
     }
 
     double density = 1.225, speed_of_sound = 340.3; ///< [kg/m^3], [m/s]
+    double ground = 0;                              ///< inertial coordinate z [m]
 
     template <typename Number>
     Vec3<Number>
@@ -36,21 +38,41 @@ namespace samara
       const Number factor = profile(x(2));
       for (unsigned int i = 0; i < 3; ++i)
         result(i) = factor * components[i](time);
+      if (has_gust)
+        add_gust(x, time, result);
       return result;
     }
 
-    /** ∂w/∂z; the wind does not change with x and y. */
-    Vector3 gradient(double z, double time) const;
+    /** Whether the wind is not the same everywhere. */
+    bool
+    varies_in_space() const
+    {
+      return exponent != 0 || gust_varies;
+    }
 
-    /** The first time in (from, to) at which the wind has a corner. */
+    /** ∂wᵢ/∂xⱼ [1/s] */
+    Matrix3 gradient(const Vector3 &x, double time) const;
+
+    /** The first time in (from, to) at which the wind has a corner that does not depend on the place. */
     double next_corner(double from, double to) const;
+
+    bool
+    switches_in_place() const
+    {
+      return gust_switches;
+    }
+
+    /** On which pieces the gust is at a place where it switches by the place, see Term::pieces(). */
+    void pieces(const Vector3 &x, double time, std::vector<double> &result) const;
 
     /** The only air of the model, or that of this name. @throws std::invalid_argument, FollowUp */
     static const Air &of(const Model &model, const std::string &name);
 
   private:
     std::array<FunctionOfTime, 3> components;
-    double                        exponent = 0, reference_height = 10, ground = 0;
+    std::array<FieldFunction, 3>  gust;
+    bool                          has_gust = false, gust_varies = false, gust_switches = false;
+    double                        exponent = 0, reference_height = 10;
 
     template <typename Number>
     Number
@@ -61,6 +83,21 @@ namespace samara
       if (exponent == 0)
         return Number(1);
       return std::real(height) > lowest ? Number(pow(height, exponent)) : Number(std::pow(lowest, exponent));
+    }
+
+    void
+    add_gust(const Vector3 &x, const double time, Vector3 &wind) const
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        wind(i) += gust[i](x, time);
+    }
+
+    /** Continued by its gradient along imaginary parts so small that their squares are lost. */
+    void
+    add_gust(const Vec3<std::complex<double>> &x, const double time, Vec3<std::complex<double>> &wind) const
+    {
+      for (unsigned int i = 0; i < 3; ++i)
+        wind(i) += std::complex<double>(gust[i](x.real(), time), gust[i].gradient(x.real(), time).dot(x.imag()));
     }
 
     static constexpr double lowest = 1e-3;

@@ -8,29 +8,6 @@
 
 namespace samara
 {
-  namespace internal
-  {
-    /** max(x, least) by real parts. */
-    template <typename Number>
-    Number
-    at_least(const Number &x, const double least)
-    {
-      return std::real(x) > least ? x : Number(least);
-    }
-
-    /** L. Prandtl's factor (2/π) acos e^{−f}, f ≥ 0. */
-    template <typename Number>
-    Number
-    prandtl_factor(const Number &f)
-    {
-      const double e = std::exp(-std::real(f));
-      return continued(
-        2 / M_PI * std::acos(e), 2 / M_PI * e / std::sqrt(-std::expm1(-2 * std::real(f))), 0., f, Number(0));
-    }
-  } // namespace internal
-
-
-
   /**
    * Momentum of the air that passes an annulus of a rotor's disk, and what the blade that is there does to it: the
    * theory of blade elements, each annulus by itself, each blade as if all were like it.

@@ -2,6 +2,7 @@
 #define samara_aero_inflow_h
 
 #include <samara/aero/air.h>
+#include <samara/aero/disk_corrections.h>
 #include <samara/aero/disk_shapes.h>
 #include <samara/model/layout.h>
 
@@ -82,7 +83,33 @@ namespace samara
 
     const Air *air = nullptr;
 
+    DiskCorrections corrections;
+
+    /** What they depend on; @p H the hub's triad. */
+    template <typename Number>
+    DiskCorrections::Flow<Number>
+    flow_through_disk(const Vec3<Number> &x,
+                      const Mat3<Number> &H,
+                      const Vec6<Number> &twist,
+                      const Number       *z,
+                      const double        time) const
+    {
+      const Vec3<Number> v = H.transpose() * (air->wind(x, time) - H * twist.template head<3>());
+      Number             mean(0);
+      for (unsigned int k = 0; k < corrections.averages.size(); ++k)
+        mean += corrections.averages[k] * z[k];
+      DiskCorrections::Flow<Number> flow;
+      flow << v(0), v(1), -v(2), mean, x(2) - corrections.ground;
+      return flow;
+    }
+
   protected:
+    /** Entries for the flow round tips. */
+    void add_tip_loss(Parameters &prm);
+
+    /** Loads of all surfaces; moment about the centre, power seen from the hub. */
+    AirLoads loads(const State &state) const;
+
     virtual double
     prescribed(unsigned int /*k*/, double /*time*/) const
     {
@@ -93,10 +120,10 @@ namespace samara
     virtual double mean(const State &state) const = 0;
 
   private:
-    std::string hub_name, air_name;
-    Vector3     axis = Vector3::Zero(), direction = Vector3::Zero();
-
-    AirLoads loads(const State &state) const;
+    std::string  hub_name, air_name, tip_loss = "none";
+    unsigned int given_blades       = 0;
+    bool         has_factor_of_tips = false; ///< whether there are the entries of add_tip_loss()
+    Vector3      axis = Vector3::Zero(), direction = Vector3::Zero();
   };
 
 

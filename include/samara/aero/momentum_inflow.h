@@ -3,6 +3,7 @@
 
 #include <samara/aero/finite_state.h>
 #include <samara/aero/inflow.h>
+#include <samara/model/doubts.h>
 
 namespace samara
 {
@@ -10,10 +11,10 @@ namespace samara
    * Inflow whose states obey momentum theory, see FiniteStateInflow: what the surfaces that name it push against the
    * air along the thrust axis drives it, the flow of wind and flight through the disk carries it away.
    *
-   * Momentum theory does not hold where the rotor descends into its own wake, −1 < λ_f/ν_h < 0: results are smooth
-   * there and not to be trusted, and nothing says so.
+   * Momentum theory has no stream tube where the rotor descends into its own wake, −2 < λ_f/ν_h < 0 with ν_h the flow
+   * of hover under the same thrust: results are smooth there and not to be trusted, and there is a doubt beyond −0.3.
    */
-  class MomentumInflow : public Inflow, public Evaluated<MomentumInflow, StateEquation>
+  class MomentumInflow : public Inflow, public Evaluated<MomentumInflow, StateEquation>, public Doubtful
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -25,6 +26,8 @@ namespace samara
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
     void damping(const Point<double> &point, SparseMatrix &C) const override;
 
+    std::vector<Doubt> doubts(const State &state) const override;
+
   protected:
     virtual FiniteStateInflow make() const = 0;
 
@@ -32,7 +35,8 @@ namespace samara
 
   private:
     FiniteStateInflow theory;
-    double            initial = 0;
+    double            initial       = 0;
+    std::string       ground_effect = "none";
     Block             block; ///< hub, states
 
     /** Speed below which air counts as still [m/s]. */

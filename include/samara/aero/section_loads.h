@@ -3,6 +3,7 @@
 
 #include <samara/aero/air.h>
 #include <samara/aero/airfoil.h>
+#include <samara/aero/disk_corrections.h>
 #include <samara/aero/separation.h>
 
 #include <cmath>
@@ -20,8 +21,8 @@ namespace samara
    *     f = ½ρcU² (η c_l l + c_d d) + ½ρcU c_d V₁ e₁      l = (w, −V₂)/√(V₂² + w²), d = (V₂, w)/√(V₂² + w²) in e₂, e₃
    *     m = ½ρc²U² c_m e₁                                 about the quarter chord, nose up
    *
-   * with a factor η of the lift. Where flow separates in time, x the place of separation and f that of steady flow at
-   * α,
+   * with a factor η of the lift, the user's times the F of tips (DiskCorrections). Where flow separates in time, x the
+   * place of separation and f that of steady flow at α,
    *
    *     c_l + (x − f) ∂c_l        c_d + (c_d − c_d(α₀)) ((√f − √x)/2 − (f − x)/4)
    *
@@ -95,22 +96,6 @@ namespace samara
       const double r2 = std::norm(std::complex<double>(x.real(), y.real()));
       return {std::atan2(y.real(), x.real()), (x.real() * y.imag() - y.real() * x.imag()) / r2};
     }
-
-    inline double
-    continued(const double value, const double, const double, const double, const double)
-    {
-      return value;
-    }
-
-    inline std::complex<double>
-    continued(const double                value,
-              const double                by_alpha,
-              const double                by_mach,
-              const std::complex<double> &alpha,
-              const std::complex<double> &mach)
-    {
-      return {value, by_alpha * alpha.imag() + by_mach * mach.imag()};
-    }
   } // namespace internal
 
 
@@ -121,7 +106,8 @@ namespace samara
                const Air           &air,
                const Vec3<Number>  &V,
                const Number        &upwash,
-               const Number        &separated = Number(1))
+               const Number        &separated = Number(1),
+               const Number        &kept      = Number(1))
   {
     using std::sqrt;
     SectionFlow<Number> flow;
@@ -147,7 +133,7 @@ namespace samara
         flow.drag += (flow.drag - least) *
                      (0.5 * (internal::smooth_root(f) - internal::smooth_root(separated)) - 0.25 * (f - separated));
       }
-    flow.lift *= section.lift_factor;
+    flow.lift *= section.lift_factor * kept;
     const Number q = 0.5 * air.density * section.chord * square, per_Ue = q / Ue;
     flow.loads << 0.5 * air.density * section.chord * flow.speed * flow.drag * V(0),
       per_Ue * (flow.lift * upwash + flow.drag * V(1)), per_Ue * (flow.drag * upwash - flow.lift * V(1)),
@@ -157,21 +143,22 @@ namespace samara
 
 
 
-  /** ∂(loads)/∂(V₁, V₂, V₃, w, x), @p flow being section_flow(). */
-  inline Eigen::Matrix<double, 4, 5>
+  /** ∂(loads)/∂(V₁, V₂, V₃, w, x, F), @p flow being section_flow(), F what is @p kept of the lift. */
+  inline Eigen::Matrix<double, 4, 6>
   section_tangent(const SectionOfWing       &section,
                   const Air                 &air,
                   const Vector3             &V,
                   const double               upwash,
                   const double               separated,
+                  const double               kept,
                   const SectionFlow<double> &flow)
   {
-    using Row                     = Eigen::Matrix<double, 1, 5>;
-    Eigen::Matrix<double, 4, 5> J = Eigen::Matrix<double, 4, 5>::Zero();
+    using Row                     = Eigen::Matrix<double, 1, 6>;
+    Eigen::Matrix<double, 4, 6> J = Eigen::Matrix<double, 4, 6>::Zero();
     if (flow.speed == 0)
       return J;
     const auto row = [](const double a, const double b, const double c, const double d, const double e) {
-      return (Row() << a, b, c, d, e).finished();
+      return (Row() << a, b, c, d, e, 0).finished();
     };
     const double       U = flow.speed, Ue2 = V(1) * V(1) + upwash * upwash, Ue = std::sqrt(Ue2);
     const Coefficients c  = section.coefficients(flow.alpha, flow.mach);
@@ -191,7 +178,8 @@ namespace samara
               (c.drag - c0.drag) * ((0.5 * internal::slope_of_smooth_root(v.place) - 0.25) * df -
                                     (0.5 * internal::slope_of_smooth_root(separated) - 0.25) * dx);
       }
-    dl *= section.lift_factor;
+    dl *= section.lift_factor * kept;
+    dl(5) = flow.lift / kept;
     // lift and drag directions turn by dα
     const double s = upwash / Ue, k = -V(1) / Ue, p = 0.5 * air.density * section.chord, q = p * U * U;
     J.row(0) = p * V(0) * (flow.drag * dU + U * dd) + row(p * U * flow.drag, 0, 0, 0, 0);

@@ -102,6 +102,7 @@ namespace samara
       void   tangent(const Point<double> &point, SparseMatrix &K) const override;
       void   damping(const Point<double> &point, SparseMatrix &C) const override;
       double next_corner(double from, double to) const override;
+      void   pieces(const Point<double> &point, std::vector<double> &pieces) const override;
     };
     /** Rates of lags, and what the loads do to the inflow. */
     class Rates : public Evaluated<Rates, StateEquation>
@@ -136,7 +137,7 @@ namespace samara
       Vec3<Number>        on_disk, thrust_axis; ///< place in the hub's frame
       Vec3<Number>        free, added;          ///< of an annular inflow, hub's axes: air without it, and what it adds
       std::vector<Number> shapes;               ///< of the inflow
-      Number              induced = Number(0), upwash = Number(0), separated = Number(1);
+      Number              induced = Number(0), upwash = Number(0), separated = Number(1), kept = Number(1);
       SectionFlow<Number> flow;
       Vec3<Number>        force, moment; ///< at the quarter chord, inertial axes, per length
       Vec3<Number>        middle_force;  ///< at half chord, of the virtual mass
@@ -146,8 +147,10 @@ namespace samara
     template <typename Number>
     struct Gathered
     {
-      FramesInState<Number> frames;
-      std::vector<Number>   lags, amplitudes;
+      FramesInState<Number>         frames;
+      std::vector<Number>           lags, amplitudes;
+      DiskCorrections::Flow<Number> disk;             ///< if the inflow has corrections
+      Number                        near = Number(1); ///< factor of the inflow: the ground
     };
     template <typename Number>
     Gathered<Number> gather(const Element &element, const Point<Number> &point) const;
@@ -160,6 +163,10 @@ namespace samara
     }
     template <typename Number>
     AtStation<Number> evaluate(const Station &station, const Gathered<Number> &g, double time) const;
+
+    /** Of a station on the disk about the hub at @p centre, from the direction that is its azimuth zero in the
+     * reference configuration; 0 to 360 degrees. */
+    double azimuth(const AtStation<double> &at, const Vector3 &centre) const;
 
     struct Derivatives;
     void differentiate(const Station          &station,

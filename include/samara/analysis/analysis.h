@@ -12,17 +12,17 @@ namespace samara
   /** What an analysis starts from, and leaves for the next one. */
   struct Context
   {
-    const System            &system;
-    Log                     &log;
-    std::string              folder; ///< of the results
-    std::vector<Probe>       probes;
-    bool                     pictures = true;
-    State                    state;
-    std::vector<double>      speeds; ///< of the model's rotations at present [rad/s]
-    std::vector<double>      sweep;  ///< rotor speeds to go through, of the first rotation; empty: none
-    bool                     is_equilibrium = false; ///< whether the state has been found by a static analysis
-    bool                     restart        = false; ///< go on from a checkpoint in the folder
-    bool                     least_norm     = true;  ///< whether probes show reactions that are not unique
+    const System       &system;
+    Log                &log;
+    std::string         folder; ///< of the results
+    std::vector<Probe>  probes;
+    bool                pictures = true;
+    State               state;
+    std::vector<double> speeds;                 ///< of the model's rotations at present [rad/s]
+    std::vector<double> sweep;                  ///< rotor speeds to go through, of the first rotation; empty: none
+    bool                is_equilibrium = false; ///< whether the state has been found by a static analysis
+    bool                restart        = false; ///< go on from a checkpoint in the folder
+    bool                least_norm     = true;  ///< whether probes show reactions that are not unique
 
     /** All entries as used, see Input::used(), for checkpoints. */
     std::shared_ptr<const std::string> used = std::make_shared<const std::string>();
@@ -99,7 +99,10 @@ namespace samara
     {}
   };
 
-  /** Warn once of each item whose mesh is too coarse for a state, see Item::coarse_place(). */
+  /**
+   * Warn once of each item whose mesh is too coarse for a state, see Item::coarse_place(), and once of each doubt of an
+   * item whose theory does not hold there, see Doubtful.
+   */
   class CoarseMeshes
   {
   public:
@@ -107,7 +110,8 @@ namespace samara
     void check(const Context &context, const State &state, const std::string &when);
 
   private:
-    std::set<const Item *> warned;
+    std::set<const Item *>                         warned;
+    std::set<std::pair<const Item *, std::string>> doubted;
   };
 
   /** What must not be nor come out of an analysis: @throws NotConverged naming an unknown that is not finite. */
