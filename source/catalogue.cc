@@ -42,6 +42,32 @@
 
 namespace samara
 {
+  namespace
+  {
+    Registry<Item>
+    catalogue_of_sections()
+    {
+      Registry<Item> sections;
+      sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
+      sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
+      sections.add<TableSection>("table", "properties that vary along the beam");
+      sections.add<FileSection>("file", "6x6 matrices from a file that the analysis of a section has written");
+      sections.add<BeamDynSection>("BeamDyn", "stations along a blade from a blade file of BeamDyn");
+      sections.add<RectangularSection>("rectangle", "solid rectangle, or strip of plies");
+      sections.add<TubularSection>("tube", "circular tube or rod");
+      sections.add<EllipticSection>("ellipse", "solid ellipse");
+      sections.add<BoxSection>("box", "hollow rectangle with a layup on each wall");
+      sections.add<ISection>("I", "two flanges and a web between them");
+      sections.add<MeshSection>("mesh", "quadrilaterals and triangles of Gmsh or Abaqus");
+      sections.add<AirfoilSection>("airfoil",
+                                   "skins, spar caps, webs and a trailing edge in an outline by coordinates");
+      sections.add<ChannelSection>("C", "channel: two flanges and a web on their left");
+      return sections;
+    }
+  } // namespace
+
+
+
   Catalogue::Catalogue()
   {
     Registry<Item> materials;
@@ -52,20 +78,7 @@ namespace samara
     Registry<Item> layups;
     layups.add<Layup>("layup", "plies one upon the other");
 
-    Registry<Item> sections;
-    sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
-    sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
-    sections.add<TableSection>("table", "properties that vary along the beam");
-    sections.add<FileSection>("file", "6x6 matrices from a file that the analysis of a section has written");
-    sections.add<BeamDynSection>("BeamDyn", "stations along a blade from a blade file of BeamDyn");
-    sections.add<RectangularSection>("rectangle", "solid rectangle, or strip of plies");
-    sections.add<TubularSection>("tube", "circular tube or rod");
-    sections.add<EllipticSection>("ellipse", "solid ellipse");
-    sections.add<BoxSection>("box", "hollow rectangle with a layup on each wall");
-    sections.add<ISection>("I", "two flanges and a web between them");
-    sections.add<MeshSection>("mesh", "quadrilaterals and triangles of Gmsh or Abaqus");
-    sections.add<AirfoilSection>("airfoil", "skins, spar caps, webs and a trailing edge in an outline by coordinates");
-    sections.add<ChannelSection>("C", "channel: two flanges and a web on their left");
+    const Registry<Item> sections = catalogue_of_sections();
 
     Registry<Item> bodies;
     bodies.add<RigidBody>("rigid body", "one node with mass and inertia");

@@ -312,17 +312,16 @@ namespace samara
   CrossSection::Columns
   CrossSection::times(const dealii::SparseMatrix<double> &matrix, const Columns &x, const bool transposed) const
   {
-    Columns                result(x.rows(), 6);
-    dealii::Vector<double> from(x.rows()), to(x.rows());
-    for (int j = 0; j < 6; ++j)
-      {
-        std::copy_n(x.col(j).data(), x.rows(), from.begin());
+    // all columns in one pass through the matrix
+    using Rows        = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+    const Rows from   = x;
+    Rows       result = Rows::Zero(x.rows(), 6);
+    for (unsigned int i = 0; i < x.rows(); ++i)
+      for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
         if (transposed)
-          matrix.Tvmult(to, from);
+          result.row(entry->column()) += entry->value() * from.row(i);
         else
-          matrix.vmult(to, from);
-        std::copy(to.begin(), to.end(), result.col(j).data());
-      }
+          result.row(i) += entry->value() * from.row(entry->column());
     return result;
   }
 

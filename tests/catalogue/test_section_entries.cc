@@ -328,7 +328,7 @@ TEST_F(Catalogued, AnalysedSections)
 TEST_F(Catalogued, SectionsFromOutlinesAndMeshes)
 {
   const std::string folder = ScratchFolder().path; // that of the runs
-  files["airfoil.dat"]     = "1 0\n0.8 0.04\n0.5 0.08\n0.2 0.08\n0.05 0.04\n0 0\n0.05 -0.04\n0.2 -0.08\n0.5 -0.08\n"
+  files["airfoil.dat"]     = "1 0\n0.8 0.04\n0.5 0.08\n0.2 0.08\n0.05 0.06\n0 0\n0.05 -0.06\n0.2 -0.08\n0.5 -0.08\n"
                              "0.8 -0.04\n1 0\n";
   const std::vector<std::string> nose   = {"Sections/it/Nose material = metal", "Sections/it/Nose to = 0.1"};
   const Changes                  common = {{"Degree", "3"},
