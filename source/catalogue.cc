@@ -8,12 +8,14 @@
 #include <samara/analysis/static.h>
 #include <samara/analysis/trim.h>
 #include <samara/catalogue.h>
+#include <samara/cosserat/airfoil_section.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/beamdyn_file.h>
+#include <samara/cosserat/mesh_section.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
-#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/joints/body_contact.h>
 #include <samara/joints/distributing.h>
@@ -42,6 +44,32 @@
 
 namespace samara
 {
+  namespace
+  {
+    Registry<Item>
+    catalogue_of_sections()
+    {
+      Registry<Item> sections;
+      sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
+      sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
+      sections.add<TableSection>("table", "properties that vary along the beam");
+      sections.add<FileSection>("file", "6x6 matrices from a file that the analysis of a section has written");
+      sections.add<BeamDynSection>("BeamDyn", "stations along a blade from a blade file of BeamDyn");
+      sections.add<RectangularSection>("rectangle", "solid rectangle, or strip of plies");
+      sections.add<TubularSection>("tube", "circular tube or rod");
+      sections.add<EllipticSection>("ellipse", "solid ellipse");
+      sections.add<BoxSection>("box", "hollow rectangle with a layup on each wall");
+      sections.add<ISection>("I", "two flanges and a web between them");
+      sections.add<MeshSection>("mesh", "quadrilaterals and triangles of Gmsh or Abaqus");
+      sections.add<AirfoilSection>("airfoil",
+                                   "skins, spar caps, webs and a trailing edge in an outline by coordinates");
+      sections.add<ChannelSection>("C", "channel: two flanges and a web on their left");
+      return sections;
+    }
+  } // namespace
+
+
+
   Catalogue::Catalogue()
   {
     Registry<Item> materials;
@@ -52,18 +80,7 @@ namespace samara
     Registry<Item> layups;
     layups.add<Layup>("layup", "plies one upon the other");
 
-    Registry<Item> sections;
-    sections.add<EngineeringSection>("engineering constants", "stiffnesses and masses by name, with centres");
-    sections.add<MatrixSection>("matrices", "full 6x6 stiffness or compliance and inertia");
-    sections.add<TableSection>("table", "properties that vary along the beam");
-    sections.add<FileSection>("file", "6x6 matrices from a file that the analysis of a section has written");
-    sections.add<BeamDynSection>("BeamDyn", "stations along a blade from a blade file of BeamDyn");
-    sections.add<RectangularSection>("rectangle", "solid rectangle, or strip of plies");
-    sections.add<TubularSection>("tube", "circular tube or rod");
-    sections.add<EllipticSection>("ellipse", "solid ellipse");
-    sections.add<BoxSection>("box", "hollow rectangle with a layup on each wall");
-    sections.add<ISection>("I", "two flanges and a web between them");
-    sections.add<ChannelSection>("C", "channel: two flanges and a web on their left");
+    const Registry<Item> sections = catalogue_of_sections();
 
     Registry<Item> bodies;
     bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
@@ -100,8 +117,10 @@ namespace samara
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
     joints.add<BallOnPlane>("ball on plane", "contact of a ball and a plane, with friction");
     joints.add<BallOnBall>("ball on ball", "contact of two balls, or of a ball in a hollow one, with friction");
-    joints.add<EllipsoidOnPlane>("ellipsoid on plane", "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
-    joints.add<BallOnCylinder>("ball on cylinder", "contact of a ball and a cylinder, or of a ball in a tube, with friction");
+    joints.add<EllipsoidOnPlane>("ellipsoid on plane",
+                                 "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
+    joints.add<BallOnCylinder>("ball on cylinder",
+                               "contact of a ball and a cylinder, or of a ball in a tube, with friction");
 
     joints.add<ContactsItem>("contacts", "a group of balls, planes, cylinders and beams any of which may touch");
 

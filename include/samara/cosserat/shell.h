@@ -64,6 +64,7 @@ namespace samara
     double                                      crease      = 20 * M_PI / 180;
     Vector3                                     axis_1      = Vector3::Zero();
     std::string                                 layup_name;
+    std::string                                 transverse_shear = "equilibrium";
     double                                      E = 0, nu = 0, density = 0, thickness_entry = 0, offset = 0;
     double                                      relaxation_time = 0;
     std::vector<std::string>                    frame_entries, rigid_edges;
