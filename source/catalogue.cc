@@ -6,13 +6,16 @@
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/trim.h>
+#include <samara/analysis/verification.h>
 #include <samara/catalogue.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/beamdyn_file.h>
+#include <samara/cosserat/geodesic_beam.h>
+#include <samara/cosserat/mitc4_shell.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
-#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/joints/body_contact.h>
 #include <samara/joints/distributing.h>
@@ -67,6 +70,9 @@ namespace samara
     bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
     bodies.add<Beam>("beam", "geometrically exact composite beam");
     bodies.add<Shell>("shell", "geometrically exact shell");
+    bodies.add<GeodesicBeam>("geodesic beam",
+                             "prototype: beam of two nodes an element that turns about one axis between them");
+    bodies.add<Mitc4Shell>("MITC4 shell", "prototype: shell of four nodes an element with the shear of its sides");
 
     Registry<Item> joints;
     joints.add<Revolute>("revolute", "hinge about axis 3");
@@ -98,8 +104,10 @@ namespace samara
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
     joints.add<BallOnPlane>("ball on plane", "contact of a ball and a plane, with friction");
     joints.add<BallOnBall>("ball on ball", "contact of two balls, or of a ball in a hollow one, with friction");
-    joints.add<EllipsoidOnPlane>("ellipsoid on plane", "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
-    joints.add<BallOnCylinder>("ball on cylinder", "contact of a ball and a cylinder, or of a ball in a tube, with friction");
+    joints.add<EllipsoidOnPlane>("ellipsoid on plane",
+                                 "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
+    joints.add<BallOnCylinder>("ball on cylinder",
+                               "contact of a ball and a cylinder, or of a ball in a tube, with friction");
 
     Registry<Item> loads;
     loads.add<Gravity>("gravity", "weight of everything");
@@ -158,6 +166,8 @@ namespace samara
     analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
     analyses.add<TrimAnalysis>("trim", "controls for which a periodic motion meets its targets");
     analyses.add<FloquetAnalysis>("floquet", "stability of periodic motion");
+    analyses.add<VerificationAnalysis>("verification",
+                                       "derivatives, rigid motions and degree of the strains of elements");
     analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");
   }
 } // namespace samara
