@@ -7,11 +7,14 @@
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/trim.h>
+#include <samara/analysis/verification.h>
 #include <samara/catalogue.h>
 #include <samara/cosserat/airfoil_section.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/beamdyn_file.h>
 #include <samara/cosserat/mesh_section.h>
+#include <samara/cosserat/geodesic_beam.h>
+#include <samara/cosserat/mitc4_shell.h>
 #include <samara/cosserat/rigid_body.h>
 #include <samara/cosserat/section_file.h>
 #include <samara/cosserat/section_kinds.h>
@@ -86,6 +89,9 @@ namespace samara
     bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
     bodies.add<Beam>("beam", "geometrically exact composite beam");
     bodies.add<Shell>("shell", "geometrically exact shell");
+    bodies.add<GeodesicBeam>("geodesic beam",
+                             "prototype: beam of two nodes an element that turns about one axis between them");
+    bodies.add<Mitc4Shell>("MITC4 shell", "prototype: shell of four nodes an element with the shear of its sides");
 
     Registry<Item> joints;
     joints.add<Revolute>("revolute", "hinge about axis 3");
@@ -182,6 +188,8 @@ namespace samara
     analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
     analyses.add<TrimAnalysis>("trim", "controls for which a periodic motion meets its targets");
     analyses.add<FloquetAnalysis>("floquet", "stability of periodic motion");
+    analyses.add<VerificationAnalysis>("verification",
+                                       "derivatives, rigid motions and degree of the strains of elements");
     analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");
   }
 } // namespace samara

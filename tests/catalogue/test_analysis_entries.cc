@@ -151,6 +151,17 @@ TEST_F(Catalogued, Trim)
 
 
 
+TEST_F(Catalogued, Verification)
+{
+  // nothing is as exact as that
+  check("verification",
+        models::beam(models::rectangle),
+        "Verification",
+        {{"Tolerance", "1e-40", {"Analyses = verification"}}});
+}
+
+
+
 TEST_F(Catalogued, Model)
 {
   // drawn 0.1 m off, it is moved where that is asked for
