@@ -24,6 +24,9 @@ namespace samara
     template <typename Number>
     void strains_of(const PrototypeElement<1> &element, const kernel::NodeValues<Number> *nodes, Number *e) const;
   };
+
+  // its functions are compiled where the strains are
+  extern template class Prototype<GeodesicBeam, Beam, 1>;
 } // namespace samara
 
 #endif

@@ -31,6 +31,9 @@ namespace samara
     template <typename Number>
     void strains_of(const PrototypeElement<2> &element, const kernel::NodeValues<Number> *nodes, Number *e) const;
   };
+
+  // its functions are compiled where the strains are
+  extern template class Prototype<Mitc4Shell, Shell, 1>;
 } // namespace samara
 
 #endif
