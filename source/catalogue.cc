@@ -1,4 +1,5 @@
 #include <samara/aero/airfoil_table.h>
+#include <samara/aero/helical_wake.h>
 #include <samara/aero/momentum_inflow.h>
 #include <samara/aero/surface.h>
 #include <samara/analysis/dynamic.h>
@@ -10,9 +11,9 @@
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/beamdyn_file.h>
 #include <samara/cosserat/rigid_body.h>
+#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/section_kinds.h>
 #include <samara/cosserat/shell.h>
-#include <samara/cosserat/section_file.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/joints/body_contact.h>
 #include <samara/joints/distributing.h>
@@ -98,8 +99,10 @@ namespace samara
     joints.add<KnifeEdge>("knife edge", "blade or wheel that does not move sideways");
     joints.add<BallOnPlane>("ball on plane", "contact of a ball and a plane, with friction");
     joints.add<BallOnBall>("ball on ball", "contact of two balls, or of a ball in a hollow one, with friction");
-    joints.add<EllipsoidOnPlane>("ellipsoid on plane", "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
-    joints.add<BallOnCylinder>("ball on cylinder", "contact of a ball and a cylinder, or of a ball in a tube, with friction");
+    joints.add<EllipsoidOnPlane>("ellipsoid on plane",
+                                 "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
+    joints.add<BallOnCylinder>("ball on cylinder",
+                               "contact of a ball and a cylinder, or of a ball in a tube, with friction");
 
     Registry<Item> loads;
     loads.add<Gravity>("gravity", "weight of everything");
@@ -128,6 +131,7 @@ namespace samara
     aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
     aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
     aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");
+    aerodynamics.add<HelicalWake>("helical wake", "flow of vortex lines behind blades, a prescribed wake");
     aerodynamics.add<AnnularInflow>(
       "annular inflow", "blade elements: momentum of each annulus, tip loss, high thrust, two states a station");
 
