@@ -18,6 +18,7 @@
 #include <samara/joints/body_contact.h>
 #include <samara/joints/distributing.h>
 #include <samara/joints/fixed_springs.h>
+#include <samara/joints/contacts_item.h>
 #include <samara/joints/flexible_joint.h>
 #include <samara/joints/lower_pairs.h>
 #include <samara/joints/other_joints.h>
@@ -103,6 +104,8 @@ namespace samara
                                  "contact of an ellipsoid, or of a disc with a round rim, and a plane, with friction");
     joints.add<BallOnCylinder>("ball on cylinder",
                                "contact of a ball and a cylinder, or of a ball in a tube, with friction");
+
+    joints.add<ContactsItem>("contacts", "a group of balls, planes, cylinders and beams any of which may touch");
 
     Registry<Item> loads;
     loads.add<Gravity>("gravity", "weight of everything");

@@ -1,5 +1,7 @@
 #include <samara/analysis/check.h>
+#include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/contact_group.h>
 #include <samara/solvers/redundant_rows.h>
 
 #include <algorithm>
@@ -31,6 +33,18 @@ namespace samara
     constexpr std::size_t          most = 6;
     const std::vector<std::string> some(names.begin(), names.begin() + std::min(most, names.size()));
     return join(some, ", ") + (names.size() > most ? " and " + std::to_string(names.size() - most) + " more" : "");
+  }
+
+
+
+  void
+  require_couplings(const System &system)
+  {
+    for (const ContactGroup *group : system.layout.contact_groups)
+      if (!group->is_coupled)
+        throw InputError(group->item->parameters.where() + ": " + group->name +
+                         " may touch in more pairs of nodes than the matrices of statics and modes hold (a thousand): make "
+                         "smaller groups, or let a damped motion come to rest");
   }
 
 

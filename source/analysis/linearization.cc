@@ -1,3 +1,4 @@
+#include <samara/analysis/check.h>
 #include <samara/analysis/linearization.h>
 #include <samara/solvers/frequency_scale.h>
 #include <samara/solvers/newton.h>
@@ -97,6 +98,7 @@ namespace samara
                    static_cast<unsigned int>(system.layout.of_multiplier(0)),
                    units_of(system)}
   {
+    require_couplings(system);
     system.mass(M);
     system.damping(state, gyroscopic, false);
     system.tangent(state, S, false);

@@ -1,3 +1,4 @@
+#include <samara/analysis/check.h>
 #include <samara/analysis/integrating_states.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
@@ -156,6 +157,7 @@ namespace samara
   {
     n_steps = n_iterations = 0;
     singular_points.clear();
+    require_couplings(context.system);
     if (path == "arc length")
       follow_path(context);
     else

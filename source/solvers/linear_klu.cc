@@ -166,9 +166,11 @@ namespace samara
           }
         const int n = pattern.size();
         // entries of L and U follow from the pivots
-        if (!std::equal(factors.row_order.begin(), factors.row_order.end(), numeric->Pnum, numeric->Pnum + n))
+        const bool has_new_pivots =
+          !std::equal(factors.row_order.begin(), factors.row_order.end(), numeric->Pnum, numeric->Pnum + n);
+        Pivots pivots;
+        if (has_new_pivots)
           {
-            Pivots pivots;
             pivots.row_order.assign(numeric->Pnum, numeric->Pnum + n);
             pivots.column_order.assign(symbolic->Q, symbolic->Q + n);
             pivots.lower.start = pivots.upper.start = {0, 0};
@@ -179,9 +181,11 @@ namespace samara
                 pivots.lower                = by_rows(n, storage, numeric->Lip, numeric->Llen);
                 pivots.upper                = by_rows(n, storage, numeric->Uip, numeric->Ulen);
               }
-            factors.set_pivots(pattern, pivots);
           }
+        // KLU's factors go before there are others: of large models they are the largest thing in memory
         free_numeric(&numeric, &common, Number());
+        if (has_new_pivots)
+          factors.set_pivots(pattern, std::move(pivots));
       }
 
       /** +1 for an even permutation, -1 for an odd one. */

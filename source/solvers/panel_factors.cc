@@ -233,11 +233,14 @@ namespace samara
 
   template <typename Number>
   void
-  PanelFactors<Number>::set_pivots(const Pattern &pattern, const Pivots &pivots)
+  PanelFactors<Number>::set_pivots(const Pattern &pattern, Pivots pivots)
   {
-    structure    = PanelStructure(pattern, pivots, parts<Number>);
-    row_order    = pivots.row_order;
-    column_order = pivots.column_order;
+    // what there was, and the lists, go before values come: of large models each is among the largest things in memory
+    lower = upper = rows = {};
+    structure            = PanelStructure(pattern, pivots, parts<Number>);
+    row_order            = std::move(pivots.row_order);
+    column_order         = std::move(pivots.column_order);
+    pivots               = {};
     lower.resize(structure.n_lower_values);
     upper.resize(structure.n_upper_values);
     inverse_pivots.resize(pattern.size());

@@ -1,4 +1,5 @@
 #include <samara/time/exact_stages.h>
+#include <samara/time/wider_pattern.h>
 
 #include <algorithm>
 
@@ -23,14 +24,23 @@ namespace samara
           }
       return pattern;
     }
+
+    /** The pattern of a layout with more couplings. */
+    std::shared_ptr<const Pattern>
+    with_pairs(const System &system, const ExactStages::Couplings &couplings)
+    {
+      std::vector<int> from;
+      return couplings.empty() ? system.layout.pattern : wider_pattern(*system.layout.pattern, couplings, from);
+    }
   } // namespace
 
 
 
-  ExactStages::ExactStages(const System &system, const Tableau &tableau)
+  ExactStages::ExactStages(const System &system, const Tableau &tableau, const Couplings &couplings)
     : system(system)
     , tableau(tableau)
-    , matrix(blocks_of(*system.layout.pattern, tableau.s))
+    , single(with_pairs(system, couplings))
+    , matrix(blocks_of(*single, tableau.s))
     , K(system.layout.pattern)
     , C(system.layout.pattern)
     , M(system.layout.pattern)
@@ -40,6 +50,10 @@ namespace samara
     , kinematics(system.layout.n_nodes - 1)
   {
     system.mass(M);
+    const Pattern &pattern = *system.layout.pattern;
+    for (int j = 0; j < pattern.size() && !couplings.empty(); ++j)
+      for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p)
+        in_single.push_back(single->position(pattern.rows[p], j));
   }
 
 
@@ -47,8 +61,19 @@ namespace samara
   int
   ExactStages::place(const unsigned int k, const int position, const unsigned int l, const unsigned int column) const
   {
+    return place_in_single(k, place_of(position), l, column);
+  }
+
+
+
+  int
+  ExactStages::place_in_single(const unsigned int k,
+                               const int          position,
+                               const unsigned int l,
+                               const unsigned int column) const
+  {
     // each column has the rows of all stages, one stage after the other
-    const Pattern &p      = *K.pattern;
+    const Pattern &p      = *single;
     const int      length = p.column_start[column + 1] - p.column_start[column];
     return tableau.s * (l * p.n_nonzeros() + p.column_start[column]) + k * length + position - p.column_start[column];
   }
@@ -197,9 +222,9 @@ namespace samara
           K_here.bottomRows(n_constraints) * block(of.U) + C_here.bottomRows(n_constraints) * block(of.V);
         for (unsigned int j = 0; j < width; ++j)
           {
-            double *const to = &matrix.values[place(k, p.column_start[first + j], l, first + j)];
+            const int start = p.column_start[first + j];
             for (int i = 0; i < n_rows; ++i)
-              to[i] += change(i, j) + tableau.w(k, l) * M.values[p.column_start[first + j] + i];
+              matrix.values[place(k, start + i, l, first + j)] += change(i, j) + tableau.w(k, l) * M.values[start + i];
           }
       }
   }
@@ -275,6 +300,33 @@ namespace samara
   {
     const bool is_force = i < static_cast<unsigned int>(system.layout.of_multiplier(0));
     matrix.values[place(k, K.pattern->position(i, j), l, j)] += is_force ? h * value : value;
+  }
+
+
+
+  bool
+  ExactStages::add_pair(const unsigned int k,
+                        const unsigned int a,
+                        const unsigned int b,
+                        const Matrix6     &K_pair,
+                        const Matrix6     &C_pair)
+  {
+    const int         row = system.layout.of_node(a), first = system.layout.of_node(b);
+    const Kinematics &of = kinematics[b - 1];
+    for (unsigned int l = 0; l < tableau.s; ++l)
+      {
+        const Matrix6 change = h * (K_pair * of.U.block<6, 6>(6 * k, 6 * l) + C_pair * of.V.block<6, 6>(6 * k, 6 * l));
+        for (int j = 0; j < 6; ++j)
+          {
+            const int position = single->position(row, first + j);
+            if (position < 0)
+              return false;
+            const int at = place_in_single(k, position, l, first + j);
+            for (int i = 0; i < 6; ++i)
+              matrix.values[at + i] += change(i, j);
+          }
+      }
+    return true;
   }
 
 

@@ -40,6 +40,9 @@ namespace samara
     if (!kind->abilities.virtual_mass && has_virtual_mass(system))
       throw std::invalid_argument("the integrator <" + name + "> knows no virtual mass of the air; " +
                                   that_know(&IntegratorAbilities::virtual_mass));
+    if (!kind->abilities.is_family && !system.layout.contact_groups.empty())
+      throw std::invalid_argument("the integrator <" + name + "> knows no contacts in groups; " +
+                                  that_know(&IntegratorAbilities::is_family));
     if (!kind->abilities.friction && !system.layout.frictions.empty())
       throw std::invalid_argument("the integrator <" + name + "> knows no dry friction; " +
                                   that_know(&IntegratorAbilities::friction));

@@ -74,6 +74,7 @@ namespace samara
     , final_weights(tableau.w.transpose() * tableau.b)
     , mode_weights(tableau.w.transpose() * tableau.b.cwiseProduct(tableau.p))
     , no_multipliers(system.layout.n_multipliers, 0.)
+    , contacts(system, this->tableau)
   {
     const Layout      &layout = system.layout;
     const unsigned int n      = system.size();
@@ -148,10 +149,13 @@ namespace samara
     moved_energy = std::max({moved_energy, energy.kinetic, std::abs(energy.strain - first_strain)});
     start_stops(state);
     start_springs(state);
+    if (!contacts.is_empty())
+      contacts.start(state, h);
     predict(state, h);
     bool converged = false;
-    if (has_many_contacts())
+    if (has_many_contacts() || n_exact_for_contacts > 0)
       {
+        n_exact_for_contacts -= n_exact_for_contacts > 0;
         converged = iterate_exactly(state, h, false, result);
         if (!converged)
           predict(state, h);
@@ -187,13 +191,24 @@ namespace samara
           }
       }
     if (!converged)
-      converged = iterate_exactly(state, h, true, result);
+      {
+        // where contacts in groups stick and slip, steps to come will need that, too
+        constexpr unsigned int as_many_more = 20;
+        const bool             touches      = !contacts.touched().empty();
+        if (touches)
+          predict(state, h);
+        converged = iterate_exactly(state, h, !touches, result);
+        if (converged && touches)
+          n_exact_for_contacts = as_many_more;
+      }
     n_iterations += result.iterations;
     judge_factors(result.iterations);
     // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
     if (change_of_force > change_of_force_that_counts &&
         change_of_force > slow_change_of_force * previous_change_of_force)
       factored_step = 0;
+    if (converged && !contacts.is_empty())
+      converged = accept_contacts(result);
     if (converged)
       {
         account(state, h, result);

@@ -36,6 +36,8 @@ namespace samara
 
     account_for_stops(state, h, result);
     account_for_springs(h, result);
+    if (!contacts.is_empty())
+      contacts.account(result);
     result.unresolved_state = unresolved_state(state, h);
 
     // constraints do the work −λ·(ġ − ∂g/∂t); for those that do not depend on time it vanishes over the step

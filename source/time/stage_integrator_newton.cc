@@ -83,11 +83,13 @@ namespace samara
         pattern            = part.pattern;
         entries_in_use     = std::move(part.kept);
       }
+    if (!couplings.empty())
+      pattern = with_couplings(pattern);
     SparseMatrix M(system.layout.pattern);
     system.mass(M);
     mass.clear();
     for (int k = 0; k < pattern->n_nonzeros(); ++k)
-      if (const int i = entries_in_use.empty() ? k : entries_in_use[k]; M.values[i] != 0.)
+      if (const int i = entries_in_use.empty() ? k : entries_in_use[k]; i >= 0 && M.values[i] != 0.)
         mass.push_back({static_cast<unsigned int>(k), M.values[i]});
 
     factored_step       = 0;
@@ -121,6 +123,8 @@ namespace samara
   {
     // where a matrix is singular there are no factors, whatever the next step is
     factored_step = step_of_factors = 0;
+    if (!contacts.is_empty())
+      add_contacts_to_matrices();
     system.damping(frozen, C);
     system.tangent(frozen, K);
     for (const auto i : left_out)
@@ -138,7 +142,7 @@ namespace samara
     const auto         value = [&](const unsigned int k, const auto &hm) {
       const int i  = entries_in_use.empty() ? k : entries_in_use[k];
       using Number = std::decay_t<decltype(hm)>;
-      return is_constraint_entry[i] ? Number(K.values[i]) : Number(hm * (C.values[i] + hm * K.values[i]));
+      return i < 0 ? Number(0) : is_constraint_entry[i] ? Number(K.values[i]) : Number(hm * (C.values[i] + hm * K.values[i]));
     };
     n_factorizations += factors.size();
     for_factors([&](const unsigned int j) {
@@ -150,6 +154,8 @@ namespace samara
             real_matrix.values[i] = value(i, hr);
           for (const auto &m : mass)
             real_matrix.values[m.at] += m.value;
+          for (const auto &p : entries_of_pairs)
+            real_matrix.values[p.at] += hr * (p.C + hr * p.K);
           factors[j].real->factorize(real_matrix);
         }
       else
@@ -159,6 +165,8 @@ namespace samara
             matrix[i] = value(i, hm);
           for (const auto &m : mass)
             matrix[m.at] += m.value;
+          for (const auto &p : entries_of_pairs)
+            matrix[p.at] += hm * (p.C + hm * p.K);
           factors[j].complex->factorize(matrix);
         }
     });
@@ -358,6 +366,8 @@ namespace samara
     exact->assemble(points, h, is_active);
     add_slopes_of_stops(h);
     add_slopes_of_springs(h);
+    if (!contacts.is_empty())
+      add_contacts_to_exact_matrix(h);
     exact->solve(d_exact);
     ++n_factorizations;
     for (unsigned int k = 0; k < tableau.s; ++k)

@@ -81,7 +81,7 @@ namespace samara
   StageIntegrator::can_predict() const
   {
     return !is_exact && !wants_estimates && system.layout.stops.empty() && system.layout.frictions.empty() &&
-           system.layout.nonlinear_springs.empty() && system.layout.n_states == 0;
+           system.layout.nonlinear_springs.empty() && contacts.is_empty() && system.layout.n_states == 0;
   }
 
 

@@ -375,6 +375,8 @@ namespace samara
       }
     evaluate_stops(h);
     evaluate_springs(h);
+    if (!contacts.is_empty())
+      evaluate_contacts(h);
     evaluate_constraints(state, h);
   }
 } // namespace samara

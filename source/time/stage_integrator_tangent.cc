@@ -19,6 +19,8 @@ namespace samara
     const double h = previous_step;
     if (std::any_of(stop_forces_now.begin(), stop_forces_now.end(), [](const auto &stop) { return stop.is_touched; }))
       throw NotConverged("a stop is touched in the step that is to be linearised");
+    if (const std::string pair = contacts.touched(); !pair.empty())
+      throw NotConverged(pair + " touch in the step that is to be linearised");
     if (!system.layout.frictions.empty())
       throw NotConverged("dry friction in a step is not linearised");
     if (!system.layout.nonlinear_springs.empty())

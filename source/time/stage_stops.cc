@@ -5,42 +5,63 @@
 
 namespace samara
 {
+  StepGaps::StepGaps(const Tableau &t, const double start, const double *const rates, const double h)
+    : start(start)
+    , end(start)
+    , most(start)
+    , by_rates(true)
+  {
+    for (unsigned int k = 0; k < t.s; ++k)
+      {
+        stage[k] = start;
+        for (unsigned int l = 0; l < t.s; ++l)
+          stage[k] += h * t.a(k, l) * rates[l];
+        change += h * t.b(k) * rates[k];
+        most = std::max(most, stage[k]);
+      }
+    end  = start + change;
+    most = std::max(most, end);
+  }
+
+
+
+  StepGaps::StepGaps(const Tableau      &t,
+                     const double        start,
+                     const double *const stages,
+                     const double        end,
+                     const double *const rates,
+                     const double        h)
+    : start(start)
+    , end(end)
+    , most(std::max(start, end))
+  {
+    for (unsigned int k = 0; k < t.s; ++k)
+      {
+        stage[k] = stages[k];
+        change += h * t.b(k) * rates[k];
+        most = std::max(most, stage[k]);
+      }
+  }
+
+
+
+  bool
+  StepGaps::is_touched_all_the_time(const Tableau &t) const
+  {
+    double least = std::min(start, end);
+    for (unsigned int k = 0; k < t.s; ++k)
+      least = std::min(least, stage[k]);
+    return least >= 0;
+  }
+
+
+
   namespace
   {
-    /** Gaps at the stages, and at the end. */
-    struct Gaps
-    {
-      std::array<double, 3> stage{};
-      double                change = 0, end = 0, most;
-      bool                  is_touched = false, is_touched_all_the_time = false;
-
-      Gaps(const Tableau &t, const double start, const double *rates, const double h)
-      {
-        double least = start;
-        most         = start;
-        for (unsigned int k = 0; k < t.s; ++k)
-          {
-            stage[k] = start;
-            for (unsigned int l = 0; l < t.s; ++l)
-              stage[k] += h * t.a(k, l) * rates[l];
-            change += h * t.b(k) * rates[k];
-            least = std::min(least, stage[k]);
-            most  = std::max(most, stage[k]);
-          }
-        end                     = start + change;
-        most                    = std::max(most, end);
-        is_touched              = most > 0;
-        is_touched_all_the_time = std::min(least, end) >= 0;
-      }
-    };
-
-
-
     void
     add_elastic_forces(const ContactLaw   &law,
                        const Tableau      &t,
-                       const double        start,
-                       const Gaps         &gaps,
+                       const StepGaps     &gaps,
                        const double *const r,
                        const double        h,
                        StopForces         &result)
@@ -59,10 +80,10 @@ namespace samara
           result.elastic += h * t.b(k) * spring[k] * r[k];
         }
       // the energy of a linear spring that never leaves is exact without correction: b_k a_kl + b_l a_lk = b_k b_l
-      if (gaps.is_touched_all_the_time && law.exponent == 1 && !law.expression)
+      if (gaps.by_rates && law.exponent == 1 && !law.expression && gaps.is_touched_all_the_time(t))
         return;
 
-      const ContactLaw::Mean mean    = law.mean(start, gaps.end);
+      const ContactLaw::Mean mean    = law.mean(gaps.start, gaps.end);
       double                 squares = 0, power = 0, rate = 0;
       for (unsigned int k = 0; k < t.s; ++k)
         {
@@ -93,7 +114,7 @@ namespace samara
     void
     add_damper(const ContactLaw   &law,
                const Tableau      &t,
-               const Gaps         &gaps,
+               const StepGaps     &gaps,
                const double *const r,
                const double        h,
                StopForces         &result)
@@ -105,8 +126,8 @@ namespace samara
           if (!(gap > 0))
             continue;
           const bool   begins   = gap < way;
-          const double fraction = begins ? gap / way : 1.,
-                       c = law.damping * fraction + law.factor * law.force(gap), force = c * r[k];
+          const double fraction = begins ? gap / way : 1., c = law.damping * fraction + law.factor * law.force(gap),
+                       force = c * r[k];
           if (result.force[k] + std::min(force, 0.) < 0 && force < 0)
             {
               // it would pull: what is left of the spring is lost
@@ -137,15 +158,26 @@ namespace samara
   StopForces
   stop_forces(const Layout::Stop &stop, const Tableau &tableau, const double gap, const double *rates, const double h)
   {
+    return contact_forces(stop.law, tableau, StepGaps(tableau, gap, rates, h), rates, h);
+  }
+
+
+
+  StopForces
+  contact_forces(const ContactLaw   &law,
+                 const Tableau      &tableau,
+                 const StepGaps     &gaps,
+                 const double *const rates,
+                 const double        h)
+  {
     StopForces result;
-    const Gaps gaps(tableau, gap, rates, h);
-    result.is_touched = gaps.is_touched;
+    result.is_touched = gaps.is_touched();
     if (!result.is_touched)
       return result;
     result.depth = gaps.most;
-    add_elastic_forces(stop.law, tableau, gap, gaps, rates, h, result);
-    if (stop.law.has_damping())
-      add_damper(stop.law, tableau, gaps, rates, h, result);
+    add_elastic_forces(law, tableau, gaps, rates, h, result);
+    if (law.has_damping())
+      add_damper(law, tableau, gaps, rates, h, result);
     return result;
   }
 

@@ -203,6 +203,12 @@ namespace samara
     if (h / 2 < smallest_step)
       {
         std::ostringstream text;
+        if (!result.step.refusal.empty())
+          {
+            text << "t = " << state.time << " s: the smallest step, " << h << " s, is not accepted: "
+                 << result.step.refusal;
+            throw NotConverged(text.str());
+          }
         text << "t = " << state.time << " s: Newton's method does not converge with the smallest step, " << h << " s; "
              << (!result.step.is_finite ?
                    "what acts is not a finite number, as of a law beyond where it is defined, at " :

@@ -153,6 +153,58 @@ subsection Output
            (probes.empty() ? "" : ", ") + probes + "\nend\n" + two_steps;
   }
 
+  /** Two balls and a beam on a plane. */
+  const std::string contacts = R"(
+set Analyses = dynamic
+subsection Sections
+  subsection s
+    set Type         = tube
+    set E            = 1e6
+    set Density      = 1000
+    set Outer radius = 0.05
+  end
+end
+subsection Bodies
+  subsection a
+    set Type     = rigid body
+    set Mass     = 2
+    set Inertia  = 1, 1.5, 2
+    set Position = 0, 0, 0.19
+    set Velocity = 1, 0, 0
+  end
+  subsection b
+    set Type     = rigid body
+    set Mass     = 3
+    set Inertia  = 1, 1.5, 1
+    set Position = 0.3, 0.2, 0.17
+    set Velocity = -1, 0, -0.2
+  end
+  subsection rod
+    set Type     = beam
+    set Points   = 1, 0, 0.19; 2, 0.3, 0.19
+    set Section  = s
+    set Elements = 1
+    set Velocity = 0.2, 0, -0.1
+  end
+end
+subsection Joints
+  subsection it
+    set Type           = contacts
+    set Balls          = a, b
+    set Ball radius    = 0.2
+    set Beams          = rod radius 0.2
+    set Planes         = ground at 0 0 0 normal 0 0 1
+    set Stiffness      = 100
+    set Line stiffness = 100
+    set Overlap        = allowed
+    set Friction       = 0
+  end
+end
+subsection Output
+  set Probes = a.position x, a.position y, a.position z, b.rotation x, b.position z, rod.end.position z, it.depth
+end
+)" + two_steps;
+
   /** A beam that flies, and a body <b> that slides along it by the joint <it>. */
   inline std::string
   sliding(const std::string &kind, const std::string &entries)

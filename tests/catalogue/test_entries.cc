@@ -100,6 +100,7 @@ TEST_F(Catalogued, AllKinds)
                                    "ball on plane",
                                    "ball on ball",
                                    "ball on cylinder", "ellipsoid on plane",
+                                   "contacts",
                                    "support",
                                    "distributing",
                                    "gravity",
@@ -228,6 +229,37 @@ TEST_F(Catalogued, OtherJoints)
          {"Mesh restitution", "0.8", bounces},
          {"Mesh speed", "2", bounces},
          {"Mesh force", "50*s", teeth, true}});
+}
+
+
+
+TEST_F(Catalogued, GroupsOfContacts)
+{
+  Changes of_law = changes_of_contact("Joints/it"), changes;
+  for (const Change &change : of_law)
+    if (const std::string &e = change.entry; e != "Body A" && e != "Body B" && e != "Axis 1" && e.find("ing friction") == std::string::npos)
+      changes.push_back(change);
+  for (Change &change : changes)
+    if (change.entry == "Damping" || change.entry.find("Bristle") == 0) // not of beams; not of groups
+      {
+        change.is_refusal = true;
+        change.with       = {"Joints/it/Friction = 0.3"};
+      }
+  check("contacts",
+        models::contacts,
+        "Joints/it",
+        joined(changes,
+               {{{"Balls", "a, b radius 0.3"},
+                 {"Ball radius", "0.25"},
+                 {"Planes", "ground at 0 0 0.1 normal 0 0.1 1"},
+                 {"Cylinders", "ground at 0 0 -0.9 axis 0 1 0 radius 1"},
+                 {"Tubes", "ground at 0 0 0.7 axis 0 1 0 radius 0.8"},
+                 {"Hollow balls", "ground at 0 0 0.7 radius 0.8"},
+                 {"Beams", "rod radius 0.3"},
+                 {"Stations", "3"},
+                 {"Line stiffness", "70"},
+                 {"Touching", "surfaces"},
+                 {"Overlap", "refused", {}, true}}}));
 }
 
 

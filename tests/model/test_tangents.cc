@@ -127,6 +127,20 @@ end
                                                                      {"ball on ball", {}},
                                                                      {"ball on cylinder", {}},
                                                                      {"ellipsoid on plane", {}}};
+    // nearest places on beams are left to motions
+    const std::string law = " set Overlap = allowed\n set Restitution = 0.5\n set Impact speed = 3\n set Friction = 0.3\n"
+                            " set Static friction = 0.5\n set Stribeck speed = 0.9\n set Sticking speed = 0.09\n"
+                            " set Planes = block at 1 0.5 0.3 normal -0.3 0.2 1, ground at 0 0 0 normal 0.1 0 1\n"
+                            " set Cylinders = block at 0.3 -0.2 0.1 axis 0.2 1 0.3 radius 0.5\n"
+                            " set Tubes = block at 0.2 -0.3 0.2 axis 0.5 1 0.3 radius 1.3\n"
+                            " set Hollow balls = block at 0.3 -0.2 0.3 radius 1.2\n end\n";
+    s["contacts"].rest =
+      "subsection Joints\n subsection j\n set Type = contacts\n set Balls = block.centre radius 0.6, rod.start radius 0.6\n"
+      " set Stiffness = 2\n set Exponent = 1.5\n" +
+      law +
+      " subsection k\n set Type = contacts\n set Beams = rod radius 0.5\n set Stations = 2\n"
+      " set Line stiffness = 3\n" +
+      law + "end\n";
     const std::string bounces = "set Stop exponent = 1.5\n set Stop restitution = 0.5\n set Stop speed = 3\n",
                       rubs    = "set Friction = 0.3\n set Static friction = 0.5\n set Stribeck speed = 0.9\n"
                                 " set Sticking speed = 0.09\n",
@@ -461,5 +475,5 @@ TEST(Placements, EveryKindIsTurnedWithItsSubsystem)
           EXPECT_LT((R * a.triad(n) - b.triad(n)).norm(), 1e-12) << kind;
         }
     }
-  EXPECT_EQ(n_refused, 1u); // gravity
+  EXPECT_EQ(n_refused, 2u); // gravity, groups of contacts
 }

@@ -5,6 +5,12 @@
 
 namespace samara
 {
+  /**
+   * Refuse groups of contacts of which matrices do not hold all pairs: statics and modes would be wrong.
+   * @throws InputError
+   */
+  void require_couplings(const System &system);
+
   /** What can be said of a model before anything is computed with it, in its reference configuration. */
   struct ModelCheck
   {

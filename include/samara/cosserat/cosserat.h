@@ -151,6 +151,9 @@ namespace samara
     std::vector<Batch> batches, single_elements; ///< of doubles, of other numbers
     void               make_batches();
 
+    /** Strains of the reference configuration, so that there they are zero to the last digit. */
+    void take_reference(const Model &model);
+
     /** Call f(batch, number of nodes) for all batches; of one element each where lanes hold one number. */
     template <typename Number, typename Function>
     void for_batches(const Function &f) const;

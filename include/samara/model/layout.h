@@ -8,6 +8,8 @@
 
 namespace samara
 {
+  class ContactGroup;
+
   /**
    * The numbering of all unknowns: 6 twists of each node but the ground, joint coordinates, states of first order,
    * multipliers; the six of the ground follow behind the last unknown, where residuals collect the total reaction of
@@ -142,6 +144,9 @@ namespace samara
       const SpringLaw *law;
     };
     std::vector<NonlinearSpring> nonlinear_springs;
+
+    /** Groups of bodies any of which may touch: forces between pairs that are searched for (contact_group.h). */
+    std::vector<const ContactGroup *> contact_groups;
 
     /**
      * Multipliers of constraints on velocities alone, b(q) y = 0 (rolling): only constraint_rates() says what they are.

@@ -17,7 +17,7 @@ namespace samara
   class PanelFactors
   {
   public:
-    void set_pivots(const Pattern &pattern, const Pivots &pivots);
+    void set_pivots(const Pattern &pattern, Pivots pivots);
 
     /**
      * @param values of the pattern

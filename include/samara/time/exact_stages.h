@@ -28,7 +28,10 @@ namespace samara
   class ExactStages
   {
   public:
-    ExactStages(const System &system, const Tableau &tableau);
+    /** Nodes, (row, column), that are coupled by what is added by add_pair(), besides the pattern of the layout. */
+    using Couplings = std::vector<std::pair<unsigned int, unsigned int>>;
+
+    ExactStages(const System &system, const Tableau &tableau, const Couplings &couplings = {});
 
     /** The matrix at these stages; multipliers that are not active are kept. */
     void assemble(const std::vector<Point<double>> &stages, double h, const std::vector<bool> &is_active);
@@ -39,6 +42,12 @@ namespace samara
      * @p j, a velocity, of stage @p l. To be called between assemble() and solve().
      */
     void add(unsigned int k, unsigned int i, unsigned int l, unsigned int j, double value);
+
+    /**
+     * Add a block of the tangent @p K and the damping matrix @p C of stage @p k, of forces that depend on places as
+     * they are in the stages: rows of node @p a, columns of node @p b. False if the pattern does not have it.
+     */
+    bool add_pair(unsigned int k, unsigned int a, unsigned int b, const Matrix6 &K, const Matrix6 &C);
 
     /**
      * Factorise, and replace the residuals of all stages by the changes of velocities and multipliers that make them
@@ -53,11 +62,13 @@ namespace samara
                        std::vector<double>                    &zeta_rate) const;
 
   private:
-    const System                 &system;
-    const Tableau                &tableau;
-    SparseMatrix                  matrix, K, C, M, K_ahead, K_behind;
-    std::vector<bool>             active;  ///< multipliers
-    std::vector<int>              kept;    ///< entries of the matrix that couple these and what moves; empty: all
+    const System                  &system;
+    const Tableau                 &tableau;
+    std::shared_ptr<const Pattern> single; ///< of one stage, with what pairs couple
+    std::vector<int>  in_single; ///< where entries of the layout's pattern are in it; empty: they are the same
+    SparseMatrix      matrix, K, C, M, K_ahead, K_behind;
+    std::vector<bool> active;              ///< multipliers
+    std::vector<int>  kept;                ///< entries of the matrix that couple these and what moves; empty: all
     std::unique_ptr<SparseMatrix> of_kept; ///< none if all are kept
     std::unique_ptr<LinearSolver> solver;
     double                        h = 0;
@@ -77,7 +88,14 @@ namespace samara
     void            linearize(const Point<double> &stage);
     void            constraints_moved(const Point<double> &stage, double dt, SparseMatrix &result);
     void            add_columns(unsigned int k, unsigned int first, unsigned int width, const Kinematics &kinematics);
-    int             place(unsigned int k, int position, unsigned int l, unsigned int column) const;
+    /** Places in the layout's pattern, and in that of one stage. */
+    int place(unsigned int k, int position, unsigned int l, unsigned int column) const;
+    int place_in_single(unsigned int k, int position, unsigned int l, unsigned int column) const;
+    int
+    place_of(const int position) const
+    {
+      return in_single.empty() ? position : in_single[position];
+    }
     /** Solver without rows and columns of multipliers that are not active: of them only the diagonal. */
     void make_solver_of(const std::vector<bool> &is_active);
   };

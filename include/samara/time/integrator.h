@@ -5,6 +5,7 @@
 #include <samara/time/step_error.h>
 
 #include <optional>
+#include <string>
 
 namespace samara
 {
@@ -24,6 +25,7 @@ namespace samara
     double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
     bool         is_finite        = true; ///< what acts; if not, the worst unknown is where it is not
     int          unresolved_state = -1;   ///< of first order, that the step does not resolve; -1: none
+    std::string  refusal; ///< why a step that Newton's method found is not accepted; empty: it is, or was not found
     unsigned int worst           = 0; ///< unknown with the largest force left; if converged, with the most work left
     int          worst_constraint =
       -1; ///< if converged, the multiplier with the largest force of those that act there; -1: none

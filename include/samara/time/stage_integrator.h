@@ -7,8 +7,10 @@
 #include <samara/time/integrator.h>
 #include <samara/time/projection.h>
 #include <samara/time/stage_bristles.h>
+#include <samara/time/stage_contacts.h>
 #include <samara/time/stage_stops.h>
 #include <samara/time/tableau.h>
+#include <samara/time/wider_pattern.h>
 
 #include <cmath>
 
@@ -340,6 +342,26 @@ namespace samara
     void          add_stop_reactions(double h);
     void          account_for_stops(const State &state, double h, StepResult &result);
     void          account_for_friction(double h, StepResult &result) const;
+    /** @} */
+
+    /** @name Groups of contacts (stage_integrator_contacts.cc) @{ */
+    StageContacts                    contacts;
+    StageContacts::Couplings         couplings;        ///< of nodes, that the pattern of the factors has besides the layout's
+    std::vector<Point<double>>       points_of_stages; ///< at the last evaluation
+    std::vector<double *>            residuals_of_stages;
+    /** What the matrices of the factors have of pairs: entries, with what goes with K and C there. */
+    struct EntryOfPairs
+    {
+      int    at;
+      double K, C;
+    };
+    std::vector<EntryOfPairs>      entries_of_pairs;
+    void                           evaluate_contacts(double h);
+    bool                           accept_contacts(StepResult &result);
+    void                           add_contacts_to_matrices();
+    void                           add_contacts_to_exact_matrix(double h);
+    unsigned int                   n_exact_for_contacts = 0; ///< steps to come that begin with the exact matrix
+    std::shared_ptr<const Pattern> with_couplings(const std::shared_ptr<const Pattern> &pattern);
     /** @} */
 
     /** @name Nonlinear springs: stretches at the start, and what keeps their energy (stage_springs.cc) @{ */

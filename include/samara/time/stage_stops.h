@@ -20,6 +20,34 @@ namespace samara
     double depth       = 0; ///< the largest gap in the stages and at both ends
   };
 
+  /** Gaps of a contact at the start, in the stages and at the end of a step. */
+  struct StepGaps
+  {
+    std::array<double, 3> stage{};
+    double                start = 0, end = 0;
+    double change   = 0;     ///< h Σ b ġ; end − start but for what of the gap's curvature is not integrated
+    double most     = 0;     ///< the largest of all
+    bool   by_rates = false; ///< the stages are g_i + h Σ a ġ, as of a coordinate
+
+    /** Of a coordinate, from its rates in the stages. */
+    StepGaps(const Tableau &t, double start, const double *rates, double h);
+    /** Of gaps that are known. */
+    StepGaps(const Tableau &t, double start, const double *stages, double end, const double *rates, double h);
+
+    bool
+    is_touched() const
+    {
+      return most > 0;
+    }
+    bool is_touched_all_the_time(const Tableau &t) const;
+  };
+
+  /** As stop_forces(), for gaps that are known; the work on the spring is the mean slope times h Σ b ġ. */
+  StopForces
+  contact_forces(const ContactLaw &law, const Tableau &tableau, const StepGaps &gaps, const double *rates, double h);
+
+
+
   /**
    * A stop in all stages at once, each by the sign of its own gap; nothing is located or switched
    * (doc/theory/joints.md):
@@ -30,8 +58,9 @@ namespace samara
    * U_i to round-off, whatever the rates are. N = h Σ b (U'_m − U'(g_k)) ġ_k tells how well the steps resolve the
    * contact.
    *
-   * The damper is d_k = c ġ_k min(1, g_k⁺/|g_f − g_i|) + χ U'(g_k) ġ_k, cut so that the stop does not pull. The fraction
-   * lets it begin in the course of a step: with a jump to c ġ at the touch, equations of stages may have no solution.
+   * The damper is d_k = c ġ_k min(1, g_k⁺/|g_f − g_i|) + χ U'(g_k) ġ_k, cut so that the stop does not pull. The
+   * fraction lets it begin in the course of a step: with a jump to c ġ at the touch, equations of stages may have no
+   * solution.
    *
    * @param gap g_i at the start; @param rates ġ_k of the gap in the stages; @param h the step [s].
    */

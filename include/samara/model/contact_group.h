@@ -1,0 +1,239 @@
+#ifndef samara_model_contact_group_h
+#define samara_model_contact_group_h
+
+#include <samara/model/contact_line.h>
+#include <samara/model/contact_pair.h>
+#include <samara/model/frame.h>
+#include <samara/model/state.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace samara
+{
+  class Item;
+
+  /**
+   * Bodies of which any two may touch. Nothing of a pair is an unknown: which pairs are near is searched for, and their
+   * forces have a potential in the gap, see PairShape.
+   *
+   * Beads are balls, and places along beams with a share of its length, whose line is surrounded by the radius;
+   * surfaces are planes (half spaces), endless cylinders, from outside or inside, and hollow balls. Beads touch
+   * surfaces, and balls touch balls.
+   */
+  class ContactGroup
+  {
+  public:
+    struct Bead
+    {
+      std::vector<WeightedFrame> place;
+      double                     radius; ///< [m]
+      double                     part;   ///< of a beam: share of the length [m] that stiffness is told per; 1 of a ball
+      bool                       is_ball;
+      const Item                *body; ///< null of the ground
+      std::string                name;
+    };
+
+    struct Surface
+    {
+      PairShape::Kind kind;
+      bool            hollow;
+      Frame           frame;  ///< its axis 3 is the normal or the axis
+      double          radius; ///< [m]; none of a plane
+      const Item     *body;
+      std::string     name;
+    };
+
+    std::vector<Bead>        beads;
+    std::vector<Surface>     surfaces;
+    std::vector<ContactLine> lines;         ///< beams, which balls and other beams touch at nearest places
+    ContactLaw               law, line_law; ///< of balls; of beams, per length
+    FrictionLaw              friction;
+    bool                     has_friction = false, balls_touch_balls = true;
+    std::string              name; ///< for messages: "contacts <pile>"
+    const Item              *item = nullptr;
+    bool is_coupled               = false; ///< all its pairs are in the pattern of the layout: for statics and modes
+
+    /** A bead and a surface, or another ball, or a place of a line; or places of two lines. B is the first. */
+    struct Pair
+    {
+      unsigned int  bead, other; ///< numbers among those
+      bool          with_surface;
+      bool          b_is_line = false, a_is_line = false;
+      NearestPlaces nearest = {}; ///< of lines, where the pair was found
+    };
+
+    /** Whether the two can move against each other, and are not of one body. */
+    bool is_possible(const Pair &pair) const;
+
+    /** How far beads and surfaces may go before pairs that are not listed can touch [m]. */
+    struct Margins
+    {
+      std::vector<double> beads, surfaces, lines;
+      double              reach = 0; ///< of the group, by which the turn of a surface counts [m]
+    };
+
+    /**
+     * The pairs that can touch within a step of @p h [s]: nearer than both sides come by one and a half times their
+     * speeds, and a little more for what accelerates. Every bead and surface has its own margin: one that is fast is
+     * paired with many, the others are not. With h = 0 the pairs that touch. Pairs are sorted, as numbers of a run do
+     * not depend on the way to find them.
+     */
+    void find_pairs(const double *q, const double *y, double h, std::vector<Pair> &pairs, Margins &margins) const;
+
+    PairShape   shape(const Pair &pair) const;
+    std::string name_of(const Pair &pair) const;
+    const ContactLaw &
+    law_of(const Pair &pair) const
+    {
+      return is_station(pair) ? line_law : law;
+    }
+    double
+    part_of(const Pair &pair) const
+    {
+      return is_station(pair) ? beads[pair.bead].part : 1.;
+    }
+    const FrictionLaw *
+    friction_or_null() const
+    {
+      return has_friction ? &friction : nullptr;
+    }
+
+    /** The frames that both sides of a pair move with. */
+    struct Sides
+    {
+      std::vector<WeightedFrame> b, a;
+      bool                       is_parallel = false; ///< nearest places are not determined
+    };
+    /** Those at @p q; false if nearest places of lines are not found. */
+    bool find_sides(const Pair &pair, const double *q, Sides &sides) const;
+
+    /** Where a pair is, and how it moves if @p y is not null. Places on lines move with their material. */
+    template <typename Number>
+    PairPlaces<Number> places(const Pair &pair, const Sides &sides, const Number *q, const Number *y) const;
+
+    /** The gap alone, for what is not moved; NaN if there is none. */
+    double gap(const Pair &pair, const double *q) const;
+
+    /** Add forces of a pair to a residual; @p of_node: where in @p r the six of a node are. */
+    template <typename Number, typename OfNode>
+    void add_forces(const Pair                  &pair,
+                    const Sides                 &sides,
+                    const ContactForces<Number> &forces,
+                    const Number                *q,
+                    const OfNode                &of_node,
+                    Number                      *r) const;
+
+    /** Derivatives of the residual of a pair at a state by ζ and ζ̇ of the nodes: add(node of row, node of column, K,
+     * C). */
+    using AddBlocks = std::function<void(unsigned int, unsigned int, const Matrix6 &K, const Matrix6 &C)>;
+    void add_matrices(const Pair &pair, const Point<double> &point, const AddBlocks &add) const;
+
+    /** U of all pairs [J], by a search of its own. */
+    double energy(const double *q) const;
+
+    /** All nodes of a pair's sides; of lines those of the pieces where it was found. */
+    void nodes_of(const Pair &pair, std::vector<unsigned int> &nodes) const;
+
+    /** Whether places of lines may be nearest to others: then matrices do not know that they move. */
+    bool has_nearest_places() const;
+
+    /** Speed at the centre of a bead [m/s], and its place. */
+    Vector3 position(const Bead &bead, const double *q) const;
+
+  private:
+    Vector3 velocity(const Bead &bead, const double *q, const double *y) const;
+    struct Search;
+    void find_among_bounded(const double               *q,
+                            const double               *y,
+                            double                      h,
+                            const std::vector<Vector3> &x,
+                            std::vector<Pair>          &pairs,
+                            Margins                    &margins) const;
+    void find_bounded(const Search &search, std::vector<Pair> &pairs) const;
+    void find_on_lines(const Search &search, unsigned int i, unsigned int j, std::vector<Pair> &pairs) const;
+    bool
+    is_station(const Pair &pair) const
+    {
+      return !pair.b_is_line && !beads[pair.bead].is_ball;
+    }
+  };
+
+
+
+  template <typename Number>
+  PairPlaces<Number>
+  ContactGroup::places(const Pair &pair, const Sides &sides, const Number *q, const Number *y) const
+  {
+    PairPlaces<Number> p;
+    const Vec3<Number> none = Vec3<Number>::Zero();
+    p.x_b = p.v_b = p.spin_b = p.x_a = p.v_a = p.spin_a = p.axis = p.axis_rate = none;
+    const auto turned = [&](const unsigned int node, const Vec3<Number> &v) -> Vec3<Number> {
+      return Frame{node}.triad(q) * v;
+    };
+    const auto spin_of = [&](const unsigned int node) {
+      return Vec3<Number>(y[6 * node + 3], y[6 * node + 4], y[6 * node + 5]);
+    };
+    const auto speed_of = [&](const Frame &f) -> Vec3<Number> {
+      const Number *const v   = y + 6 * f.node;
+      const Vec3<Number>  arm = f.arm.cast<Number>();
+      return turned(f.node, Vec3<Number>(v[0], v[1], v[2]) + cross_of(spin_of(f.node), arm));
+    };
+    const auto add = [&](const std::vector<WeightedFrame> &side, Vec3<Number> &x, Vec3<Number> &v, Vec3<Number> &spin) {
+      for (const auto &[frame, weight] : side)
+        {
+          x += Number(weight) * frame.position(q);
+          if (y == nullptr)
+            continue;
+          v += Number(weight) * speed_of(frame);
+          spin += Number(weight) * turned(frame.node, spin_of(frame.node));
+        }
+    };
+    add(sides.b, p.x_b, p.v_b, p.spin_b);
+    add(sides.a, p.x_a, p.v_a, p.spin_a);
+    if (!pair.with_surface)
+      return p;
+    const Frame       &a = sides.a[0].frame;
+    const Vec3<Number> e = a.rotation.col(2).cast<Number>();
+    p.axis               = turned(a.node, e);
+    if (y != nullptr)
+      p.axis_rate = turned(a.node, cross_of(spin_of(a.node), e));
+    return p;
+  }
+
+
+
+  template <typename Number, typename OfNode>
+  void
+  ContactGroup::add_forces(const Pair                  &pair,
+                           const Sides                 &sides,
+                           const ContactForces<Number> &f,
+                           const Number                *q,
+                           const OfNode                &of_node,
+                           Number                      *r) const
+  {
+    const auto add =
+      [&](const Frame &frame, const double weight, const Vec3<Number> &force, const Vec3<Number> &in_node) {
+        const Vec3<Number> local = Number(weight) * frame.in_node(q, force);
+        const Vec3<Number> about = cross_of<Number>(frame.arm.cast<Number>(), local) + Number(weight) * in_node;
+        Number *const      to    = r + of_node(frame.node);
+        for (int i = 0; i < 3; ++i)
+          {
+            to[i] += local(i);
+            to[3 + i] += about(i);
+          }
+      };
+    for (const auto &[frame, weight] : sides.b)
+      add(frame, weight, f.force_b, frame.in_node(q, f.moment_b));
+    for (const auto &[frame, weight] : sides.a)
+      {
+        Vec3<Number> moment = frame.in_node(q, f.moment_a);
+        if (pair.with_surface)
+          moment += cross_of<Number>(frame.rotation.col(2).template cast<Number>(), frame.in_node(q, f.on_axis));
+        add(frame, weight, f.force_a, moment);
+      }
+  }
+} // namespace samara
+
+#endif

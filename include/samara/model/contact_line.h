@@ -1,0 +1,81 @@
+#ifndef samara_model_contact_line_h
+#define samara_model_contact_line_h
+
+#include <samara/model/model.h>
+
+#include <optional>
+
+namespace samara
+{
+  /** A frame, and its part of a place x = Σ w_a x_a. */
+  struct WeightedFrame
+  {
+    Frame  frame;
+    double weight;
+  };
+
+
+
+  /** The line of a beam, polynomials through its nodes, and the radius of what is around it. */
+  struct ContactLine
+  {
+    std::vector<Span> spans;
+    double            radius; ///< [m]
+    const Item       *body;
+    std::string       name;
+
+    double
+    start() const
+    {
+      return spans.front().start;
+    }
+    double
+    end() const
+    {
+      return spans.back().end;
+    }
+
+    /** A place on it: the piece, and the arc length in the reference configuration. */
+    struct Place
+    {
+      unsigned int piece;
+      double       s;
+    };
+
+    /** Position, and derivatives by s. */
+    struct Local
+    {
+      Vector3 x, slope, curvature;
+    };
+    Local local(const Place &place, const double *q) const;
+
+    /** The frames of a place, appended. */
+    void add_frames(const Place &place, std::vector<WeightedFrame> &frames) const;
+  };
+
+
+
+  /** Two lines, or a point in place of the first. */
+  struct LinesOrPoint
+  {
+    const ContactLine *b; ///< null: a point
+    Vector3            point;
+    const ContactLine *a;
+  };
+
+  /** Places whose distance is locally the least. */
+  struct NearestPlaces
+  {
+    ContactLine::Place b{0, 0}, a{0, 0};
+    double             distance = 0; ///< [m]
+    bool is_parallel = false;        ///< along so nearly parallel lines (0.01 rad) that the places are not determined
+  };
+
+  /**
+   * The places nearest to each other, by Newton's method from these; they may go over to other pieces, and stop at the
+   * ends. Nothing if it does not find a minimum.
+   */
+  std::optional<NearestPlaces> nearest_places(const LinesOrPoint &lines, NearestPlaces from, const double *q);
+} // namespace samara
+
+#endif

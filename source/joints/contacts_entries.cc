@@ -1,0 +1,398 @@
+// What users say of a group of contacts, and what becomes of it.
+
+#include <samara/base/composite_rule.h>
+#include <samara/base/text.h>
+#include <samara/joints/contacts_item.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace samara
+{
+  namespace
+  {
+    /** So many pairs of nodes are in the matrices of statics and modes. */
+    constexpr unsigned int most_couplings = 1000;
+  } // namespace
+
+
+
+  /** "drum at 0 0 1 axis 0 1 0 radius 0.2 inside": a body, and numbers behind words. */
+  struct ContactsItem::Shape
+  {
+    std::string                                path;
+    std::map<std::string, std::vector<double>> numbers;
+
+    /** @throws std::invalid_argument */
+    Shape(const std::string &text, const std::map<std::string, unsigned int> &wanted)
+    {
+      std::istringstream       words(text);
+      std::vector<double>     *of_word = nullptr;
+      std::vector<std::string> body;
+      for (std::string word; words >> word;)
+        if (wanted.count(word) > 0)
+          of_word = &numbers[word];
+        else if (double number = 0; of_word != nullptr && text_to_number(word, number))
+          of_word->push_back(number);
+        else if (of_word != nullptr)
+          throw std::invalid_argument("<" + word + "> in <" + text + "> is no number, in SI units");
+        else
+          body.push_back(word);
+      path = join(body, " ");
+      for (const auto &[word, values] : numbers)
+        if (values.size() != wanted.at(word))
+          throw std::invalid_argument("<" + text + ">: " + word + " takes " + std::to_string(wanted.at(word)) +
+                                      " numbers, not " + std::to_string(values.size()));
+      if (path.empty())
+        throw std::invalid_argument("<" + text + "> does not begin with a body, or ground");
+    }
+
+    bool
+    has(const std::string &word) const
+    {
+      return numbers.count(word) > 0;
+    }
+
+    Vector3
+    vector(const std::string &word) const
+    {
+      const auto found = numbers.find(word);
+      if (found == numbers.end())
+        throw std::invalid_argument("<" + path + ">: say <" + word + "> and three numbers");
+      return {found->second[0], found->second[1], found->second[2]};
+    }
+
+    double
+    above_zero(const std::string &word) const
+    {
+      const auto found = numbers.find(word);
+      if (found == numbers.end() || !(found->second[0] > 0))
+        throw std::invalid_argument("<" + path + ">: say <" + word + "> and a number above zero");
+      return found->second[0];
+    }
+  };
+
+
+
+  void
+  ContactsItem::add_parameters(Parameters &prm)
+  {
+    prm.add(
+      "Balls",
+      balls,
+      "Bodies with a ball at body.point, the centre if no point is named; ball * stands for all bodies whose names "
+      "begin so. Of its own radius in metres: big radius 0.3.");
+    prm.add("Ball radius", ball_radius, "Of balls without one of their own [m].", dealii::Patterns::Double(0));
+    prm.add("Planes",
+            planes,
+            "Half spaces fixed to bodies: ground at 0 0 0 normal 0 0 1, a point and the normal towards what touches, "
+            "inertial components in the reference configuration, in SI units.");
+    prm.add("Cylinders", cylinders, "Endless cylinders, touched from outside: drum at 0 0 0 axis 0 1 0 radius 0.2.");
+    prm.add("Tubes", tubes, "The same, touched from inside.");
+    prm.add("Hollow balls", hollow_balls, "Touched from inside: bowl at 0 0 1 radius 1.");
+    prm.add(
+      "Beams",
+      beams,
+      "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, in motions only, and surfaces at stations.");
+    prm.add("Stations",
+            stations,
+            "Places at which each element of a beam touches planes, cylinders, tubes and hollow balls.",
+            dealii::Patterns::Integer(1, 100));
+    prm.add("Line stiffness",
+            line_stiffness,
+            "Of beams on those surfaces: force per length and penetration [N/m^2].",
+            dealii::Patterns::Double(0));
+    prm.add("Touching",
+            touching,
+            "Whether balls and beams touch all others, or surfaces alone.",
+            dealii::Patterns::Selection("all|surfaces"));
+    prm.add("Overlap",
+            overlap,
+            "Whether shapes may press into each other in the reference configuration.",
+            dealii::Patterns::Selection("refused|allowed"));
+    contact.add_parameters(prm, "", false);
+    friction.add_parameters(prm, false, false);
+  }
+
+
+
+  void
+  ContactsItem::complain(const std::string &entry, const std::string &text) const
+  {
+    model->complaints.add(parameters.where(entry), "contacts <" + name + ">: " + text);
+  }
+
+
+
+  void
+  ContactsItem::add_balls()
+  {
+    const auto add = [&](const std::string &path, const double radius) {
+      const Item *const body = path == "ground" ? nullptr : &model->find<Body>(path.substr(0, path.find('.')), "body");
+      if (!(radius > 0))
+        throw std::invalid_argument("the ball of <" + path + "> needs a <Ball radius> above zero, or its own: " + path +
+                                    " radius 0.1");
+      group.beads.push_back({{{model->frame(path), 1.}}, radius, 1., true, body, "<" + path + ">"});
+    };
+    for (const auto &text : balls)
+      try
+        {
+          const Shape  shape(text, {{"radius", 1}});
+          const double radius = shape.has("radius") ? shape.above_zero("radius") : ball_radius;
+          if (shape.path.back() != '*')
+            {
+              add(shape.path, radius);
+              continue;
+            }
+          const std::string prefix = shape.path.substr(0, shape.path.size() - 1);
+          bool              is_any = false;
+          for (const auto &item : model->items)
+            if (dynamic_cast<const Body *>(item.get()) != nullptr && item->name.compare(0, prefix.size(), prefix) == 0)
+              {
+                add(item->name, radius);
+                is_any = true;
+              }
+          if (!is_any)
+            throw std::invalid_argument("there is no body whose name begins with <" + prefix + ">");
+        }
+      catch (const FollowUp &problem)
+        {
+          model->complaints.add(parameters.where("Balls"), problem.what());
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complain("Balls", problem.what());
+        }
+  }
+
+
+
+  void
+  ContactsItem::add_surfaces(const std::vector<std::string> &texts,
+                             const std::string              &entry,
+                             const PairShape::Kind           kind,
+                             const bool                      hollow)
+  {
+    const std::string direction = kind == PairShape::plane ? "normal" : "axis";
+    for (const auto &text : texts)
+      try
+        {
+          std::map<std::string, unsigned int> words = {{"at", 3}};
+          if (kind != PairShape::ball)
+            words[direction] = 3;
+          if (kind != PairShape::plane)
+            words["radius"] = 1;
+          const Shape       shape(text, words);
+          const Vector3     axis   = kind == PairShape::ball ? Vector3(Vector3::UnitZ()) : shape.vector(direction);
+          const double      radius = kind == PairShape::plane ? 0. : shape.above_zero("radius");
+          const Item *const body =
+            shape.path == "ground" ? nullptr : &model->find<Body>(shape.path.substr(0, shape.path.find('.')), "body");
+          const Frame       frame = model->frame_at(model->frame(shape.path), shape.vector("at"), triad_about(axis));
+          const std::string noun  = kind == PairShape::plane ? "the plane" :
+                                    kind == PairShape::ball  ? "the hollow ball" :
+                                    hollow                   ? "the tube" :
+                                                               "the cylinder";
+          group.surfaces.push_back({kind, hollow, frame, radius, body, noun + " of <" + shape.path + ">"});
+        }
+      catch (const FollowUp &problem)
+        {
+          model->complaints.add(parameters.where(entry), problem.what());
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complain(entry, problem.what());
+        }
+  }
+
+
+
+  void
+  ContactsItem::add_beams()
+  {
+    for (const auto &text : beams)
+      try
+        {
+          const Shape shape(text, {{"radius", 1}});
+          const Body &body  = model->find<Body>(shape.path, "body");
+          const auto  spans = body.spans();
+          if (spans.empty())
+            throw std::invalid_argument("<" + shape.path + "> has no length: it is no beam");
+          for (const Span &span : spans)
+            for (unsigned int i = 0; i < stations; ++i)
+              {
+                const double       length = (span.end - span.start) / stations, s = span.start + (i + 0.5) * length;
+                ContactGroup::Bead bead{{},
+                                        shape.above_zero("radius"),
+                                        length,
+                                        false,
+                                        &body,
+                                        "<" + shape.path + "> at s = " + number_to_text("%.4g", s) + " m"};
+                for (unsigned int a = 0; a < span.frames.size(); ++a)
+                  bead.place.push_back({span.frames[a], lagrange(span.abscissae, a, s)});
+                group.beads.push_back(bead);
+              }
+          group.lines.push_back({spans, shape.above_zero("radius"), &body, "<" + shape.path + ">"});
+        }
+      catch (const FollowUp &problem)
+        {
+          model->complaints.add(parameters.where("Beams"), problem.what());
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complain("Beams", problem.what());
+        }
+  }
+
+
+
+  void
+  ContactsItem::check_law()
+  {
+    const std::string whose = "contacts <" + name + ">";
+    if ((!balls.empty() || beams.size() > 1) && touching == "all" && !contact.is_given())
+      complain("Stiffness", "balls, and beams that touch each other, need a <Stiffness> above zero");
+    else if (!balls.empty() && !contact.is_given())
+      complain("Stiffness", "balls need a <Stiffness> above zero");
+    if (!beams.empty() && !group.surfaces.empty() && line_stiffness == 0)
+      complain("Line stiffness", "beams need a <Line stiffness> above zero");
+    group.law                = contact.law(parameters, "", whose, model->complaints);
+    group.line_law           = group.law;
+    group.line_law.stiffness = line_stiffness;
+    group.line_law.exponent  = 1;
+    group.line_law.expression.reset();
+    if (!beams.empty() && group.law.damping != 0)
+      complain("Damping", "beams have no <Damping> of their contacts; take a <Restitution>, which is per force");
+    if (friction.is_given())
+      {
+        group.has_friction = true;
+        group.friction     = friction.law(parameters, whose, model->complaints);
+        if (group.friction.has_bristles())
+          complain("Bristle stiffness", "contacts in groups have no bristles; take a <Sticking speed>");
+      }
+    group.balls_touch_balls = touching == "all";
+  }
+
+
+
+  void
+  ContactsItem::initialize(Model &m)
+  {
+    model                      = &m;
+    group.name                 = "contacts <" + name + ">";
+    group.item                 = this;
+    const std::size_t n_before = m.complaints.count();
+    add_balls();
+    add_beams();
+    add_surfaces(planes, "Planes", PairShape::plane, false);
+    add_surfaces(cylinders, "Cylinders", PairShape::cylinder, false);
+    add_surfaces(tubes, "Tubes", PairShape::cylinder, true);
+    add_surfaces(hollow_balls, "Hollow balls", PairShape::ball, true);
+    check_law();
+    if (m.complaints.count() > n_before)
+      is_faulty = true;
+  }
+
+
+
+  void
+  ContactsItem::refuse_overlaps(const Layout &layout) const
+  {
+    std::vector<double> q;
+    for (const auto &node : layout.model.nodes)
+      {
+        q.insert(q.end(), node.x.data(), node.x.data() + 3);
+        q.insert(q.end(), node.D.data(), node.D.data() + 9);
+      }
+    unsigned int       n       = 0;
+    double             deepest = 0;
+    ContactGroup::Pair worst{};
+    for_touching(q.data(), [&](const ContactGroup::Pair &pair) {
+      const PairShape shape = group.shape(pair);
+      const double    gap   = group.gap(pair, q.data());
+      if (gap < 1e-9 * shape.radius_b)
+        return;
+      ++n;
+      if (gap > deepest)
+        {
+          deepest = gap;
+          worst   = pair;
+        }
+    });
+    if (n > 0)
+      complain("Overlap",
+               group.name_of(worst) + " press into each other by " + number_to_text("%.4g", deepest) +
+                 " m in the reference configuration" +
+                 (n > 1 ? ", and " + std::to_string(n - 1) + " other pairs by less" : "") +
+                 ": move them apart, or let <Overlap = allowed> if that is meant");
+  }
+
+
+
+  void
+  ContactsItem::couple_pairs(Layout &layout)
+  {
+    std::set<std::pair<unsigned int, unsigned int>> pairs;
+    std::vector<unsigned int>                       nodes;
+    bool                                            is_any = false;
+    const auto                                      add    = [&](const ContactGroup::Pair &pair) {
+      if (!group.is_possible(pair))
+        return;
+      is_any = true;
+      if (pairs.size() > most_couplings)
+        return;
+      group.nodes_of(pair, nodes);
+      for (const auto a : nodes)
+        for (const auto b : nodes)
+          if (a != 0 && b != 0 && a < b)
+            pairs.emplace(a, b);
+    };
+    for (unsigned int i = 0; i < group.beads.size() && pairs.size() <= most_couplings; ++i)
+      {
+        for (unsigned int j = 0; j < group.surfaces.size(); ++j)
+          add({i, j, true});
+        for (unsigned int j = i + 1; j < group.beads.size() && group.beads[i].is_ball && group.balls_touch_balls; ++j)
+          add({i, j, false});
+      }
+    is_any = is_any || group.has_nearest_places();
+    if (!is_any)
+      return complain(
+        "Balls",
+        "no two of these can touch: give <Balls> or <Beams>, and others, or <Planes> and the like, of other bodies");
+    group.is_coupled = pairs.size() <= most_couplings && !group.has_nearest_places();
+    if (!group.is_coupled)
+      return;
+    for (const auto &[a, b] : pairs)
+      {
+        blocks.emplace_back();
+        layout.couple(blocks.back(), {Frame{a}, Frame{b}});
+      }
+  }
+
+
+
+  void
+  ContactsItem::connect(Layout &layout)
+  {
+    for (auto &bead : group.beads)
+      for (auto &place : bead.place)
+        place.frame = layout.model.resolved(place.frame);
+    for (auto &line : group.lines)
+      for (auto &span : line.spans)
+        for (auto &frame : span.frames)
+          frame = layout.model.resolved(frame);
+    for (auto &surface : group.surfaces)
+      surface.frame = layout.model.resolved(surface.frame);
+    const unsigned int n_nodes = layout.model.nodes.size();
+    of_node.resize(n_nodes);
+    layout.when_numbered([this, &layout]() {
+      for (unsigned int node = 0; node < of_node.size(); ++node)
+        of_node[node] = layout.of_node(node);
+    });
+    couple_pairs(layout);
+    if (overlap == "refused")
+      refuse_overlaps(layout);
+    layout.add(*this, *this);
+    layout.contact_groups.push_back(&group);
+  }
+} // namespace samara

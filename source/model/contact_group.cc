@@ -1,0 +1,291 @@
+// What a group of bodies that may touch is; how pairs are found stands in contact_search.cc.
+
+#include <samara/base/text.h>
+#include <samara/model/contact_group.h>
+
+#include <unsupported/Eigen/AutoDiff>
+
+#include <algorithm>
+#include <limits>
+
+namespace samara
+{
+  bool
+  ContactGroup::is_possible(const Pair &pair) const
+  {
+    if (!pair.with_surface &&
+        (is_station(pair) || !balls_touch_balls || (!pair.a_is_line && !beads[pair.other].is_ball)))
+      return false;
+    const Item *const        body  = pair.b_is_line ? lines[pair.bead].body : beads[pair.bead].body,
+                      *const other = pair.with_surface ? surfaces[pair.other].body :
+                                     pair.a_is_line    ? lines[pair.other].body :
+                                                         beads[pair.other].body;
+    if (body == other)
+      return false;
+    if (pair.a_is_line || pair.b_is_line)
+      return true;
+    const unsigned int node =
+      pair.with_surface ? surfaces[pair.other].frame.node : beads[pair.other].place[0].frame.node;
+    for (const auto &[frame, weight] : beads[pair.bead].place)
+      if (frame.node != node)
+        return true;
+    return false;
+  }
+
+
+
+  PairShape
+  ContactGroup::shape(const Pair &pair) const
+  {
+    const double r = pair.b_is_line ? lines[pair.bead].radius : beads[pair.bead].radius;
+    if (!pair.with_surface)
+      return {PairShape::ball, false, pair.a_is_line ? lines[pair.other].radius : beads[pair.other].radius, r};
+    const Surface &surface = surfaces[pair.other];
+    return {surface.kind, surface.hollow, surface.radius, r};
+  }
+
+
+
+  bool
+  ContactGroup::find_sides(const Pair &pair, const double *const q, Sides &sides) const
+  {
+    sides.b.clear();
+    sides.a.clear();
+    sides.is_parallel = false;
+    if (pair.a_is_line)
+      {
+        const ContactLine &line_a = lines[pair.other], *const line_b = pair.b_is_line ? &lines[pair.bead] : nullptr;
+        const auto found =
+          nearest_places({line_b, line_b != nullptr ? Vector3::Zero() : position(beads[pair.bead], q), &line_a},
+                         pair.nearest,
+                         q);
+        if (!found)
+          return false;
+        sides.is_parallel = found->is_parallel;
+        line_a.add_frames(found->a, sides.a);
+        if (line_b != nullptr)
+          line_b->add_frames(found->b, sides.b);
+      }
+    else if (pair.with_surface)
+      sides.a.push_back({surfaces[pair.other].frame, 1.});
+    else
+      sides.a = beads[pair.other].place;
+    if (!pair.b_is_line)
+      sides.b = beads[pair.bead].place;
+    return true;
+  }
+
+
+
+  double
+  ContactGroup::gap(const Pair &pair, const double *const q) const
+  {
+    thread_local Sides sides;
+    if (!find_sides(pair, q, sides))
+      return std::numeric_limits<double>::quiet_NaN();
+    return PairMeasure<double>(shape(pair), places<double>(pair, sides, q, nullptr)).gap;
+  }
+
+
+
+  bool
+  ContactGroup::has_nearest_places() const
+  {
+    const auto is_ball = [](const Bead &bead) { return bead.is_ball; };
+    return balls_touch_balls && !lines.empty() &&
+           (lines.size() > 1 || std::any_of(beads.begin(), beads.end(), is_ball));
+  }
+
+
+
+  std::string
+  ContactGroup::name_of(const Pair &pair) const
+  {
+    const auto at = [](const ContactLine &line, const ContactLine::Place &place) {
+      return line.name + " at s = " + number_to_text("%.4g", place.s) + " m";
+    };
+    return (pair.b_is_line ? at(lines[pair.bead], pair.nearest.b) : beads[pair.bead].name) + " and " +
+           (pair.with_surface ? surfaces[pair.other].name :
+            pair.a_is_line    ? at(lines[pair.other], pair.nearest.a) :
+                                beads[pair.other].name);
+  }
+
+
+
+  void
+  ContactGroup::nodes_of(const Pair &pair, std::vector<unsigned int> &nodes) const
+  {
+    Sides sides;
+    nodes.clear();
+    if (pair.a_is_line)
+      {
+        lines[pair.other].add_frames(pair.nearest.a, sides.a);
+        if (pair.b_is_line)
+          lines[pair.bead].add_frames(pair.nearest.b, sides.b);
+        else
+          sides.b = beads[pair.bead].place;
+      }
+    else
+      find_sides(pair, nullptr, sides); // places are not looked at
+    for (const auto *const side : {&sides.b, &sides.a})
+      for (const auto &[frame, weight] : *side)
+        nodes.push_back(frame.node);
+  }
+
+
+
+  Vector3
+  ContactGroup::position(const Bead &bead, const double *const q) const
+  {
+    Vector3 x = Vector3::Zero();
+    for (const auto &[frame, weight] : bead.place)
+      x += weight * frame.position(q);
+    return x;
+  }
+
+
+
+  Vector3
+  ContactGroup::velocity(const Bead &bead, const double *const q, const double *const y) const
+  {
+    Vector3 v = Vector3::Zero();
+    for (const auto &[frame, weight] : bead.place)
+      {
+        const Eigen::Map<const Vector3> speed(y + 6 * frame.node), spin(y + 6 * frame.node + 3);
+        v += weight * Frame{frame.node}.triad(q) * (speed + spin.cross(frame.arm));
+      }
+    return v;
+  }
+
+
+
+  namespace
+  {
+    // local unknowns of a pair: increments of x_b, x_a, E, and of v_b, ω_b, v_a, ω_a, Ė
+    constexpr int n_places = 9, n_local = 24, n_forces = 15;
+    using Dual        = Eigen::AutoDiffScalar<Eigen::Matrix<double, n_local, 1>>;
+    using LocalMatrix = Eigen::Matrix<double, n_forces, n_local>;
+
+    Vec3<Dual>
+    variable(const Vector3 &v, const int first)
+    {
+      Vec3<Dual> result;
+      for (int i = 0; i < 3; ++i)
+        result(i) = Dual(v(i), n_local, first + i);
+      return result;
+    }
+
+    /** Forces on B and A as in ContactForces, force_b, moment_b, force_a, moment_a, on_axis, and their derivatives. */
+    struct LocalForces
+    {
+      Eigen::Matrix<double, n_forces, 1> value;
+      LocalMatrix                        slope;
+      bool                               is_touched;
+
+      LocalForces(const ContactGroup &group, const ContactGroup::Pair &pair, const PairPlaces<double> &p)
+      {
+        const PairPlaces<Dual>  places{variable(p.x_a, 3),
+                                      variable(p.axis, 6),
+                                      variable(p.x_b, 0),
+                                      variable(p.v_a, 15),
+                                      variable(p.spin_a, 18),
+                                      variable(p.axis_rate, 21),
+                                      variable(p.v_b, 9),
+                                      variable(p.spin_b, 12)};
+        const PairShape         shape = group.shape(pair);
+        const PairMeasure<Dual> measure(shape, places);
+        is_touched = measure.gap.value() > 0;
+        const auto f =
+          forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.friction_or_null());
+        const std::array<const Vec3<Dual> *, 5> all{{&f.force_b, &f.moment_b, &f.force_a, &f.moment_a, &f.on_axis}};
+        for (int i = 0; i < n_forces; ++i)
+          {
+            const Dual &number = (*all[i / 3])(i % 3);
+            value(i)           = number.value();
+            slope.row(i)       = number.derivatives().transpose();
+          }
+      }
+    };
+
+    /** A node of a pair, and its part of the local unknowns and forces. */
+    struct NodeOfPair
+    {
+      unsigned int node;
+      /** Changes of the local unknowns by ζ and by ζ̇; forces of the node by the local ones. */
+      Eigen::Matrix<double, n_local, 6> by_place = Eigen::Matrix<double, n_local, 6>::Zero(),
+                                        by_rate  = Eigen::Matrix<double, n_local, 6>::Zero();
+      Eigen::Matrix<double, 6, n_forces> force   = Eigen::Matrix<double, 6, n_forces>::Zero();
+      Matrix6                            turn    = Matrix6::Zero(); ///< forces keep their direction, axes turn
+
+      NodeOfPair(const Frame         &frame,
+                 const double         weight,
+                 const bool           is_b,
+                 const Vector3       *e, ///< the axis in the node; null if there is none
+                 const Point<double> &point,
+                 const LocalForces   &local)
+        : node(frame.node)
+      {
+        const Matrix3 D    = Frame{node}.triad(point.q),
+                      spin = skew(Vector3(Eigen::Map<const Vector3>(point.y + 6 * node + 3)));
+        Eigen::Matrix<double, 3, 6> place;
+        place << D, -D * skew(frame.arm);
+        place *= weight;
+        Eigen::Matrix<double, 3, 6> place_rate;
+        place_rate << D * spin, -D * spin * skew(frame.arm);
+        place_rate *= weight;
+        const int x = is_b ? 0 : 3, v = is_b ? 9 : 15;
+        by_place.middleRows<3>(x)                   = place;
+        by_place.middleRows<3>(v)                   = place_rate;
+        by_rate.middleRows<3>(v)                    = place;
+        by_rate.middleRows<3>(v + 3).rightCols<3>() = weight * D;
+        const int     f                             = is_b ? 0 : 6;
+        const Matrix3 A                             = weight * D.transpose();
+        force.block<3, 3>(0, f)                     = A;
+        force.block<3, 3>(3, f)                     = skew(frame.arm) * A;
+        force.block<3, 3>(3, f + 3)                 = A;
+        const Matrix3 turn_f                        = skew(Vector3(A * local.value.segment<3>(f))),
+                      turn_m                        = skew(Vector3(A * local.value.segment<3>(f + 3)));
+        turn.block<3, 3>(0, 3)                      = turn_f;
+        turn.block<3, 3>(3, 3)                      = skew(frame.arm) * turn_f + turn_m;
+        if (e == nullptr)
+          return;
+        // E = D e: δE = −D e~ θ, and Ė = D Ω~ e: δĖ = −D Ω~ e~ θ − D e~ θ̇
+        const Matrix3 e_skew        = skew(*e);
+        by_place.block<3, 3>(6, 3)  = -D * e_skew;
+        by_place.block<3, 3>(21, 3) = -D * spin * e_skew;
+        by_rate.block<3, 3>(21, 3)  = -D * e_skew;
+        force.block<3, 3>(3, 12)    = e_skew * D.transpose();
+        turn.block<3, 3>(3, 3) += e_skew * skew(Vector3(D.transpose() * local.value.segment<3>(12)));
+      }
+    };
+  } // namespace
+
+
+
+  void
+  ContactGroup::add_matrices(const Pair &pair, const Point<double> &point, const AddBlocks &add) const
+  {
+    Sides sides;
+    if (!find_sides(pair, point.q, sides))
+      return;
+    const LocalForces local(*this, pair, places(pair, sides, point.q, point.y));
+    if (!local.is_touched)
+      return;
+    const Vector3           e = sides.a[0].frame.rotation.col(2);
+    std::vector<NodeOfPair> nodes;
+    nodes.reserve(sides.a.size() + sides.b.size());
+    for (const auto &[frame, weight] : sides.a)
+      nodes.emplace_back(frame, weight, false, pair.with_surface ? &e : nullptr, point, local);
+    for (const auto &[frame, weight] : sides.b)
+      nodes.emplace_back(frame, weight, true, nullptr, point, local);
+    for (const NodeOfPair &row : nodes)
+      for (const NodeOfPair &column : nodes)
+        {
+          const Eigen::Matrix<double, 6, n_local> slope = row.force * local.slope;
+          Matrix6                                 K     = slope * column.by_place;
+          if (&row == &column)
+            K += row.turn;
+          add(row.node, column.node, K, slope * column.by_rate);
+        }
+  }
+} // namespace samara
