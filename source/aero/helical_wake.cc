@@ -147,6 +147,36 @@ namespace samara
 
 
 
+  std::vector<Doubt>
+  HelicalWake::doubts(const State &state) const
+  {
+    const auto         point = state.point();
+    const Vector3      e3    = hub.triad(point.q).col(2);
+    const auto         text  = [](const double x) { return number_to_text("%.3g", x); };
+    std::vector<Doubt> result;
+    for (const auto *surface : surfaces)
+      {
+        const Frame  frame = surface->carrier();
+        const double spin  = e3.dot(frame.triad(point.q) * frame.twist(point.y).tail<3>());
+        if (std::abs(spin - speed) > 0.02 * std::abs(speed))
+          {
+            result.push_back({"speed",
+                              "the blades of <" + name + "> turn with " + text(spin) +
+                                " rad/s about its thrust axis, and its wake was left with <Speed>, " + text(speed) +
+                                " rad/s: it is another rotor's"});
+            break;
+          }
+      }
+    if (const double w = mean(state);
+        std::abs(w) > 1e-3 * std::abs(speed) * radius && std::abs(w - transport) > 0.3 * std::abs(transport))
+      result.push_back({"transport",
+                        "the wake of <" + name + "> leaves with <Transport>, " + text(transport) +
+                          " m/s, and induces " + text(w) + " m/s on the disk: the two should be about the same"});
+    return result;
+  }
+
+
+
   double
   HelicalWake::mean(const State &state) const
   {

@@ -160,6 +160,24 @@ TEST(HelicalWake, HoverAgainstPetersAndHe)
 
 
 
+// A wake that does not belong to the rotor is told of.
+TEST(HelicalWake, Doubts)
+{
+  const auto said = [](const std::string &entries) {
+    Scene scene(four_bladed_rotor("helical wake\n    set Nodes = 3\n    set Turns = 4\n    set Segments = 12\n    set "
+                                  "Root = 0.6\n" +
+                                    entries,
+                                  "rotor.centre"));
+    scene.equilibrium();
+    return scene.stream.str();
+  };
+  EXPECT_EQ(said("    set Speed = 30\n    set Transport = 4.8").find("warning"), std::string::npos);
+  EXPECT_NE(said("    set Speed = 25\n    set Transport = 4.8").find("another rotor's"), std::string::npos);
+  EXPECT_NE(said("    set Speed = 30\n    set Transport = 12").find("about the same"), std::string::npos);
+}
+
+
+
 TEST(HelicalWake, Refuses)
 {
   const auto of = [](const std::string &entries) {

@@ -3,6 +3,7 @@
 
 #include <samara/aero/external_inflow.h>
 #include <samara/aero/vortex.h>
+#include <samara/model/doubts.h>
 
 namespace samara
 {
@@ -26,11 +27,14 @@ namespace samara
    * with hat functions N_k, constant beyond the outer nodes, and the lengths l of the stations: the mean over blades
    * and, as τ is long, over azimuths. A node that no station reaches is refused.
    */
-  class HelicalWake : public ExternalInflow
+  class HelicalWake : public ExternalInflow, public Doubtful
   {
   public:
     void add_parameters(Parameters &prm) override;
     void connect(Layout &layout) override;
+
+    /** Where blades turn with another speed than is said, or the wake leaves with another than it induces. */
+    std::vector<Doubt> doubts(const State &state) const override;
 
     void
     add_station(const Vector3 &x, const double length) override
