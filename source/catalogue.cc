@@ -1,4 +1,5 @@
 #include <samara/aero/airfoil_table.h>
+#include <samara/aero/helical_wake.h>
 #include <samara/aero/momentum_inflow.h>
 #include <samara/aero/surface.h>
 #include <samara/analysis/dynamic.h>
@@ -165,6 +166,7 @@ namespace samara
     aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
     aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
     aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");
+    aerodynamics.add<HelicalWake>("helical wake", "flow of vortex lines behind blades, a prescribed wake");
     aerodynamics.add<AnnularInflow>(
       "annular inflow", "blade elements: momentum of each annulus, tip loss, high thrust, two states a station");
 

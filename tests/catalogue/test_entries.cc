@@ -67,6 +67,7 @@ TEST_F(Catalogued, AllKinds)
                                    "Pitt-Peters inflow",
                                    "Peters-He inflow",
                                    "annular inflow",
+                                   "helical wake",
                                    "lifting line",
                                    "rigid body",
                                    "beam",

@@ -310,7 +310,7 @@ TEST(Tangents, EveryKindOfTheCatalogueIsTested)
   const std::set<std::string> elsewhere = {
     "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C", "file", "BeamDyn",
     "PID", "transfer function", "state space", "delay", "control",
-    "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow",
+    "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow", "helical wake",
     "lifting line"};
   for (const auto &group : Catalogue().groups)
     for (const auto &kind : group.kinds.kinds())
