@@ -176,8 +176,9 @@ namespace samara
                                 std::to_string(patch_entries.size()) + " patches");
         return false;
       }
-    table = std::make_shared<ElementTable<2>>(degree);
-    mesh  = std::make_unique<ShellMesh>(*table);
+    table                = std::make_shared<ElementTable<2>>(degree);
+    mesh                 = std::make_unique<ShellMesh>(*table);
+    mesh->takes_any_cell = takes_any_cell;
     try
       {
         for (unsigned int i = 0; i < patch_entries.size(); ++i)

@@ -71,6 +71,8 @@ TEST_F(Catalogued, AllKinds)
                                    "rigid body",
                                    "beam",
                                    "shell",
+                                   "geodesic beam",
+                                   "MITC4 shell",
                                    "revolute",
                                    "prismatic",
                                    "screw",
@@ -113,10 +115,20 @@ TEST_F(Catalogued, AllKinds)
                                    "dynamic",
                                    "floquet",
                                    "trim",
+                                   "verification",
                                    "section",
                                    "subsystem",
                                    "study",
                                    "method"}));
+}
+
+
+
+// Prototypes give strains: their entries are read by what they are prototypes of.
+TEST_F(Catalogued, Prototypes)
+{
+  EXPECT_EQ(documented_entries()["geodesic beam"], documented_entries()["beam"]);
+  EXPECT_EQ(documented_entries()["MITC4 shell"], documented_entries()["shell"]);
 }
 
 

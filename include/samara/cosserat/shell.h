@@ -52,11 +52,14 @@ namespace samara
     std::vector<unsigned int> rigid_nodes() const override;
     void                      add_initial_velocities(State &state) const override;
 
+  protected:
+    unsigned int degree         = 3;     ///< entry
+    bool         takes_any_cell = false; ///< see ShellMesh
+
   private:
     // entries
     std::vector<std::array<SurfaceFunction, 3>> patch_entries;
     std::vector<PatchElements>                  element_counts = {PatchElements()};
-    unsigned int                                degree         = 3;
     bool                                        merges         = true;
     std::string                                 grid, grid_arguments, mesh_file;
     bool                                        is_curved   = true;
