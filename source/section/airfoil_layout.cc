@@ -437,6 +437,26 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Whether two segments cross, their ends not included. */
+    bool
+    segments_cross(const dealii::Point<2> &a,
+                   const dealii::Point<2> &b,
+                   const dealii::Point<2> &c,
+                   const dealii::Point<2> &d)
+    {
+      if (std::max(a[0], b[0]) < std::min(c[0], d[0]) || std::max(c[0], d[0]) < std::min(a[0], b[0]))
+        return false;
+      const auto side = [](const auto &x, const auto &y, const auto &z) {
+        return (y[0] - x[0]) * (z[1] - x[1]) - (y[1] - x[1]) * (z[0] - x[0]);
+      };
+      return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+    }
+  } // namespace
+
+
+
   void
   AirfoilMesh::check_inner_faces() const
   {
@@ -449,19 +469,53 @@ namespace samara
           for (unsigned int i = 0; i <= n; ++i)
             line.push_back(at_depth(strip.s[c] + (strip.s[c + 1] - strip.s[c]) * i / n, strip.thickness));
       }
-    const auto side = [](const Place &a, const Place &b, const Place &c) {
-      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    };
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
       for (std::size_t j = i + 2; j + 1 < line.size(); ++j)
+        if (segments_cross(line[i], line[i + 1], line[j], line[j + 1]))
+          fail("the skins overlap at x/c = " + number_to_text("%.4g", outline->x_of(line[i])) +
+                 ": they are thicker there than half the airfoil",
+               line[i]);
+    check_webs(line);
+  }
+
+
+
+  void
+  AirfoilMesh::check_webs(const std::vector<Place> &line) const
+  {
+    // faces of webs, and the one of a weight in the nose, meet nothing on their way
+    struct Face
+    {
+      Place       from, to;
+      std::string name;
+    };
+    std::vector<Face> across;
+    for (unsigned int web = 0; web < design.webs.size(); ++web)
+      for (const unsigned int i : {0u, 1u})
         {
-          const Place &a = line[i], &b = line[i + 1], &c = line[j], &d = line[j + 1];
-          if (std::max(a[0], b[0]) < std::min(c[0], d[0]) || std::max(c[0], d[0]) < std::min(a[0], b[0]))
-            continue;
-          if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0)
-            fail("the skins overlap at x/c = " + number_to_text("%.4g", outline->x_of(a)) +
-                   ": they are thicker there than half the airfoil",
-                 a);
+          const double middle = 0.5 * (faces[4 * web] + faces[4 * web + 1]),
+                       over   = 0.5 * (faces[4 * web + 2] + faces[4 * web + 3]);
+          across.push_back({at_depth(faces[4 * web + i], strip_at(middle).thickness),
+                            at_depth(faces[4 * web + 3 - i], strip_at(over).thickness),
+                            "web " + std::to_string(web + 1)});
         }
+    if (design.nose_to > 0)
+      {
+        const double t = strip_at(0.5 * (nose[0] + nose[1])).thickness;
+        across.push_back({at_depth(nose[0], t), at_depth(nose[1], t), "the weight in the nose"});
+      }
+    for (std::size_t i = 0; i < across.size(); ++i)
+      {
+        // its ends lie on the line: a little shorter it must not meet it
+        constexpr double end_part = 1e-3;
+        const Face      &face     = across[i];
+        const Place from(face.from + end_part * (face.to - face.from)), to(face.to - end_part * (face.to - face.from));
+        for (std::size_t k = 0; k + 1 < line.size(); ++k)
+          if (segments_cross(from, to, line[k], line[k + 1]))
+            fail(face.name + " runs into the skin at x/c = " + number_to_text("%.4g", outline->x_of(line[k])), line[k]);
+        for (std::size_t j = i + 1; j < across.size(); ++j)
+          if (segments_cross(face.from, face.to, across[j].from, across[j].to))
+            fail(face.name + " and " + across[j].name + " cross", face.from);
+      }
   }
 } // namespace samara

@@ -333,6 +333,9 @@ TEST(Airfoil, SaysWhatIsWrong)
          "    set Thickness = 10 mm\n    set Spar caps = both, 0.3, 0.5, thick; both, 0.3, 0.5, thick; both, 0.3, 0.5, "
          "thick; both, 0.3, 0.5, thick\n",
        "overlap");
+  says(naca + "    set Thickness = 1 mm\n    set Webs = 0.3, 0.5, web; 0.5, 0.3, web\n", "web 1 and web 2 cross");
+  says(naca + "    set Thickness = 1 mm\n    set Spar caps = lower, 0.3, 0.48, thick\n    set Webs = 0.5, 0.1, web\n",
+       "web 1 runs into the skin");
   says("    set NACA = 12\n    set Material = skin\n    set Thickness = 1 mm\n", "four-digit");
   says("    set NACA = 0012\n    set Layup = two\n", "<Trailing edge material>");
   says("    set Material = skin\n    set Thickness = 1 mm\n", "<Coordinates>");

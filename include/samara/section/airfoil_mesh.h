@@ -124,6 +124,7 @@ namespace samara
     void   cut_strips();
     void   check_strips() const;
     void   check_inner_faces() const;
+    void   check_webs(const std::vector<Place> &inner_face) const;
 
     // patches (airfoil_patches.cc)
     void add_skins();
