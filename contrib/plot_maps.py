@@ -59,6 +59,13 @@ def maps_of(pictures, number):
     return np.deg2rad(azimuth[begin:]), values("radius")[begin:], fields
 
 
+def limits(values):
+    """Of the colours: all values, without the few that are far away, as in reversed flow."""
+    low, high = np.percentile(values, [5, 95])
+    far = high - low
+    return max(values.min(), low - far), min(values.max(), high + far)
+
+
 def draw_maps(pictures, number):
     """@p number of the surface; the first one if it is None."""
     numbers = surfaces_of(pictures[0]) if pictures else []
@@ -73,13 +80,15 @@ def draw_maps(pictures, number):
     for ax, (name, values) in zip(axes.flat, fields.items()):
         ax.set_theta_zero_location("S")
         ax.grid(False)
-        mesh = ax.pcolormesh(azimuth, radius, values, shading="gouraud", cmap="viridis", rasterized=True)
+        low, high = limits(values)
+        mesh = ax.pcolormesh(azimuth, radius, values, shading="gouraud", vmin=low, vmax=high, rasterized=True)
         if values.min() < 0 < values.max():
             ax.contour(azimuth, radius, values, levels=[0], colors="w", linewidths=0.8)
         ax.set_rlim(0, 1.02 * radius.max())
         ax.set_rticks([])
         ax.set_title(name + (f" [{FIELDS[name]}]" if FIELDS[name] else ""))
-        bar = figure.colorbar(mesh, ax=ax, shrink=0.7, pad=0.08)
+        beyond = (values.min() < low) + 2 * (values.max() > high)
+        bar = figure.colorbar(mesh, ax=ax, shrink=0.7, pad=0.08, extend=("neither", "min", "max", "both")[beyond])
         bar.outline.set_visible(False)
     figure.suptitle("The last turn of a blade, azimuth 0 below; white: zero")
     return figure

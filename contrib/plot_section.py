@@ -53,7 +53,7 @@ def draw_one(ax, folder, path, read_picture):
     places = picture.points[:, 1:3]
     materials = at_cells(picture, picture.fields["material"])
     colors = [MATERIALS[int(round(m)) % len(MATERIALS)] for m in materials]
-    ax.add_collection(PolyCollection(polygons(picture, places), facecolors=colors, edgecolors="none"))
+    ax.add_collection(PolyCollection(polygons(picture, places), facecolors=colors, edgecolors="none", snap=False))
     ax.add_collection(LineCollection(outlines(picture, places), colors="0.45", linewidths=0.3))
 
     numbers = numbers_of(path.with_suffix(".txt"))
@@ -103,6 +103,7 @@ def draw_map(figure, ax, picture, places, values, label, is_signed):
         cmap="RdBu_r" if is_signed else "viridis",
         edgecolors="face",
         linewidths=0.1,
+        snap=False,  # or cells thinner than a pixel, where they are upright rectangles, grow over their neighbours
     )
     cells.set_clim(-largest if is_signed else 0, largest)
     ax.add_collection(cells)
@@ -168,7 +169,7 @@ def draw_plies(folder):
             if wall is not None and row["wall"] != wall:
                 x += 1
             if row["wall"] != wall:
-                ax.text(x - 0.4, 0.99, f"wall {row['wall']}", transform=ax.get_xaxis_transform(), va="top", fontsize=10)
+                ax.text(x - 0.4, 0.99, f"wall {row['wall']}" if row["wall"].isdigit() else row["wall"], transform=ax.get_xaxis_transform(), va="top", fontsize=10)
             wall = row["wall"]
             color = MATERIALS[materials.index(row["material"]) % len(MATERIALS)]
             value = float(row[known[0]] or "nan")

@@ -6,7 +6,9 @@
 #include <samara/output/table.h>
 #include <samara/section_report.h>
 
+#include <map>
 #include <sstream>
+#include <tuple>
 
 namespace samara
 {
@@ -53,7 +55,8 @@ namespace samara
     /** A layer of cells of a wall, which are of one ply. */
     struct Layer
     {
-      unsigned int wall, number; ///< from 1
+      std::string  wall;   ///< its name, or its number from 1
+      unsigned int number; ///< from 1
       Ply          ply;
       Extremes     extremes;
     };
@@ -66,11 +69,18 @@ namespace samara
       std::vector<Layer>        layers;
       std::vector<unsigned int> layer_of_cell;
       const auto               &patches = analysis.shape.patches;
+      std::map<std::tuple<std::string, unsigned int, unsigned int, double>, unsigned int> of_group;
       for (unsigned int k = 0; k < patches.size(); ++k)
         for (unsigned int j = 0; j + 1 < patches[k].v.size(); ++j)
           {
-            layers.push_back({k + 1, j + 1, patches[k].ply(0, j), {}});
-            layer_of_cell.insert(layer_of_cell.end(), patches[k].u.size() - 1, layers.size() - 1);
+            const std::string &group = patches[k].group;
+            const Ply          ply   = patches[k].ply(0, j);
+            unsigned int       layer = layers.size();
+            if (!group.empty())
+              layer = of_group.emplace(std::make_tuple(group, j, ply.material, ply.angle), layer).first->second;
+            if (layer == layers.size())
+              layers.push_back({group.empty() ? std::to_string(k + 1) : group, j + 1, ply, {}});
+            layer_of_cell.insert(layer_of_cell.end(), patches[k].u.size() - 1, layer);
           }
       for (const auto &point : analysis.section.points())
         {
@@ -201,7 +211,7 @@ namespace samara
           {
             std::vector<Table::Cell> of_ply = {name,
                                                time,
-                                               std::to_string(layer.wall),
+                                               layer.wall,
                                                std::to_string(layer.number),
                                                analysis->shape.materials[layer.ply.material].name,
                                                layer.ply.angle * 180 / M_PI};

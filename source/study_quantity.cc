@@ -141,7 +141,7 @@ namespace samara
 
   StudyQuantity::StudyQuantity(const std::string &text)
   {
-    const std::vector<std::string> sources = {"static", "dynamic", "energy", "modal"};
+    const std::vector<std::string> sources = {"static", "dynamic", "energy", "modal", "floquet"};
     const auto                     colon   = text.find(':');
     source                                 = trim(text.substr(0, colon));
     name                                   = colon == std::string::npos ? "" : trim(text.substr(colon + 1));
@@ -150,17 +150,24 @@ namespace samara
                                   " Write for instance <dynamic: tip.displacement y> or <modal: frequency 1>.");
     if (name.empty())
       throw std::invalid_argument("<" + text + "> names no quantity; write for instance <" +
-                                  (source == "modal" ? "modal: frequency 1" : source + ": tip.displacement y") + ">.");
-    if (source != "modal")
+                                  (source == "modal"   ? "modal: frequency 1" :
+                                   source == "floquet" ? "floquet: multiplier 1" :
+                                                         source + ": tip.displacement y") +
+                                  ">.");
+    if (!is_of_modes())
       return;
     const auto blank  = name.rfind(' ');
     double     number = 0;
     if (blank == std::string::npos || !text_to_number(name.substr(blank + 1), number) || number < 1 ||
         number != std::floor(number))
-      throw std::invalid_argument("<" + name + "> does not say which mode; write for instance <modal: frequency 1>.");
-    mode                                 = static_cast<unsigned int>(number);
-    name                                 = trim(name.substr(0, blank));
-    const std::vector<std::string> names = {"frequency", "damping ratio", "real", "imaginary"};
+      throw std::invalid_argument("<" + name + "> does not say which mode; write for instance <" + source +
+                                  ": frequency 1>.");
+    mode = static_cast<unsigned int>(number);
+    name = trim(name.substr(0, blank));
+    const std::vector<std::string> names =
+      source == "modal" ?
+        std::vector<std::string>{"frequency", "damping ratio", "real", "imaginary"} :
+        std::vector<std::string>{"multiplier", "growth rate", "frequency", "frequency mod period", "damping ratio"};
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw std::invalid_argument("a mode has no <" + name + ">" + did_you_mean(name, names));
   }
@@ -189,9 +196,9 @@ namespace samara
   Series
   StudyQuantity::read(const std::string &folder) const
   {
-    if (source != "modal")
+    if (!is_of_modes())
       return read_series(folder + "/" + (source == "energy" ? "dynamic_energy" : source) + ".csv", name);
-    const Series modes = read_series(folder + "/modes.csv", name);
+    const Series modes = read_series(folder + (source == "modal" ? "/modes.csv" : "/floquet.csv"), name);
     if (mode > modes.y.size())
       throw std::runtime_error("there are " + std::to_string(modes.y.size()) + " modes, not " + std::to_string(mode));
     return {{0.}, {modes.y[mode - 1]}};

@@ -29,7 +29,7 @@ namespace samara
   /** What a study looks at in the results of its members: "dynamic: tip.displacement y". */
   struct StudyQuantity
   {
-    std::string  source; ///< static, dynamic, energy or modal
+    std::string  source; ///< static, dynamic, energy, modal or floquet
     std::string  name;   ///< of a probe, an energy, or of what a mode has
     unsigned int mode = 0;
 
@@ -41,8 +41,15 @@ namespace samara
     /** What a member must be told beyond its own overrides, so that the quantity is in its results. */
     std::vector<std::string> overrides() const;
 
-    /** The analysis that gives it: static, dynamic, modal. */
+    /** The analysis that gives it: static, dynamic, modal, floquet. */
     std::string analysis() const;
+
+    /** Whether it belongs to a mode, not to a probe. */
+    bool
+    is_of_modes() const
+    {
+      return source == "modal" || source == "floquet";
+    }
 
     /** From the folder of a member's results. Throws a std::runtime_error that says what is missing. */
     Series read(const std::string &folder) const;

@@ -118,6 +118,13 @@ namespace samara
           for (auto &station : element.stations)
             add_states(station, element);
         where = "Inflow";
+        if (auto *const flow = dynamic_cast<ExternalInflow *>(inflow))
+          {
+            external = flow;
+            for (const auto &element : elements)
+              for (const auto &station : element.stations)
+                flow->add_station(on_disk(station, element), station.weight);
+          }
         if (auto *const flow = dynamic_cast<AnnularInflow *>(inflow))
           {
             annular = flow;

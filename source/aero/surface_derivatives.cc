@@ -37,15 +37,16 @@ namespace samara
   /** How what is known at a station changes. */
   struct Surface::Derivatives
   {
-    Change<3>       turn;          ///< spatial rotation of the section axes
-    Change<3>       air, spin;     ///< of the air's velocity, of the section's spin; inertial
-    Change<3>       relative, V;   ///< of the relative air, inertial, and in section axes
-    Change<3>       on_disk, axis; ///< in the hub's frame; of the thrust axis
-    Change<3>       free;          ///< of the air without annular inflow, in the hub's axes
-    Change<3>       place;         ///< of the quarter chord
-    Change<4>       loads;
-    Change<3>       force, moment, middle_force;
-    Eigen::VectorXd by_x, by_y; ///< of the shapes, by on_disk
+    Change<3>                                turn;          ///< spatial rotation of the section axes
+    Change<3>                                air, spin;     ///< of the air's velocity, of the section's spin; inertial
+    Change<3>                                relative, V;   ///< of the relative air, inertial, and in section axes
+    Change<3>                                on_disk, axis; ///< in the hub's frame; of the thrust axis
+    Change<3>                                free;          ///< of the air without annular inflow, in the hub's axes
+    Change<3>                                place;         ///< of the quarter chord
+    Change<4>                                loads;
+    Change<3>                                force, moment, middle_force;
+    Eigen::Matrix<double, Eigen::Dynamic, 3> by_place; ///< of the shapes, by on_disk
+    Eigen::Matrix<double, Eigen::Dynamic, 5> by_flow;  ///< the same by the flow through the disk; or nothing
 
     Derivatives(const unsigned int n_twists, const unsigned int n_states)
       : turn(n_twists, n_states)
@@ -218,11 +219,12 @@ namespace samara
               const Change<5>         &disk)
     {
       const unsigned int n = at.shapes.size();
-      by_x.resize(n);
-      by_y.resize(n);
+      Eigen::VectorXd    by_x(n), by_y(n);
       inflow.disk.gradients(at.on_disk(0) / inflow.radius, at.on_disk(1) / inflow.radius, by_x.data(), by_y.data());
       by_x /= inflow.radius;
       by_y /= inflow.radius;
+      by_place.resize(n, 3);
+      by_place << by_x, by_y, Eigen::VectorXd::Zero(n);
       const Eigen::Map<const Eigen::VectorXd> z(g.amplitudes.data(), n), phi(at.shapes.data(), n);
       air.add<3>(-at.induced * Matrix3::Identity(), axis);
       air.add<3>(-at.thrust_axis * g.near * Eigen::RowVector3d(z.dot(by_x), z.dot(by_y), 0.), on_disk);
@@ -230,6 +232,26 @@ namespace samara
         air.states.middleCols(first_state, n) -= at.thrust_axis * g.near * phi.transpose();
       if (inflow.corrections.has_ground)
         air.add<5>(-at.thrust_axis * z.dot(phi) * inflow.corrections.ground_slopes(g.disk), disk);
+    }
+
+    /** The flow of a theory of its own follows the place, the flow through the disk and its states. */
+    void
+    of_external(const ExternalInflow    &inflow,
+                const Gathered<double>  &g,
+                const AtStation<double> &at,
+                const unsigned int       first_state,
+                const Change<5>         &disk)
+    {
+      const auto     e = inflow.derivatives(at.on_disk, g.disk, g.amplitudes);
+      const Matrix3 &H = g.frames.D.back();
+      Change<3>      added(turn.place.cols(), turn.states.cols());
+      added.add<3>(e.velocity.leftCols<3>(), on_disk);
+      added.add<5>(e.velocity.rightCols<5>(), disk);
+      added.states.middleCols(first_state, e.by_states.cols()) += e.by_states;
+      air.add<3>(H, added);
+      air.place.middleCols<3>(6 * (g.frames.D.size() - 1) + 3) -= H * skew(at.added);
+      by_place = e.drives.leftCols<3>();
+      by_flow  = e.drives.rightCols<5>();
     }
 
     /** How the flow through the disk as a whole changes, with the hub and the inflow's states. */
@@ -253,7 +275,7 @@ namespace samara
       disk.place.block<3, 3>(0, first + 3) = sign * (skew(Vector3(H.transpose() * s)) + HtH * skew(v));
       disk.twist.block<3, 3>(0, first)     = -sign * HtH;
       disk.place.block<1, 3>(4, first)     = H.row(2);
-      if (n > 0)
+      if (n > 0 && inflow.corrections.averages.size() == n)
         disk.states.row(3).segment(first_state, n) =
           Eigen::Map<const Eigen::RowVectorXd>(inflow.corrections.averages.data(), n);
       return disk;
@@ -341,6 +363,8 @@ namespace samara
                                                      station.width);
         d.of_annulus(station, g, at, annular_slopes);
       }
+    else if (external != nullptr)
+      d.of_external(*external, g, at, n_lags, disk);
     else if (inflow != nullptr)
       d.of_inflow(*inflow, g, at, n_lags, disk);
     d.relative.add<3>(Matrix3::Identity(), d.air);
@@ -420,11 +444,16 @@ namespace samara
     const unsigned int first = n_twists + n_lags;
     for (unsigned int k = 0; k < at.shapes.size(); ++k)
       {
-        const double             c = -station.weight * inflow->load_weights[k];
-        const Eigen::RowVector3d slope(c * F * d.by_x(k), c * F * d.by_y(k), 0.);
+        const double             c     = -station.weight * inflow->load_weights[k];
+        const Eigen::RowVector3d slope = c * F * d.by_place.row(k);
         K.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.place + slope * d.on_disk.place;
         K.row(first + k).tail(n_states) += c * at.shapes[k] * thrust.states;
         C.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.twist;
+        if (external != nullptr)
+          {
+            K.row(first + k).head(n_twists) += c * F * d.by_flow.row(k) * disk.place;
+            C.row(first + k).head(n_twists) += c * F * d.by_flow.row(k) * disk.twist;
+          }
       }
   }
 

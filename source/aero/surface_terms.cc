@@ -18,7 +18,7 @@ namespace samara
       g.lags.push_back(point.states[i]);
     if (inflow != nullptr)
       {
-        g.amplitudes.resize(inflow->disk.shapes.size());
+        g.amplitudes.resize(inflow->n_amplitudes());
         inflow->amplitudes(point, g.amplitudes.data());
         if (inflow->corrections.any())
           g.disk = inflow->flow_through_disk(
@@ -54,12 +54,19 @@ namespace samara
             wind += H * at.added;
           }
         at.shapes.resize(g.amplitudes.size());
+        if (external != nullptr)
+          {
+            at.added   = external->velocity(at.on_disk, g.disk, g.amplitudes.data());
+            at.induced = -at.added(2);
+            wind += H * at.added;
+            external->drives(at.on_disk, g.disk, at.shapes.data());
+          }
         inflow->disk.evaluate(Number(at.on_disk(0) / inflow->radius),
                               Number(at.on_disk(1) / inflow->radius),
                               at.shapes.data());
-        for (unsigned int k = 0; k < at.shapes.size(); ++k)
+        for (unsigned int k = 0; k < at.shapes.size() && external == nullptr; ++k)
           at.induced += g.near * g.amplitudes[k] * at.shapes[k];
-        if (annular == nullptr)
+        if (annular == nullptr && external == nullptr)
           wind -= at.induced * at.thrust_axis;
       }
     at.air  = wind;

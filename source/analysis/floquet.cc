@@ -1,4 +1,5 @@
 #include <samara/analysis/floquet.h>
+#include <samara/analysis/slow_modes.h>
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
@@ -19,11 +20,13 @@ namespace samara
     /** What a change carried on may be different by from what multipliers were found of. */
     constexpr double allowed_difference = 1e-6;
 
+    /** Of residuals, where none is given: with few columns slow modes come to theirs. @{ */
+    constexpr double tolerance_of_largest = 1e-9, tolerance_of_slow_modes = 1e-5;
+    /** @} */
+
     /** Up to this many columns all of them are cheaper than Arnoldi's method. */
     constexpr int most_columns = 60;
 
-    /** |multiplier| − 1 that does not tell: free motions, and what is not damped. */
-    constexpr double undecided = 1e-6;
   } // namespace
 
 
@@ -72,7 +75,16 @@ namespace samara
       "with a <Symmetry>, and all columns where they are few.",
       Selection("automatic|implicit|fast|classical"));
     prm.add("Wanted", wanted, "Number of multipliers, largest first; of a pair both count.", Integer(1));
-    prm.add("Tolerance", tolerance, "Of Arnoldi's method, relative to each multiplier [1].", Double(0, 1));
+    prm.add(
+      "Highest frequency",
+      highest_frequency,
+      "Modes up to this |lambda|, as the model linearised at the start has them, are found in place of those with the "
+      "largest multipliers, which of elastic rotors are what the steps do not resolve; 0: the latter [rad/s].",
+      Double(0));
+    prm.add("Tolerance",
+            tolerance,
+            "Of what is found by iteration: residual relative to each multiplier; 0: 1e-9, of slow modes 1e-5 [1].",
+            Double(0, 1));
     prm.add(
       "Symmetry",
       symmetry,
@@ -96,8 +108,8 @@ namespace samara
       complain("Turns", "the <Turns> in a period must be positive");
     if (!(newton_tolerance > 0))
       complain("Newton tolerance", "the <Newton tolerance> must be positive");
-    if (!(tolerance > 0))
-      complain("Tolerance", "the <Tolerance> must be positive");
+    if (method == "classical" && highest_frequency > 0)
+      complain("Highest frequency", "<Method = classical> finds all multipliers; leave out the <Highest frequency>");
     if (method == "fast" && symmetry.empty())
       complain("Method", "the fast map needs the <Symmetry>: which parts are repeated");
     if (groups().empty() && !turning.empty())
@@ -186,7 +198,7 @@ namespace samara
   RepeatedParts
   FloquetAnalysis::repeated_parts(const System &system) const
   {
-    if (!is_by_sections())
+    if (groups().empty())
       return RepeatedParts(system);
     try
       {
@@ -194,6 +206,8 @@ namespace samara
       }
     catch (const std::invalid_argument &problem)
       {
+        if (!is_by_sections())
+          return RepeatedParts(system); // they would only name modes
         throw InputError(parameters.where("Symmetry") + ": " + problem.what());
       }
   }
@@ -209,7 +223,7 @@ namespace samara
     const System       &system = context.system;
     const State         first  = first_state(context);
     const double        T      = period_at(context, first);
-    const RepeatedParts parts  = repeated_parts(system);
+    const RepeatedParts named = repeated_parts(system), parts = is_by_sections() ? named : RepeatedParts(system);
     SectionMap          map(system,
                    {T / parts.n(), n_steps / parts.n(), n_stages, spectral_radius, newton_tolerance, max_iterations},
                    parts);
@@ -227,7 +241,7 @@ namespace samara
         n_columns          = found.n_columns;
         if (found.found.empty())
           throw NotConverged("floquet analysis: nothing moves that could grow or decay");
-        describe(map, found, wanted);
+        describe(map, named, found, found.n_looked_for > 0 ? found.found.size() : wanted);
         modes = found.found;
         report(context, found, T);
       }
@@ -333,85 +347,9 @@ namespace samara
         if (n <= most_columns)
           return all_floquet_modes(map);
       }
-    return largest_floquet_modes(map, wanted, tolerance);
-  }
-
-
-
-  void
-  FloquetAnalysis::report(const Context &context, const FloquetModes &found, const double T) const
-  {
-    const unsigned int parts = is_by_sections() ? groups()[0].size() : 1;
-    const double       h     = T / n_steps;
-    context.log.line("floquet: period " + number_to_text("%.6g", T) + " s, " + std::to_string(n_steps) +
-                     " steps, periodic to " + number_to_text("%.1e", gap) + "; " +
-                     (found.is_all ? "all " : "Arnoldi's method, ") + std::to_string(found.n_columns) +
-                     " columns of the map over " +
-                     (parts > 1 ? "a part of " + std::to_string(parts) : std::string("the period")));
-    Table  table({"mode",
-                  "multiplier",
-                  "multiplier real",
-                  "multiplier imaginary",
-                  "growth rate [1/s]",
-                  "frequency [rad/s]",
-                  "frequency mod period [rad/s]",
-                  "damping ratio",
-                  "steps a cycle",
-                  "growth error by steps [1/s]",
-                  "frequency error by steps [rad/s]",
-                  "residual",
-                  "most in",
-                  "share"});
-    double largest = 0;
-    for (unsigned int i = 0; i < modes.size(); ++i)
-      {
-        const FloquetMode &m    = modes[i];
-        const double       size = std::abs(m.multiplier);
-        largest                 = std::max(largest, size);
-        const bool has_share    = !m.shares.empty() && m.shares[0].second > 0;
-        table.add_row({i + 1,
-                       size,
-                       m.multiplier.real(),
-                       m.multiplier.imag(),
-                       m.growth(),
-                       m.frequency(),
-                       std::abs(std::arg(m.multiplier)) / T,
-                       std::abs(m.exponent) > 0 ? -m.growth() / std::abs(m.exponent) : 0.,
-                       Table::Cell::optional(m.rate > 0 ? 2 * M_PI / (m.rate * h) : std::nan("")),
-                       m.scheme_error.real(),
-                       m.scheme_error.imag(),
-                       m.residual,
-                       has_share ? m.shares[0].first : "",
-                       has_share ? m.shares[0].second : 0.});
-        std::ostringstream line;
-        line << "  mode " << i + 1 << ": |multiplier| " << number_to_text("%.8g", size) << ", growth rate "
-             << number_to_text("%.6g", m.growth()) << " 1/s, " << number_to_text("%.6g", m.frequency()) << " rad/s  (";
-        for (unsigned int k = 0; has_share && k < std::min<std::size_t>(3, m.shares.size()); ++k)
-          if (k == 0 || m.shares[k].second > 0.02)
-            line << (k > 0 ? ", " : "") << m.shares[k].first << " " << std::lround(100 * m.shares[k].second) << " %";
-        context.log.line(line.str() + ")");
-        if (std::abs(m.scheme_error) > 0.01 * std::max(std::abs(m.exponent), 1e-3 / T))
-          context.log.warning("floquet",
-                              "mode " + std::to_string(i + 1) + " is not resolved: there are " +
-                                number_to_text("%.2g", 2 * M_PI / (m.rate * h)) + " steps a cycle; take more <Steps>");
-        else if (-m.scheme_error.real() > 0.01 * std::abs(m.growth()) + 1e-9 * m.frequency())
-          context.log.warning("floquet",
-                              "mode " + std::to_string(i + 1) + ": the steps add a damping of about " +
-                                number_to_text("%.2g", -m.scheme_error.real()) +
-                                " 1/s; take more <Steps>, or <Spectral radius = 1>");
-      }
-    context.log.line(
-      std::string("  the motion is ") +
-      (largest > 1 + undecided ? "unstable: the largest multiplier is " :
-       largest < 1 - undecided ? "stable: the largest multiplier is " :
-                                 "neither stable nor unstable to first order: the largest multiplier is ") +
-      number_to_text("%.10g", largest));
-    if (context.folder.empty())
-      return;
-    if (!context.sweep.empty())
-      table.write(context.folder + "/floquet_" + short_text(context.speeds[0]) + ".csv");
-    if (context.is_shown())
-      table.write(context.folder + "/floquet.csv");
+    if (highest_frequency > 0)
+      return slow_floquet_modes(map, {highest_frequency, tolerance > 0 ? tolerance : tolerance_of_slow_modes});
+    return largest_floquet_modes(map, wanted, tolerance > 0 ? tolerance : tolerance_of_largest);
   }
 
 

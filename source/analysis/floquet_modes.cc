@@ -65,38 +65,6 @@ namespace samara
 
 
 
-    FloquetMode
-    mode_of(const SectionMap &map, const Complex value, const Eigen::VectorXcd &scaled_shape, const double residual)
-    {
-      FloquetMode mode;
-      mode.of_section = value;
-      mode.multiplier = std::pow(value, int(map.repeated().n()));
-      mode.shape      = scaled_shape.normalized();
-      for (int i = 0; i < mode.shape.size(); ++i)
-        mode.shape(i) *= map.scales()[i];
-      mode.residual = std::abs(value) > 0 ? residual / std::abs(value) : residual;
-      return mode;
-    }
-
-
-
-    /** Largest first; those lost in round-off of a map of this @p size are taken away. */
-    void
-    put_in_order(FloquetModes &modes, const double size)
-    {
-      auto &found = modes.found;
-      std::stable_sort(found.begin(), found.end(), [](const FloquetMode &a, const FloquetMode &b) {
-        return std::abs(a.of_section) > std::abs(b.of_section) * (1 + 1e-12);
-      });
-      while (!found.empty() && std::abs(found.back().of_section) <= round_off * size)
-        {
-          found.pop_back();
-          ++modes.n_vanishing;
-        }
-    }
-
-
-
     /** ζᴴ M ζ of a node's increments, or of what begins at @p first. */
     double
     energy_of(const System &system, const Eigen::VectorXcd &shape, const unsigned int node, const int first = 0)
@@ -138,31 +106,53 @@ namespace samara
 
 
 
-    /** The harmonic of the period that is largest in a mode: λ of the section's principal value plus i m 2π/T. */
-    int
-    largest_harmonic(SectionMap &map, FloquetMode &mode, const Complex principal)
+    /** A mode at all steps of the period without its principal exponent: p(t) times a harmonic of the period. */
+    std::vector<Eigen::VectorXcd>
+    periodic_part(SectionMap &map, const FloquetMode &mode, const Complex principal)
     {
-      const unsigned int            n = map.map.settings.n_steps * map.repeated().n();
       const double                  h = map.map.settings.period / map.map.settings.n_steps;
-      std::vector<Eigen::VectorXcd> periodic(n);
+      std::vector<Eigen::VectorXcd> result(map.map.settings.n_steps * map.repeated().n());
+      map.follow(mode.shape, mode.of_section, [&](const unsigned int i, const Eigen::VectorXcd &increment) {
+        result[i] = increment * std::exp(-principal * (i * h));
+      });
+      return result;
+    }
+
+
+
+    /** Shares of bodies in the kinetic energy, and the rate of the mode. */
+    void
+    find_shares(const SectionMap &map, const std::vector<Eigen::VectorXcd> &periodic, FloquetMode &mode)
+    {
       std::map<std::string, double> energies;
       double                        displacements = 0, velocities = 0;
-      map.follow(mode.shape, mode.of_section, [&](const unsigned int i, const Eigen::VectorXcd &increment) {
-        periodic[i] = increment * std::exp(-principal * (i * h));
+      for (const auto &increment : periodic)
         for (unsigned int node = 1; node < map.system.layout.n_nodes; ++node)
           {
-            energies[map.system.model.nodes[node].name] += energy_of(map.system, periodic[i], node);
-            displacements += energy_of(map.system, periodic[i], node);
-            velocities += energy_of(map.system, periodic[i], node, map.map.first_velocity());
+            const double energy = energy_of(map.system, increment, node);
+            energies[map.system.model.nodes[node].name] += energy;
+            displacements += energy;
+            velocities += energy_of(map.system, increment, node, map.map.first_velocity());
           }
-      });
-      mode.rate            = displacements > 0 ? std::sqrt(velocities / displacements) : 0.;
-      mode.shares          = sorted_shares(energies);
-      const bool by_energy = !mode.shares.empty() && mode.shares[0].second > 0;
+      mode.rate   = displacements > 0 ? std::sqrt(velocities / displacements) : 0.;
+      mode.shares = sorted_shares(energies);
+    }
 
-      const int most    = (int(n) - 1) / 2;
-      int       result  = 0;
-      double    largest = -1;
+
+
+    /** The harmonic of the period that is largest in a mode: λ of the section's principal value plus i m 2π/T. */
+    int
+    largest_harmonic(const SectionMap                    &map,
+                     const std::vector<Eigen::VectorXcd> &periodic,
+                     const FloquetMode                   &mode,
+                     const Complex                        principal)
+    {
+      const unsigned int n         = periodic.size();
+      const double       h         = map.map.settings.period / map.map.settings.n_steps;
+      const bool         by_energy = !mode.shares.empty() && mode.shares[0].second > 0;
+      const int          most      = (int(n) - 1) / 2;
+      int                result    = 0;
+      double             largest   = -1;
       for (int m = -most; m <= most; ++m)
         {
           Eigen::VectorXcd part = Eigen::VectorXcd::Zero(mode.shape.size());
@@ -180,6 +170,37 @@ namespace samara
       return result;
     }
   } // namespace
+
+
+
+  FloquetMode
+  mode_of(const SectionMap &map, const Complex value, const Eigen::VectorXcd &scaled_shape, const double residual)
+  {
+    FloquetMode mode;
+    mode.of_section = value;
+    mode.multiplier = std::pow(value, int(map.repeated().n()));
+    mode.shape      = scaled_shape.normalized();
+    for (int i = 0; i < mode.shape.size(); ++i)
+      mode.shape(i) *= map.scales()[i];
+    mode.residual = std::abs(value) > 0 ? residual / std::abs(value) : residual;
+    return mode;
+  }
+
+
+
+  void
+  put_in_order(FloquetModes &modes, const double size)
+  {
+    auto &found = modes.found;
+    std::stable_sort(found.begin(), found.end(), [](const FloquetMode &a, const FloquetMode &b) {
+      return std::abs(a.of_section) > std::abs(b.of_section) * (1 + 1e-12);
+    });
+    while (!found.empty() && std::abs(found.back().of_section) <= round_off * size)
+      {
+        found.pop_back();
+        ++modes.n_vanishing;
+      }
+  }
 
 
 
@@ -234,17 +255,21 @@ namespace samara
 
 
   void
-  describe(SectionMap &map, FloquetModes &modes, const unsigned int n)
+  describe(SectionMap &map, const RepeatedParts &parts, FloquetModes &modes, const unsigned int n)
   {
     const double section = map.map.settings.period, T = section * map.repeated().n(),
                  h = section / map.map.settings.n_steps;
-    const Tableau tableau(map.map.settings.n_stages, map.map.settings.spectral_radius);
+    const Tableau        tableau(map.map.settings.n_stages, map.map.settings.spectral_radius);
+    const ContentOfModes contents(map.system, parts, map.map.states());
     modes.found.resize(std::min<std::size_t>(n, modes.found.size()));
     for (auto &mode : modes.found)
       {
         const Complex principal = std::log(mode.of_section) / section;
-        const int     m         = largest_harmonic(map, mode, principal);
-        mode.exponent           = {principal.real(), std::abs(principal.imag() + m * 2 * M_PI / T)};
+        const auto    periodic  = periodic_part(map, mode, principal);
+        find_shares(map, periodic, mode);
+        const double frequency = principal.imag() + largest_harmonic(map, periodic, mode, principal) * 2 * M_PI / T;
+        mode.exponent          = {principal.real(), std::abs(frequency)};
+        mode.content           = contents.of(periodic, frequency);
         // velocities at the ends of steps are less exact than frequencies; they are needed only where these are aliases
         mode.rate         = mode.rate * h < M_PI ? mode.frequency() : std::max(mode.rate, mode.frequency());
         mode.scheme_error = error_of_scheme(tableau, {mode.growth(), mode.rate}, h);

@@ -1,6 +1,7 @@
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/moving_axes.h>
+#include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -44,8 +46,8 @@ namespace samara
 
 
 
-  void
-  ModalAnalysis::run(Context &context)
+  ModalAnalysis::Steady
+  ModalAnalysis::analyse(Context &context)
   {
     const System &system = context.system;
     OtherMotion   other;
@@ -77,7 +79,9 @@ namespace samara
           linearization = Linearization(system, state, seen.spins());
         find(context, linearization);
         check_other_motion(context, other);
+        check_prescribed(context, state);
         check_axes(context, seen);
+        return {state, seen.spins(), linearization};
       }
     catch (const SingularMatrix &singular)
       {
@@ -87,7 +91,15 @@ namespace samara
           ".\n  A constraint is there twice, or something has neither mass nor stiffness; or the <Shift> is an "
           "eigenvalue.");
       }
-    branches = tracking.follow(modes, linearization.M);
+  }
+
+
+
+  void
+  ModalAnalysis::run(Context &context)
+  {
+    const Steady steady = analyse(context);
+    branches            = tracking.follow(modes, steady.linearization.M);
     report(context);
     check_errors(context);
     if (!context.sweep.empty())
@@ -151,6 +163,34 @@ namespace samara
             refuse_unsteady(context, why);
           return context.log.warning("modal", why + "; modes have no gyroscopic terms of that");
         }
+  }
+
+
+
+  void
+  ModalAnalysis::check_prescribed(const Context &context, const State &state) const
+  {
+    constexpr double    allowed = 1e-6; // of a mode's frequency
+    std::vector<double> times   = times_to_look(state);
+    const bool          turns   = !times.empty();
+    times.insert(times.begin(), 0.);
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const auto &mode : modes)
+      if (mode.frequency() > 0)
+        {
+          slowest = std::min(slowest, mode.frequency());
+          times.insert(times.end(), {1. / mode.frequency(), 2.4 / mode.frequency()});
+        }
+    const PrescribedMotion other = prescribed_beside(context.system, state, times);
+    if (!(other.rate > allowed * slowest))
+      return;
+    const std::string why =
+      "<" + other.name + "> is prescribed to move, with up to " + short_text(other.rate) +
+      (turns ? " rad/s, beside the steady rotation" : " rad/s or lengths of the model per second");
+    if (turns)
+      refuse_unsteady(context, why);
+    else
+      context.log.line("  modal: " + why + "; modes are those while it is held where it is");
   }
 
 

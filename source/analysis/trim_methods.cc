@@ -20,6 +20,9 @@ namespace samara
     constexpr double loosest_forcing = 1e-2, tightest_forcing = 1e-4;
     /** @} */
 
+    /** After so many turns without a tangent one after another none is looked for any more: it costs a turn. */
+    constexpr unsigned int most_turns_without_tangent = 3;
+
     const std::string beyond_limits = "the targets lie beyond the limits of the controls";
 
     constexpr double       shortest_step     = 1. / 64; ///< of Newton's method
@@ -101,17 +104,21 @@ namespace samara
   TrimAnalysis::Run::VectorX
   TrimAnalysis::Run::newton_step(const Look &now, const VectorX &r, const double forcing)
   {
-    if (has_tangent)
+    if (n_without_tangent < most_turns_without_tangent)
       try
         {
           motion->linearize(now.start);
-          return solve([this](const VectorX &direction) { return by_tangent(direction); }, r, forcing);
+          const VectorX x = solve([this](const VectorX &direction) { return by_tangent(direction); }, r, forcing);
+          if (n_without_tangent > 0)
+            context.log.line("trim: products by tangents again");
+          n_without_tangent = 0;
+          return x;
         }
       catch (const NotConverged &problem)
         {
-          has_tangent = false;
-          context.log.line(std::string("trim: products by differences of turns, as the tangent is not there: ") +
-                           problem.what());
+          if (++n_without_tangent == 1)
+            context.log.line(std::string("trim: products by differences of turns, as the tangent is not there: ") +
+                             problem.what());
         }
     return solve([&](const VectorX &direction) { return by_difference(now, r, direction); }, r, forcing);
   }

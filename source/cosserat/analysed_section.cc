@@ -58,6 +58,12 @@ namespace samara
                                                    patch.v[j] + (patch.v[j + 1] - patch.v[j]) * b / degree);
                     key.add(place[0]);
                     key.add(place[1]);
+                    if (patch.tangent)
+                      {
+                        const Eigen::Vector2d t = patch.tangent(place);
+                        key.add(t(0));
+                        key.add(t(1));
+                      }
                   }
             }
       for (const auto &material : shape.materials)
@@ -179,6 +185,12 @@ namespace samara
       {
         const auto own = patch.place;
         patch.place    = [own, moved](const double u, const double v) { return moved(own(u, v)); };
+        if (const auto tangent = patch.tangent)
+          patch.tangent = [=](const dealii::Point<2> &x) {
+            const double          y2 = x[0] - origin[0], y3 = x[1] - origin[1];
+            const Eigen::Vector2d t = tangent(dealii::Point<2>(c * y2 + s * y3, c * y3 - s * y2));
+            return Eigen::Vector2d(c * t(0) - s * t(1), s * t(0) + c * t(1));
+          };
       }
     for (auto &corner : shape.outline)
       {
@@ -262,6 +274,14 @@ namespace samara
   AnalysedSection::fineness() const
   {
     return {elements, per_ply};
+  }
+
+
+
+  void
+  AnalysedSection::try_mesh(const SectionShape &shape) const
+  {
+    SectionMesh(shape.patches, degree, tolerance_of(shape));
   }
 
 

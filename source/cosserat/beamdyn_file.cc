@@ -100,7 +100,7 @@ namespace samara
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream  words(line);
         std::vector<double> result;
-        for (std::string word; result.size() < n && words >> word;)
+        for (std::string word; words >> word;)
           {
             std::replace(word.begin(), word.end(), 'd', 'e'); // 1.0D+3
             double x = 0;
@@ -108,6 +108,7 @@ namespace samara
               break;
             result.push_back(x);
           }
+        // as many numbers: what stands behind them may be words, but one number more is a row that is not understood
         if (result.size() != n)
           wrong(i,
                 "here should be " + std::to_string(n) + (n == 1 ? " number" : " numbers") + ", not <" + trim(lines[i]) +
@@ -316,6 +317,30 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Two stations as near as jumps are written are a jump: they would be an element of that length otherwise. */
+    void
+    make_jumps(std::vector<SectionStations::Station> &stations, const std::string &file)
+    {
+      constexpr double near = 1e-5;
+      for (std::size_t i = 1; i < stations.size(); ++i)
+        {
+          const double before = stations[i - 1].x;
+          if (stations[i].x - before > near)
+            continue;
+          if (i == 1 || i + 1 == stations.size() || before <= stations[i - 2].x)
+            throw std::invalid_argument(
+              file + ": the stations at " + number_to_text(before) + " and " + number_to_text(stations[i].x) +
+              " are nearer than 1e-5 of the blade, which is a jump: there can be none at an end, "
+              "nor three stations at one place");
+          stations[i - 1].x = stations[i].x;
+        }
+    }
+  } // namespace
+
+
+
   void
   BeamDynSection::initialize(Model &model)
   {
@@ -327,6 +352,7 @@ namespace samara
         std::vector<SectionStations::Station> all;
         for (const auto &s : blade.stations)
           all.push_back({s.x, nullptr, {s.stiffness, s.inertia, drawn_outline({}, s.stiffness)}, 0.});
+        make_jumps(all, file);
         stations = std::make_unique<SectionStations>(all);
       }
     catch (const std::invalid_argument &problem)
@@ -341,6 +367,14 @@ namespace samara
   BeamDynSection::at(const double x, const Vector3 &curvature) const
   {
     return stations->at(x, curvature);
+  }
+
+
+
+  SectionValues
+  BeamDynSection::at_side(const double x, const double inside, const Vector3 &curvature) const
+  {
+    return stations->at_side(x, inside, curvature);
   }
 
 

@@ -73,11 +73,34 @@ namespace samara
           layout.couple(element.block, element.frames);
       }
     make_batches();
+    take_reference(layout.model);
     has_viscous_material = std::any_of(materials.begin(), materials.end(), [](const Material &material) {
       return !material.viscosity.isZero(0.);
     });
     if (n_elements() > 0)
       layout.add(*this, *this);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::take_reference(const Model &model)
+  {
+    // by the very instructions that will compute strains: of a stiff element the round-off of others would be a stress
+    std::vector<double> q, e(n * points.size());
+    for (const auto &node : model.nodes)
+      {
+        q.insert(q.end(), node.x.data(), node.x.data() + 3);
+        q.insert(q.end(), node.D.data(), node.D.data() + 9);
+      }
+    for (auto &point : points)
+      point.reference.setZero();
+    samara::Point<double> reference;
+    reference.q = q.data();
+    this->strains(reference, e.data());
+    for (unsigned int g = 0; g < points.size(); ++g)
+      points[g].reference = Eigen::Map<const VectorN>(&e[n * g]);
   }
 
 

@@ -119,9 +119,10 @@ namespace samara
     class GmshReader
     {
     public:
-      GmshReader(ImportedMesh &mesh, Lines &lines)
+      GmshReader(ImportedMesh &mesh, Lines &lines, const bool with_triangles)
         : mesh(mesh)
         , lines(lines)
+        , with_triangles(with_triangles)
         , vertices(mesh, lines)
       {}
 
@@ -147,10 +148,11 @@ namespace samara
     private:
       ImportedMesh               &mesh;
       Lines                      &lines;
+      bool                        with_triangles;
       Vertices                    vertices;
       double                      version = 0;
-      std::map<long, std::string> names;       // of physical curves
-      std::map<long, long>        physical_of; // of the curves of format 4
+      std::map<long, std::string> names, names_of_surfaces; // of physical curves and surfaces
+      std::map<long, long>        physical_of, of_surface;  // of the curves and surfaces of format 4
 
       void
       read_format()
@@ -176,8 +178,8 @@ namespace samara
             const auto first = line.find('"'), last = line.rfind('"');
             if (!words || last <= first || last == std::string::npos)
               lines.fail("a physical name is written <1 2 \"root\">");
-            if (dimension == 1)
-              names[number] = line.substr(first + 1, last - first - 1);
+            if (dimension == 1 || dimension == 2)
+              (dimension == 1 ? names : names_of_surfaces)[number] = line.substr(first + 1, last - first - 1);
           }
       }
 
@@ -192,8 +194,9 @@ namespace samara
               const unsigned int at      = dimension == 0 ? 4 : 7;
               if (of_line.size() <= at)
                 lines.fail("an entity has a number, its box, and its physical groups");
-              if (dimension == 1 && of_line[at] > 0 && of_line.size() > at + 1)
-                physical_of[std::lround(of_line[0])] = std::abs(std::lround(of_line[at + 1]));
+              if ((dimension == 1 || dimension == 2) && of_line[at] > 0 && of_line.size() > at + 1)
+                (dimension == 1 ? physical_of : of_surface)[std::lround(of_line[0])] =
+                  std::abs(std::lround(of_line[at + 1]));
             }
       }
 
@@ -234,17 +237,24 @@ namespace samara
         const auto at = [&](const unsigned int i) { return vertices.at(nodes[i]); };
         if (type == 15)
           return;
-        if (type == 2)
+        if (type == 2 && !with_triangles)
           lines.fail("there is a triangle: shells have quadrilaterals (Recombine Surface, Mesh.RecombineAll = 1)");
         if (type >= 4 && type <= 7)
-          lines.fail("there is a solid element: a shell is a surface");
-        if (type != 1 && type != 3)
+          lines.fail("there is a solid element, where surfaces are wanted");
+        if (type < 1 || type > 3)
           lines.fail("there is an element of higher order (type " + std::to_string(type) +
-                     "): save the mesh with Mesh.ElementOrder = 1, and choose the <Degree> of the shell");
-        if (n_nodes < (type == 1 ? 2 : 4))
+                     "): save the mesh with Mesh.ElementOrder = 1, and choose the <Degree> here");
+        if (n_nodes < static_cast<std::size_t>(type + 1))
           lines.fail("an element has too few nodes");
-        if (type == 3)
-          mesh.quadrilaterals.push_back({{at(0), at(1), at(2), at(3)}});
+        if (type > 1)
+          {
+            if (physical > 0)
+              mesh
+                .regions[names_of_surfaces.count(physical) > 0 ? names_of_surfaces.at(physical) :
+                                                                 std::to_string(physical)]
+                .push_back(mesh.quadrilaterals.size());
+            mesh.quadrilaterals.push_back({{at(0), at(1), at(2), at(type == 3 ? 3 : 2)}});
+          }
         else if (physical > 0)
           mesh.lines[names.count(physical) > 0 ? names.at(physical) : std::to_string(physical)].push_back(
             {{at(0), at(1)}});
@@ -270,10 +280,10 @@ namespace samara
         const auto n = lines.numbers(4);
         for (long block = 0; block < std::lround(n[0]); ++block)
           {
-            const auto of_block = lines.numbers(4);
-            const long physical = physical_of.count(std::lround(of_block[1])) > 0 && of_block[0] == 1 ?
-                                    physical_of.at(std::lround(of_block[1])) :
-                                    0;
+            const auto  of_block = lines.numbers(4);
+            const auto &groups   = of_block[0] == 1 ? physical_of : of_surface;
+            const auto  group    = groups.find(std::lround(of_block[1]));
+            const long  physical = of_block[0] >= 1 && group != groups.end() ? group->second : 0;
             for (long i = 0; i < std::lround(of_block[3]); ++i)
               {
                 const auto e = lines.numbers(0);
@@ -307,53 +317,86 @@ namespace samara
       return "";
     }
 
+    /** An element, its number first. */
     void
-    read_abaqus(ImportedMesh &mesh, Lines &lines)
+    add_abaqus_element(ImportedMesh              &mesh,
+                       const Lines               &lines,
+                       const Vertices            &vertices,
+                       const std::vector<double> &numbers,
+                       const std::string         &type,
+                       const bool                 with_triangles)
     {
-      Vertices    vertices(mesh, lines);
-      std::string line, keyword, set, type;
+      if (numbers.size() == 4 && !with_triangles)
+        lines.fail("there is a triangle (" + type + "): shells have quadrilaterals");
+      if (numbers.size() != 5 && numbers.size() != 4)
+        lines.fail("there is an element of " + std::to_string(numbers.size() - 1) + " nodes (" + type +
+                   "): cells are quadrilaterals of four");
+      mesh.quadrilaterals.push_back({{vertices.at(numbers[1]),
+                                      vertices.at(numbers[2]),
+                                      vertices.at(numbers[3]),
+                                      vertices.at(numbers[numbers.size() - 1])}});
+    }
+
+    /** The numbers that a line of a set names. */
+    std::vector<double>
+    numbers_of_set(const Lines &lines, const std::vector<double> &numbers, const bool is_generated)
+    {
+      if (!is_generated)
+        return numbers;
+      if (numbers.size() < 2 || (numbers.size() > 2 && numbers[2] < 1))
+        lines.fail("a set is generated by its first number, its last one, and a step");
+      std::vector<double> result;
+      for (double i = numbers[0]; i <= numbers[1]; i += numbers.size() > 2 ? numbers[2] : 1)
+        result.push_back(i);
+      return result;
+    }
+
+    void
+    read_abaqus(ImportedMesh &mesh, Lines &lines, const bool with_triangles)
+    {
+      Vertices                     vertices(mesh, lines);
+      std::map<long, unsigned int> elements;
+      std::string                  line, keyword, set, type;
+      bool                         is_generated = false;
       while (lines.next(line))
         {
           if (line.empty() || line.substr(0, 2) == "**")
             continue;
           if (line[0] == '*')
             {
-              keyword = upper(trim(line.substr(0, line.find(','))));
-              set     = option(line, "NSET");
-              type    = upper(option(line, "TYPE"));
-              if (keyword == "*NSET" && upper(line).find("GENERATE") != std::string::npos)
-                keyword = "*NSET GENERATE";
+              keyword      = upper(trim(line.substr(0, line.find(','))));
+              set          = option(line, keyword == "*NSET" ? "NSET" : "ELSET");
+              type         = upper(option(line, "TYPE"));
+              is_generated = upper(line).find("GENERATE") != std::string::npos;
               continue;
             }
-          if (keyword != "*NODE" && keyword != "*ELEMENT" && keyword.substr(0, 5) != "*NSET")
+          if (keyword != "*NODE" && keyword != "*ELEMENT" && keyword != "*NSET" && keyword != "*ELSET")
             continue;
           const auto numbers = lines.numbers_of(line, ',');
           if (keyword == "*NODE")
             {
-              if (numbers.size() < 4)
-                lines.fail("a node has a number and three coordinates");
-              vertices.add(numbers[0], {numbers[1], numbers[2], numbers[3]});
+              if (numbers.size() != 4 && numbers.size() != 3)
+                lines.fail("a node has a number and two or three coordinates");
+              vertices.add(numbers[0], {numbers[1], numbers[2], numbers.size() > 3 ? numbers[3] : 0});
             }
           else if (keyword == "*ELEMENT")
             {
-              if (numbers.size() == 4)
-                lines.fail("there is a triangle (" + type + "): shells have quadrilaterals");
-              if (numbers.size() != 5)
-                lines.fail("there is an element of " + std::to_string(numbers.size() - 1) + " nodes (" + type +
-                           "): shells have quadrilaterals of four");
-              mesh.quadrilaterals.push_back(
-                {{vertices.at(numbers[1]), vertices.at(numbers[2]), vertices.at(numbers[3]), vertices.at(numbers[4])}});
+              add_abaqus_element(mesh, lines, vertices, numbers, type, with_triangles);
+              elements[std::lround(numbers[0])] = mesh.quadrilaterals.size() - 1;
+              if (!set.empty())
+                mesh.regions[set].push_back(mesh.quadrilaterals.size() - 1);
             }
-          else if (keyword == "*NSET GENERATE")
-            {
-              if (numbers.size() < 2 || (numbers.size() > 2 && numbers[2] < 1))
-                lines.fail("a set is generated by its first number, its last one, and a step");
-              for (double i = numbers[0]; i <= numbers[1]; i += numbers.size() > 2 ? numbers[2] : 1)
-                mesh.sets[set].push_back(vertices.at(i));
-            }
-          else
-            for (const double i : numbers)
+          else if (keyword == "*NSET")
+            for (const double i : numbers_of_set(lines, numbers, is_generated))
               mesh.sets[set].push_back(vertices.at(i));
+          else
+            for (const double i : numbers_of_set(lines, numbers, is_generated))
+              {
+                const auto found = elements.find(std::lround(i));
+                if (found == elements.end())
+                  lines.fail("there is no element " + std::to_string(std::lround(i)));
+                mesh.regions[set].push_back(found->second);
+              }
         }
     }
   } // namespace
@@ -361,15 +404,15 @@ namespace samara
 
 
   ImportedMesh
-  read_mesh_file(const std::string &file)
+  read_mesh_file(const std::string &file, const bool with_triangles)
   {
     Lines             lines(file);
     ImportedMesh      mesh;
     const std::string ending = file.size() > 4 ? upper(file.substr(file.size() - 4)) : "";
     if (ending == ".MSH")
-      GmshReader(mesh, lines).read();
+      GmshReader(mesh, lines, with_triangles).read();
     else if (ending == ".INP")
-      read_abaqus(mesh, lines);
+      read_abaqus(mesh, lines, with_triangles);
     else
       throw std::invalid_argument("the name of a mesh ends with .msh (Gmsh) or .inp (Abaqus), not as <" + file + ">");
     if (mesh.quadrilaterals.empty())

@@ -56,6 +56,12 @@ namespace samara
       layup_name,
       "Name of the layup; the normal points from its first ply to its last, angles turn from axis 1 to axis 2. Or "
       "an isotropic material by the next four entries.");
+    prm.add(
+      "Transverse shear",
+      transverse_shear,
+      "By which rule the stiffness in transverse shear follows from the plies: that of equilibrium, or the asymptotic "
+      "one, from the energy of second order in thickness over length.",
+      Selection("equilibrium|asymptotic"));
     prm.add("E", E, "Young's modulus [Pa].", Double(0));
     prm.add("Poisson ratio", nu, "Poisson's ratio [1].", Double(-1, 0.5));
     prm.add("Density", density, "Density [kg/m^3].", Double(0));
@@ -83,8 +89,8 @@ namespace samara
   void
   Shell::be_placed(const Placement &)
   {
-    throw std::invalid_argument("shell <" + name +
-                                "> cannot stand in a subsystem that is turned or moved; write its patches where they are");
+    throw std::invalid_argument(
+      "shell <" + name + "> cannot stand in a subsystem that is turned or moved; write its patches where they are");
   }
 
 
@@ -124,7 +130,10 @@ namespace samara
                                   "shell <" + name + "> has a <Layup>, which says what <" + entry + "> is");
         try
           {
-            laminate = std::make_unique<Laminate>(model->find<Layup>(layup_name, "layup").laminae());
+            laminate =
+              std::make_unique<Laminate>(model->find<Layup>(layup_name, "layup").laminae(),
+                                         transverse_shear == "asymptotic" ? Laminate::TransverseShear::asymptotic :
+                                                                            Laminate::TransverseShear::equilibrium);
           }
         catch (const std::invalid_argument &problem)
           {
@@ -132,6 +141,9 @@ namespace samara
           }
         return;
       }
+    if (parameters.is_set("Transverse shear"))
+      model->complaints.add(parameters.where("Transverse shear"),
+                            "<Transverse shear> is of a <Layup>; an isotropic shell has 5/6");
     for (const auto &[entry, value] : {std::pair("E", E), std::pair("Thickness", thickness_entry)})
       if (value <= 0)
         model->complaints.add(parameters.where(entry),
@@ -164,8 +176,9 @@ namespace samara
                                 std::to_string(patch_entries.size()) + " patches");
         return false;
       }
-    table = std::make_shared<ElementTable<2>>(degree);
-    mesh  = std::make_unique<ShellMesh>(*table);
+    table                = std::make_shared<ElementTable<2>>(degree);
+    mesh                 = std::make_unique<ShellMesh>(*table);
+    mesh->takes_any_cell = takes_any_cell;
     try
       {
         for (unsigned int i = 0; i < patch_entries.size(); ++i)

@@ -7,6 +7,8 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
+#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 namespace samara
@@ -102,6 +104,45 @@ namespace samara
 
 
 
+    /** Add three matrices of a cell to those of one pattern, whose rows have the diagonal first and then ascend. */
+    void
+    add_cell(const std::vector<dealii::types::global_dof_index>  &numbers,
+             const std::array<const Eigen::MatrixXd *, 3>        &from,
+             const std::array<dealii::SparseMatrix<double> *, 3> &to)
+    {
+      const unsigned int                            n = numbers.size();
+      static thread_local std::vector<unsigned int> order;
+      order.resize(n);
+      std::iota(order.begin(), order.end(), 0u);
+      std::sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
+        return numbers[a] < numbers[b];
+      });
+      for (const unsigned int a : order)
+        {
+          auto       e = to[0]->begin(numbers[a]), c = to[1]->begin(numbers[a]), m = to[2]->begin(numbers[a]);
+          const auto add = [&](const unsigned int b) {
+            e->value() += (*from[0])(a, b);
+            c->value() += (*from[1])(a, b);
+            m->value() += (*from[2])(a, b);
+          };
+          add(a);
+          for (const unsigned int b : order)
+            if (b != a)
+              {
+                do
+                  {
+                    ++e;
+                    ++c;
+                    ++m;
+                  }
+                while (e->column() != numbers[b]);
+                add(b);
+              }
+        }
+    }
+
+
+
     /** What is left of the warping when the rigid motion nearest to it, by least squares, is taken away. */
     void
     remove_rigid_motions(std::vector<CrossSection::StressPoint> &points)
@@ -161,51 +202,55 @@ namespace samara
                                quadrature,
                                dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
                                  dealii::update_JxW_values | dealii::update_jacobians);
-    const unsigned int      n = fe.n_dofs_per_cell();
+    const unsigned int      n = fe.n_dofs_per_cell(), n_points = quadrature.size();
     Operators               at(n);
-    Eigen::MatrixXd         E_cell(n, n), C_cell(n, n), M_cell(n, n), R_cell(n, 6), L_cell(n, 6), QB(6, n), QSN(6, n);
-    dealii::FullMatrix<double>                   copy(n, n);
+    // those of all points one below the other, for large products are fast; of S N only the rows that are not zero
+    Eigen::MatrixXd B(6 * n_points, n), SN(3 * n_points, n), QB(6 * n_points, n), QSN(6 * n_points, n),
+      rows_of_QSN(3 * n_points, n), QSZ(6 * n_points, 6), rows_of_QSZ(3 * n_points, 6), E_cell(n, n), C_cell(n, n),
+      M_cell(n, n), R_cell(n, 6), L_cell(n, 6);
     std::vector<dealii::types::global_dof_index> numbers(n);
     for (const auto &cell : dofs.active_cell_iterators())
       {
         values.reinit(cell);
-        for (auto *const matrix : {&E_cell, &C_cell, &M_cell, &R_cell, &L_cell})
-          matrix->setZero();
         const unsigned int     index    = cell->active_cell_index();
         const SectionMaterial &material = materials.at(mesh.ply(index).material);
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
+        for (unsigned int q = 0; q < n_points; ++q)
           {
             const dealii::Point<2> place = values.quadrature_point(q);
-            const Matrix6 Q = elasticity::turned(material.stiffness, mesh.material_axes(index, jacobian(values, q)));
-            const double  g = root_g(k, place), w = values.JxW(q);
+            const Matrix6          Q =
+              elasticity::turned(material.stiffness, mesh.material_axes(index, place, jacobian(values, q)));
+            const double g = root_g(k, place), w = values.JxW(q);
             if (!(g > 0.01))
               throw std::invalid_argument("the curvature of the beam is too large for the depth of the section: its "
                                           "centre lies in the section or near it");
             at.fill(values, q, k, g);
-            const Eigen::Matrix<double, 3, 6> Z   = shift_to(place);
-            const Matrix6                     SZ  = S_times(Z);
-            const Matrix6                     QSZ = Q * SZ;
-            QB.noalias()                          = Q * at.B;
-            QSN.noalias()                         = Q * at.SN;
-            E_cell.noalias() += w * g * at.B.transpose() * QB;
-            C_cell.noalias() += w * at.B.transpose() * QSN;
-            M_cell.noalias() += w / g * at.SN.transpose() * QSN;
-            R_cell.noalias() += w * at.B.transpose() * QSZ;
-            L_cell.noalias() += w / g * at.SN.transpose() * QSZ;
-            A += w / g * SZ.transpose() * QSZ;
+            const Eigen::Matrix<double, 3, 6> Z  = shift_to(place);
+            const Matrix6                     SZ = S_times(Z), QSZ_q = Q * SZ;
+            B.middleRows<6>(6 * q)            = at.B;
+            QB.middleRows<6>(6 * q).noalias() = (w * g * Q) * at.B;
+            QSZ.middleRows<6>(6 * q)          = w * QSZ_q;
+            for (unsigned int a = 0; a < n; ++a)
+              {
+                const int row             = row_of_S[fe.system_to_component_index(a).first];
+                QSN.block<6, 1>(6 * q, a) = w * at.SN(row, a) * Q.col(row);
+              }
+            for (int i = 0; i < 3; ++i)
+              {
+                SN.row(3 * q + i)          = at.SN.row(row_of_S[i]);
+                rows_of_QSN.row(3 * q + i) = QSN.row(6 * q + row_of_S[i]) / g;
+                rows_of_QSZ.row(3 * q + i) = w / g * QSZ_q.row(row_of_S[i]);
+              }
+            A += w / g * SZ.transpose() * QSZ_q;
             inertia += w * g * material.density * Z.transpose() * Z;
             area += w;
           }
+        E_cell.noalias() = B.transpose() * QB;
+        C_cell.noalias() = B.transpose() * QSN;
+        M_cell.noalias() = SN.transpose() * rows_of_QSN;
+        R_cell.noalias() = B.transpose() * QSZ;
+        L_cell.noalias() = SN.transpose() * rows_of_QSZ;
         cell->get_dof_indices(numbers);
-        const auto add = [&](const Eigen::MatrixXd &from, dealii::SparseMatrix<double> &to) {
-          for (unsigned int i = 0; i < n; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              copy(i, j) = from(i, j);
-          to.add(numbers, copy);
-        };
-        add(E_cell, E);
-        add(C_cell, C);
-        add(M_cell, M);
+        add_cell(numbers, {{&E_cell, &C_cell, &M_cell}}, {{&E, &C, &M}});
         for (unsigned int i = 0; i < n; ++i)
           {
             R.row(numbers[i]) += R_cell.row(i);
@@ -267,17 +312,16 @@ namespace samara
   CrossSection::Columns
   CrossSection::times(const dealii::SparseMatrix<double> &matrix, const Columns &x, const bool transposed) const
   {
-    Columns                result(x.rows(), 6);
-    dealii::Vector<double> from(x.rows()), to(x.rows());
-    for (int j = 0; j < 6; ++j)
-      {
-        std::copy_n(x.col(j).data(), x.rows(), from.begin());
+    // all columns in one pass through the matrix
+    using Rows        = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+    const Rows from   = x;
+    Rows       result = Rows::Zero(x.rows(), 6);
+    for (unsigned int i = 0; i < x.rows(); ++i)
+      for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
         if (transposed)
-          matrix.Tvmult(to, from);
+          result.row(entry->column()) += entry->value() * from.row(i);
         else
-          matrix.vmult(to, from);
-        std::copy(to.begin(), to.end(), result.col(j).data());
-      }
+          result.row(i) += entry->value() * from.row(entry->column());
     return result;
   }
 
@@ -351,7 +395,7 @@ namespace samara
             point.cell     = index;
             point.place    = values.quadrature_point(q);
             point.weight   = values.JxW(q);
-            point.axes     = mesh.material_axes(index, jacobian(values, q));
+            point.axes     = mesh.material_axes(index, point.place, jacobian(values, q));
             point.C        = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
             const double g = root_g(k, point.place);
             at.fill(values, q, k, g);

@@ -6,7 +6,7 @@
 #include <Eigen/CholmodSupport>
 
 #include <complex>
-#include <map>
+#include <memory>
 #include <stdexcept>
 
 namespace samara
@@ -29,34 +29,24 @@ namespace samara
       {
         const unsigned int                                n = E.m();
         Eigen::SparseMatrix<Number, Eigen::ColMajor, int> lower(n, n);
-        const auto                                       &pattern = E.get_sparsity_pattern();
-        Eigen::VectorXi                                   sizes(n);
-        for (unsigned int j = 0; j < n; ++j)
-          sizes(j) = pattern.row_length(j);
-        lower.reserve(sizes);
+        lower.reserve((E.n_nonzero_elements() + n) / 2);
         for (unsigned int j = 0; j < n; ++j)
           {
-            if (is_pinned[j])
+            // the pattern is symmetric: the row lists the column's entries, the diagonal first, others in order
+            lower.startVec(j);
+            auto e = E.begin(j), c = C.begin(j), m = M.begin(j);
+            for (; e != E.end(j); ++e, ++c, ++m)
               {
-                lower.insert(j, j) = E.diag_element(j);
-                continue;
-              }
-            // the pattern is symmetric: the row lists the column's entries, not in order
-            std::map<unsigned int, Number> column;
-            for (auto entry = pattern.begin(j); entry != pattern.end(j); ++entry)
-              {
-                const unsigned int i = entry->column();
-                if (i < j || is_pinned[i])
+                const unsigned int i = e->column();
+                if (i < j || (i > j && (is_pinned[i] || is_pinned[j])))
                   continue;
-                Number value = E(i, j);
-                if (theta != Number(0))
-                  value += theta * (C(j, i) - C(i, j)) - theta * theta * M(i, j);
-                column[i] = value;
+                Number value = e->value();
+                if (theta != Number(0) && !is_pinned[j])
+                  value += theta * (c->value() - C(i, j)) - theta * theta * Number(m->value());
+                lower.insertBack(i, j) = value;
               }
-            for (const auto &[i, value] : column)
-              lower.insert(i, j) = value;
           }
-        lower.makeCompressed();
+        lower.finalize();
         factors.compute(lower);
         if (factors.info() != Eigen::Success)
           throw std::invalid_argument(
@@ -89,6 +79,26 @@ namespace samara
       U.col(2) = U.col(1).conjugate();
       return U;
     }
+    /** (C − Cᵀ) x₁ + M x₂ for matrices of one pattern, in one pass. */
+    ComplexColumns
+    skew_times(const dealii::SparseMatrix<double> &C,
+               const ComplexColumns               &x1,
+               const dealii::SparseMatrix<double> &M,
+               const ComplexColumns               &x2)
+    {
+      ComplexColumns result = ComplexColumns::Zero(x1.rows(), 1);
+      for (unsigned int i = 0; i < x1.rows(); ++i)
+        {
+          auto m = M.begin(i);
+          for (auto c = C.begin(i); c != C.end(i); ++c, ++m)
+            {
+              const unsigned int j = c->column();
+              result(i) += c->value() * x1(j) + m->value() * x2(j);
+              result(j) -= c->value() * x1(i);
+            }
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -112,24 +122,37 @@ namespace samara
     if (kappa > 0)
       turning = std::make_unique<Warping<Complex>>(E, C, M, Complex(0, kappa), is_pinned);
 
+    const auto inverse = [&](const Complex theta, const ComplexColumns &b) -> ComplexColumns {
+      if (theta != 0.)
+        return turning->solve(b);
+      ComplexColumns x(b.rows(), b.cols());
+      x.real() = straight.solve(b.real());
+      if (b.imag().isZero(0.))
+        x.imag().setZero();
+      else
+        x.imag() = straight.solve(b.imag());
+      return x;
+    };
     // [P(θ), R + θL; (R − θL)ᵀ, A] (x, y) = (f, g), by the Schur complement of P
-    const auto solve_with = [&](const Complex theta, const ComplexColumns &f, const ComplexColumns &g) {
-      const auto inverse = [&](const ComplexColumns &b) -> ComplexColumns {
-        if (theta != 0.)
-          return turning->solve(b);
-        ComplexColumns x(b.rows(), b.cols());
-        x.real() = straight.solve(b.real());
-        if (b.imag().isZero(0.))
-          x.imag().setZero();
-        else
-          x.imag() = straight.solve(b.imag());
-        return x;
-      };
-      const ComplexColumns border = without_pins(R.cast<Complex>() + theta * L.cast<Complex>()),
-                           rows   = without_pins(R.cast<Complex>() - theta * L.cast<Complex>()).transpose(),
-                           PB = inverse(border), x0 = inverse(without_pins(f));
-      const ComplexColumns y = (A.cast<Complex>() - rows * PB).partialPivLu().solve(g - rows * x0);
-      return std::make_pair(ComplexColumns(x0 - PB * y), y);
+    struct Border
+    {
+      ComplexColumns                      PB, rows;
+      Eigen::PartialPivLU<ComplexColumns> complement;
+    };
+    const auto border_of = [&](const Complex theta) {
+      Border border;
+      border.PB   = inverse(theta, without_pins(R.cast<Complex>() + theta * L.cast<Complex>()));
+      border.rows = without_pins(R.cast<Complex>() - theta * L.cast<Complex>()).transpose();
+      border.complement.compute(A.cast<Complex>() - border.rows * border.PB);
+      return border;
+    };
+    const Border border_of_straight = border_of(0.),
+                 border_of_turning  = kappa > 0 ? border_of(Complex(0, kappa)) : Border();
+    const auto solve_with           = [&](const Complex theta, const ComplexColumns &f, const ComplexColumns &g) {
+      const Border        &border = theta == 0. ? border_of_straight : border_of_turning;
+      const ComplexColumns x0     = inverse(theta, without_pins(f));
+      const ComplexColumns y      = border.complement.solve(g - border.rows * x0);
+      return std::make_pair(ComplexColumns(x0 - border.PB * y), y);
     };
 
     const Eigen::Matrix3cd U        = eigenvectors_of_skew(k);
@@ -139,13 +162,6 @@ namespace samara
 
     // unit moments, then unit forces, in the directions U; of a conjugate pair only the first is solved for
     ComplexColumns x_moment(n, 3), y_moment(6, 3), x_force(n, 3), y_force(6, 3);
-    const auto times_complex = [&](const dealii::SparseMatrix<double> &matrix, const ComplexColumns &x, const bool t) {
-      Columns both = Columns::Zero(n, 6);
-      both.col(0)  = x.real();
-      both.col(1)  = x.imag();
-      both         = times(matrix, both, t);
-      return ComplexColumns(both.col(0).cast<Complex>() + Complex(0, 1) * both.col(1).cast<Complex>());
-    };
     for (const bool forces : {false, true})
       for (unsigned int j = 0; j < 3; ++j)
         {
@@ -165,7 +181,7 @@ namespace samara
               for (unsigned int i = 0; i < 3; ++i)
                 with_theta(i) += theta[i] * W(i, j);
               const ComplexColumns x1 = x_moment * W.col(j), x2 = x_moment * with_theta, y1 = y_moment * W.col(j);
-              f = times_complex(C, x1, false) - times_complex(C, x1, true) + times_complex(M, x2, false) - L * y1;
+              f            = skew_times(C, x1, M, x2) - L * y1;
               g.topRows(3) = U.col(j);
               g += L.transpose() * x1;
             }

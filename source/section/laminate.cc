@@ -27,7 +27,7 @@ namespace samara
 
 
 
-  Laminate::Laminate(const std::vector<Lamina> &laminae)
+  Laminate::Laminate(const std::vector<Lamina> &laminae, const TransverseShear rule)
   {
     if (laminae.empty())
       throw std::invalid_argument("a laminate needs a ply");
@@ -61,6 +61,8 @@ namespace samara
       }
     find_membrane_and_bending();
     find_shear();
+    if (rule == TransverseShear::asymptotic)
+      find_asymptotic_shear();
   }
 
 

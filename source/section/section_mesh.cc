@@ -13,14 +13,6 @@ namespace samara
 {
   namespace
   {
-    std::string
-    name_of(const unsigned int patch, const unsigned int i, const unsigned int j)
-    {
-      return "cell (" + std::to_string(i) + ", " + std::to_string(j) + ") of patch " + std::to_string(patch);
-    }
-
-
-
     /** Twice the area of a quadrilateral whose corners come line by line. */
     double
     turning_sense(const std::array<dealii::Point<2>, 4> &x)
@@ -41,6 +33,8 @@ namespace samara
     for (unsigned int k = 0; k < patches.size(); ++k)
       {
         const SectionPatch &patch = patches[k];
+        names.push_back(patch.name);
+        tangents.push_back(patch.tangent);
         for (unsigned int j = 0; j + 1 < patch.v.size(); ++j)
           for (unsigned int i = 0; i + 1 < patch.u.size(); ++i)
             {
@@ -78,8 +72,7 @@ namespace samara
         auto corners = data[c].vertices;
         std::sort(corners.begin(), corners.end());
         if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
-          throw std::invalid_argument(name_of(cells[c].patch, cells[c].i, cells[c].j) +
-                                      " has two corners in one place");
+          throw std::invalid_argument(name_of(cells[c]) + " has two corners in one place");
       }
 
     // lines must have the same direction in both cells they belong to; corners change their order, parameters with them
@@ -112,6 +105,16 @@ namespace samara
 
 
 
+  std::string
+  SectionMesh::name_of(const Cell &cell) const
+  {
+    const std::string &name = names[cell.patch];
+    return "cell (" + std::to_string(cell.i) + ", " + std::to_string(cell.j) + ") of " +
+           (name.empty() ? "patch " + std::to_string(cell.patch) : name);
+  }
+
+
+
   dealii::Point<2>
   SectionMesh::parameters_at(const Cell &cell, const dealii::Point<2> &unit) const
   {
@@ -123,18 +126,24 @@ namespace samara
 
 
   Matrix3
-  SectionMesh::material_axes(const unsigned int cell, const Eigen::Matrix2d &J) const
+  SectionMesh::material_axes(const unsigned int cell, const dealii::Point<2> &place, const Eigen::Matrix2d &J) const
   {
     const auto     &p = cells[cell].parameters;
-    Eigen::Matrix2d W; // derivative of the parameters
-    for (unsigned int d = 0; d < 2; ++d)
+    Eigen::Vector2d t;
+    if (const auto &tangent = tangents[cells[cell].patch])
+      t = tangent(place).normalized();
+    else
       {
-        W(d, 0) = p[1][d] - p[0][d];
-        W(d, 1) = p[2][d] - p[0][d];
+        Eigen::Matrix2d W; // derivative of the parameters
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            W(d, 0) = p[1][d] - p[0][d];
+            W(d, 1) = p[2][d] - p[0][d];
+          }
+        t = (J * W.inverse().col(0)).normalized();
       }
-    const Eigen::Vector2d t = (J * W.inverse().col(0)).normalized();
-    const double          c = std::cos(cells[cell].ply.angle), s = std::sin(cells[cell].ply.angle);
-    Matrix3               R;
+    const double c = std::cos(cells[cell].ply.angle), s = std::sin(cells[cell].ply.angle);
+    Matrix3      R;
     R.col(0) << c, s * t(0), s * t(1);
     R.col(1) << -s, c * t(0), c * t(1);
     R.col(2) << 0, -t(1), t(0);
@@ -158,7 +167,7 @@ namespace samara
           if (!(values.jacobian(q).determinant() > 0))
             {
               const Cell &own = cells[cell->active_cell_index()];
-              throw std::invalid_argument(name_of(own.patch, own.i, own.j) + " is turned inside out somewhere");
+              throw std::invalid_argument(name_of(own) + " is turned inside out somewhere");
             }
       }
     piece[0] = 1;
@@ -180,7 +189,7 @@ namespace samara
     if (lost != piece.end())
       {
         const Cell &own = cells[lost - piece.begin()];
-        throw std::invalid_argument("the section is not in one piece: " + name_of(own.patch, own.i, own.j) +
+        throw std::invalid_argument("the section is not in one piece: " + name_of(own) +
                                     " does not hang together with the first cell");
       }
   }

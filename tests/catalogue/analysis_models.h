@@ -1,6 +1,7 @@
 #ifndef samara_tests_catalogue_analysis_models_h
 #define samara_tests_catalogue_analysis_models_h
 
+#include <regex>
 #include <string>
 
 /** Small models in which the entries of one analysis have something to say. */
@@ -211,6 +212,27 @@ subsection Loads
     set Joint = shaft
     set Speed = 5
   end
+end
+)";
+
+  /** A disk with a tip on a flexible joint, which two controls push. */
+  const std::string pushed_rotor =
+    std::regex_replace(std::regex_replace(rotor, std::regex("modal"), "linear system"),
+                       std::regex("subsection Loads\n"),
+                       "subsection Loads\n  subsection at tip\n    set Type = point load\n    set At = tip\n"
+                       "    set Force = 0, 0, push - 2*pull\n  end\n") +
+    R"(
+subsection States
+  subsection push
+    set Type = control
+    set Unit = N
+  end
+  subsection pull
+    set Copy of = push
+  end
+end
+subsection Output
+  set Probes = tip.displacement z, tip.displacement x
 end
 )";
 

@@ -170,6 +170,26 @@ TEST_F(Catalogued, AirAndInflow)
   for (const auto &change : of_flow)
     if (change.entry != "Direction")
       of_annuli.push_back(change);
+  check(
+    "helical wake",
+    flyer(
+      analytic,
+      air,
+      "    set Type = helical wake\n    set Speed = 20\n    set Transport = 5\n    set Nodes = 3\n    set Turns = 1\n    set Segments = 8\n" +
+        flow,
+      ""),
+    "Aerodynamics/flow",
+    joined(of_annuli,
+           {{{"Speed", "25"},
+             {"Transport", "4"},
+             {"Root", "0.1"},
+             {"Blades", "3"},
+             {"Nodes", "2"},
+             {"Core", "0.2"},
+             {"Turns", "2"},
+             {"Segments", "12"},
+             {"Time constant", "0.2"}}}),
+    {{"Direction", "a wake has no azimuth of its own"}, {"Air", "the wind is that of the surfaces"}});
   check("annular inflow",
         flyer(analytic, air, changed(uniform, "uniform", "annular"), ""),
         "Aerodynamics/flow",

@@ -51,6 +51,22 @@ TEST_F(Catalogued, Modes)
 
 
 
+TEST_F(Catalogued, LinearSystem)
+{
+  const std::string highest = "Linear system/Highest frequency = 100", lowest = "Linear system/Lowest frequency = 1";
+  check("linear system",
+        models::pushed_rotor,
+        "Linear system",
+        {{"Inputs", "pull"},
+         {"Lowest frequency", "2", {highest, lowest}},
+         {"Highest frequency", "50", {highest, lowest}},
+         {"Frequencies", "7", {highest, lowest}},
+         {"Most states", "2"},
+         {"Hold rotations", "true"}});
+}
+
+
+
 TEST_F(Catalogued, Floquet)
 {
   const std::string no_joint = "Floquet/Turns of =", implicit = "Floquet/Method = implicit";
@@ -69,6 +85,7 @@ TEST_F(Catalogued, Floquet)
          {"Largest gap", "1e-16"},
          {"Method", "classical"},
          {"Wanted", "1", {implicit}},
+         {"Highest frequency", "20", {implicit}},
          {"Symmetry", "", {}, false, {"Floquet/Turning ="}},
          {"Turning", "", {"Floquet/Settle = 2"}},
          {"Animations", "1"}},
@@ -134,6 +151,17 @@ TEST_F(Catalogued, Trim)
 
 
 
+TEST_F(Catalogued, Verification)
+{
+  // nothing is as exact as that
+  check("verification",
+        models::beam(models::rectangle),
+        "Verification",
+        {{"Tolerance", "1e-40", {"Analyses = verification"}}});
+}
+
+
+
 TEST_F(Catalogued, Model)
 {
   // drawn 0.1 m off, it is moved where that is asked for
@@ -192,12 +220,13 @@ TEST_F(Catalogued, Studies)
 
 TEST_F(Catalogued, Subsystems)
 {
-  const std::string arm = "subsection Constants\n set length = 1 m\n end\nsubsection Bodies\n subsection arm\n set Type = rigid body\n"
-                          " set Mass = 1\n set Inertia = 1, 1, 1\n set Position = length, 0, 0\n end\nend\n"
-                          "subsection Output\n set Probes = arm.position x, arm.position y, arm.position z\nend\n";
+  const std::string arm =
+    "subsection Constants\n set length = 1 m\n end\nsubsection Bodies\n subsection arm\n set Type = rigid body\n"
+    " set Mass = 1\n set Inertia = 1, 1, 1\n set Position = length, 0, 0\n end\nend\n"
+    "subsection Output\n set Probes = arm.position x, arm.position y, arm.position z\nend\n";
   check("subsystem",
-        "set Analyses = dynamic\nsubsection Subsystems\n subsection it\n set Rotation = 0.1, 0.2, 0.3\n" + arm + " end\nend\n" +
-          models::two_steps,
+        "set Analyses = dynamic\nsubsection Subsystems\n subsection it\n set Rotation = 0.1, 0.2, 0.3\n" + arm +
+          " end\nend\n" + models::two_steps,
         "Subsystems/it",
         {{"Position", "1, 2, 3"},
          {"Rotation", "0.3, 0.2, 0.1"},

@@ -67,10 +67,13 @@ TEST_F(Catalogued, AllKinds)
                                    "Pitt-Peters inflow",
                                    "Peters-He inflow",
                                    "annular inflow",
+                                   "helical wake",
                                    "lifting line",
                                    "rigid body",
                                    "beam",
                                    "shell",
+                                   "geodesic beam",
+                                   "MITC4 shell",
                                    "revolute",
                                    "prismatic",
                                    "screw",
@@ -113,10 +116,20 @@ TEST_F(Catalogued, AllKinds)
                                    "dynamic",
                                    "floquet",
                                    "trim",
+                                   "verification",
                                    "section",
                                    "subsystem",
                                    "study",
                                    "method"}));
+}
+
+
+
+// Prototypes give strains: their entries are read by what they are prototypes of.
+TEST_F(Catalogued, Prototypes)
+{
+  EXPECT_EQ(documented_entries()["geodesic beam"], documented_entries()["beam"]);
+  EXPECT_EQ(documented_entries()["MITC4 shell"], documented_entries()["shell"]);
 }
 
 

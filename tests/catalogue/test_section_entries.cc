@@ -322,3 +322,52 @@ TEST_F(Catalogued, AnalysedSections)
          {"Largest of", "beam", {"Materials/metal/Tensile strength = 1e4"}},
          {"Criterion", "von Mises", {"Materials/metal/Tensile strength = 1e4", "Section/Largest of = beam"}, true}});
 }
+
+
+
+TEST_F(Catalogued, SectionsFromOutlinesAndMeshes)
+{
+  const std::string folder = ScratchFolder().path; // that of the runs
+  files["airfoil.dat"]     = "1 0\n0.8 0.04\n0.5 0.08\n0.2 0.08\n0.05 0.06\n0 0\n0.05 -0.06\n0.2 -0.08\n0.5 -0.08\n"
+                             "0.8 -0.04\n1 0\n";
+  const std::vector<std::string> nose   = {"Sections/it/Nose material = metal", "Sections/it/Nose to = 0.1"};
+  const Changes                  common = {{"Degree", "3"},
+                                           {"Position", "0.01, 0.02"},
+                                           {"Rotation", "0.3"},
+                                           {"Initial curvature", "none"}};
+  check("airfoil",
+        analysed("    set Type = airfoil\n    set NACA = 0018\n    set Chord = 1\n    set Material = metal\n"
+                 "    set Thickness = 0.01\n"),
+        "Sections/it",
+        joined(common,
+               {{{"Elements", "8"},
+                 {"Elements per ply", "2"},
+                 {"NACA", "2418"},
+                 {"NACA trailing edge", "sharp"},
+                 {"Coordinates", folder + "/airfoil.dat", {}, false, {"Sections/it/NACA = "}},
+                 {"Chord", "1.1"},
+                 {"Origin", "0.3"},
+                 {"Layup", "skin", {}, true},
+                 {"Material", "ply"},
+                 {"Thickness", "0.012"},
+                 {"Skins", "upper, 0.3, 0.5, skin"},
+                 {"Spar caps", "upper, 0.3, 0.5, skin"},
+                 {"Webs", "0.3, skin"},
+                 {"Trailing edge material", "ply"},
+                 {"Trailing edge from", "0.7"},
+                 {"Nose material", "ply", nose},
+                 {"Nose to", "0.12", nose}}}));
+
+  for (const double width : {0.1, 0.2})
+    files[width < 0.15 ? "narrow.inp" : "wide.inp"] = "*NODE\n1,0,0\n2," + number_to_text(width) + ",0\n3," +
+                                                      number_to_text(width) +
+                                                      ",0.1\n4,0,0.1\n*ELEMENT, TYPE=CPS4, ELSET=all\n1,1,2,3,4\n";
+  std::string mesh =
+    analysed("    set Type = mesh\n    set Mesh file = " + folder + "/narrow.inp\n    set Groups = all, metal\n");
+  mesh.erase(mesh.find("    set Elements = 2\n"), 21);
+  check("mesh",
+        mesh,
+        "Sections/it",
+        joined(common, {{{"Mesh file", folder + "/wide.inp"}, {"Groups", "all, ply, 20, 30"}, {"Length unit", "1.1"}}}),
+        {{"Elements", "the mesh has them"}, {"Elements per ply", "the mesh has them"}});
+}

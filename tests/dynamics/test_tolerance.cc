@@ -55,7 +55,8 @@ namespace
             EXPECT_GT(error, least);
             EXPECT_LT(error, most);
             EXPECT_GE(motion.report.n_steps, n_before);
-            n_before = motion.report.n_steps;
+            // where steps have no solution it is not the tolerance that decides how many there are
+            n_before = motion.report.n_failed > 0 ? 0 : motion.report.n_steps;
             // the sum of what the steps say is what the control aims at
             EXPECT_LT(motion.report.error / motion.report.length, tolerance);
           }

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 using namespace samara;
 
 namespace
@@ -253,7 +255,24 @@ subsection Joints
     set Damping = 0.2
   end
 )";
-    s["shell"] = {"", walls, ""};
+    s["shell"]       = {"", walls, ""};
+    s["MITC4 shell"] = {"",
+                        std::regex_replace(std::regex_replace(walls, std::regex("Type = shell"), "Type = MITC4 shell"),
+                                           std::regex(" *set Degree = 2\n"),
+                                           ""),
+                        ""};
+    s["geodesic beam"] = {"",
+                          R"(
+  subsection second
+    set Type = geodesic beam
+    set Points = 3, 0, 0; 4, 0.5, 0
+    set Twist = 0.3*s
+    set Section = full
+    set Elements = 2
+    set Damping = 0.1, 0.2, 0.3, 0.4, 0.5, 0.6
+  end
+)",
+                          ""};
     s["support"] = {"",
                     walls,
                     "subsection Joints\n subsection a\n set Type = support\n set Along = wall.edge u0, rod.end\n"
@@ -291,7 +310,7 @@ TEST(Tangents, EveryKindOfTheCatalogueIsTested)
   const std::set<std::string> elsewhere = {
     "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C", "file", "BeamDyn",
     "PID", "transfer function", "state space", "delay", "control",
-    "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow",
+    "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow", "helical wake",
     "lifting line"};
   for (const auto &group : Catalogue().groups)
     for (const auto &kind : group.kinds.kinds())

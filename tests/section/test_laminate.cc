@@ -17,12 +17,15 @@ using namespace samara;
 namespace
 {
   Laminate
-  laminate(const std::vector<double> &degrees, const elasticity::Orthotropic &material, const double total)
+  laminate(const std::vector<double>      &degrees,
+           const elasticity::Orthotropic  &material,
+           const double                    total,
+           const Laminate::TransverseShear rule = Laminate::TransverseShear::equilibrium)
   {
     std::vector<Lamina> plies;
     for (const double angle : degrees)
       plies.push_back({elasticity::stiffness(material), angle * M_PI / 180, total / degrees.size(), 1.});
-    return Laminate(plies);
+    return Laminate(plies, rule);
   }
 
 
@@ -118,6 +121,40 @@ TEST(Laminate, PlatesAgreeWithThreeDimensionalElasticity)
       ++n;
     }
   EXPECT_EQ(n, 16u);
+}
+
+
+
+/** Nearer to the plates solved as solids than the rule of equilibrium; values of another program (numpy, dense). */
+TEST(Laminate, AsymptoticShear)
+{
+  const auto asymptotic = Laminate::TransverseShear::asymptotic;
+  for (const auto &row : reference_rows("sections/pagano_plates.csv"))
+    {
+      const std::string &layup = row.at("layup");
+      if (layup.find("sandwich") != std::string::npos)
+        continue;
+      const double   a = std::stod(row.at("a_over_h")), exact = std::stod(row.at("w_mean")) * std::pow(a, 4) / 100;
+      const Laminate own   = laminate(layup_angles(layup), pagano, 1, asymptotic),
+                     other = laminate(layup_angles(layup), pagano, 1);
+      if (a < 50)
+        {
+          EXPECT_LT(deflection(own.ABD, own.shear, a) - exact, 0.99 * (deflection(other.ABD, other.shear, a) - exact))
+            << layup << " " << a;
+        }
+      EXPECT_GT(deflection(own.ABD, own.shear, a), exact);
+    }
+  const Eigen::Matrix2d G = laminate({0, 90, 0}, pagano, 1, asymptotic).shear;
+  EXPECT_NEAR(G(0, 0) / 0.4, 0.583221, 2e-6);
+  EXPECT_NEAR(G(1, 1) / 0.3, 0.848599, 2e-6);
+  EXPECT_NEAR(G(0, 1), 0, 1e-12);
+  // turned by 90 degrees, thickness and moduli in other units
+  elasticity::Orthotropic m = pagano;
+  for (double *const modulus : {&m.E1, &m.E2, &m.E3, &m.G12, &m.G13, &m.G23})
+    *modulus *= 1e9;
+  const Eigen::Matrix2d turned = laminate({90, 0, 90}, m, 1e-3, asymptotic).shear;
+  EXPECT_NEAR(turned(1, 1) / (G(0, 0) * 1e6), 1, 1e-8);
+  EXPECT_NEAR(turned(0, 0) / (G(1, 1) * 1e6), 1, 1e-8);
 }
 
 

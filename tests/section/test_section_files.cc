@@ -463,7 +463,8 @@ TEST(BeamDynFiles, ABeamThatIsWrittenBendsAsBefore)
   EXPECT_EQ(beam_of(second).relaxation_times(), beam_of(first).relaxation_times());
   const Vector3 x = end_of_loaded(first);
   EXPECT_GT((x - Vector3(10, 0, 0)).norm(), 0.05);
-  EXPECT_LT((end_of_loaded(second) - x).norm(), 1e-5); // the jump has become a slope over 1e-6 of the length
+  EXPECT_LT((end_of_loaded(second) - x).norm(), 1e-10); // the jump, written as a slope over 1e-6, is one again
+  EXPECT_EQ(beam_of(second).sections_along().size(), 4u);
   // what the beam says of its damping counts
   const Scene third(loaded_cantilever(section, "    set Damping = 0.7\n"));
   EXPECT_EQ(beam_of(third).relaxation_times(), Vector6(Vector6::Constant(0.7)));
@@ -492,6 +493,9 @@ TEST(BeamDynFiles, WhatIsWrongIsToldWithItsLine)
   expect(replaced(text, "  0.500000000000000\n", "  1.500000000000000\n"), "must follow each other in ascending order");
   expect(replaced(text, "  0.000000000000000\n", "  0.100000000000000\n"), ":11: the first station must be at 0");
   expect(text + "\n 1 2 3\n", "more lines than those of 3 stations");
+  const auto second_row = text.find('\n', text.find('\n', text.find("  0.500000000000000")) + 1);
+  expect(text.substr(0, second_row) + " 1.5" + text.substr(second_row), ":27: here should be 6 numbers");
+  expect(replaced(text, "  0.500000000000000\n", "  0.500000000000000 0.6\n"), "here should be 1 number, not");
   expect(replaced(text, "DISTRIBUTED", "DISTURBED"), "no line with <distributed properties>");
   expect(replaced(text, " 1.0", " x.0"), "number");
 

@@ -7,6 +7,7 @@
 #include <samara/cosserat/section_kinds.h>
 #include <samara/section/section_constants.h>
 
+#include "../benchmarks/cpu_seconds.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -341,6 +342,41 @@ TEST(SectionKinds, SayWhatIsWrong)
   says("    set Type = C\n    set Height = 0.2\n    set Width = 0.1\n    set Flange thickness = 0.1\n"
        "    set Web thickness = 0.002\n    set Material = metal\n",
        "nothing is left");
+}
+
+
+
+// What was found is kept by content, for all models of the program; no change of content is overlooked.
+TEST(SectionKinds, WhatWasFoundIsKept)
+{
+  const auto timed = [](const std::string &section, SectionValues &values) {
+    const double start = cpu_seconds();
+    values             = values_of_section(section);
+    return cpu_seconds() - start;
+  };
+  const std::string box = "    set Type = box\n    set Width 2 = 0.7\n    set Width 3 = 0.4\n    set Layup = steps\n"
+                          "    set Elements = 24\n";
+  SectionValues     first, second;
+  const double      seconds = timed(box, first);
+  EXPECT_LT(timed(box, second), 0.5 * seconds);
+  EXPECT_EQ(first.stiffness, second.stiffness);
+  const std::string small =
+    "    set Type = rectangle\n    set Width 2 = 0.7\n    set Layup = steps\n    set Elements = 2\n"
+    "    set Degree = 2\n";
+  const Matrix6 own = values_of_section(small).stiffness;
+  for (const std::string change : {"    set Width 2 = 0.70001\n",
+                                   "    set Layup = cross\n",
+                                   "    set Degree = 3\n",
+                                   "    set Elements = 3\n",
+                                   "    set Position = 1e-5, 0\n",
+                                   "    set Rotation = 0.001\n"})
+    {
+      std::string changed = small;
+      const auto  entry   = change.substr(0, change.find('='));
+      if (const auto at = changed.find(entry); at != std::string::npos)
+        changed.erase(at, changed.find('\n', at) + 1 - at);
+      EXPECT_GT(difference(values_of_section(changed + change).stiffness, own), 1e-7) << change;
+    }
 }
 
 

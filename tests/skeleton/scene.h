@@ -62,8 +62,8 @@ end
 
   struct SmallScene
   {
-    explicit SmallScene(const std::string &text)
-      : input(catalogue_with_skeletons(), folder.write("model.prm", text))
+    explicit SmallScene(const std::string &text, const Catalogue &catalogue = catalogue_with_skeletons())
+      : input(catalogue, folder.write("model.prm", text))
       , system(input.model)
       , log(stream)
       , context{system, log, "", {}, false, system.reference(), {}, {}}

@@ -106,6 +106,12 @@ TEST(Quantity, Sources)
   EXPECT_TRUE(contains(complaint("static"), "names no quantity"));
   EXPECT_TRUE(contains(complaint("modal: frequency"), "does not say which mode"));
   EXPECT_TRUE(contains(complaint("modal: frequncy 2"), "did you mean <frequency>?"));
+
+  const StudyQuantity multiplier("floquet: multiplier 2");
+  EXPECT_EQ(multiplier.analysis(), "floquet");
+  EXPECT_EQ(multiplier.name, "multiplier");
+  EXPECT_EQ(multiplier.mode, 2u);
+  EXPECT_TRUE(contains(complaint("floquet: growth 1"), "a mode has no <growth>"));
 }
 
 

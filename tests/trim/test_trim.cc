@@ -90,6 +90,24 @@ TEST(Trim, WithoutTangent)
 
 
 
+// The first turns bounce on a stop, which has no tangent; those behind them do not, and have one.
+TEST(Trim, TangentsComeBack)
+{
+  Scene       scene(mass,
+              {"Joints/slide/displacement/Upper stop = 25 mm",
+                     "Joints/slide/displacement/Stop stiffness = 2 kN/m",
+                     "Trim/Settle = 1",
+                     "States/bias/Value = 8 N"});
+  const auto &trim = trimmed(scene);
+  const auto  said = scene.stream.str();
+  EXPECT_NE(said.find("products by differences of turns"), std::string::npos) << said;
+  EXPECT_NE(said.find("products by tangents again"), std::string::npos) << said;
+  EXPECT_GT(trim.report.products, 0u);
+  EXPECT_NEAR(trim.report.controls[0], 200 * 0.01, 1e-5);
+}
+
+
+
 // The error of the controls is that of the integrator: 2s - 1 where it dissipates.
 TEST(Trim, OrderOfControls)
 {

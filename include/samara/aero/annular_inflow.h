@@ -36,7 +36,6 @@ namespace samara
       double       area;
     };
     std::vector<Annulus> annuli;
-    unsigned int         given_blades = 0;
     std::string          tip_loss = "Prandtl", skew = "Pitt-Peters";
   };
 } // namespace samara

@@ -74,7 +74,8 @@ namespace samara
   struct DiskCorrections
   {
     bool                has_tip_loss = false, has_ground = false;
-    unsigned int        blades = 1;           ///< Q
+    bool                needs_flow = false;   ///< for something else
+    unsigned int        blades     = 1;       ///< Q
     double              radius = 1, root = 0; ///< R, r₀ (0: no loss at the root) [m]
     double              ground      = 0;      ///< inertial coordinate z of the ground [m]
     double              least_speed = 0;      ///< what is added to speeds that are divided by [m/s]
@@ -83,7 +84,7 @@ namespace samara
     bool
     any() const
     {
-      return has_tip_loss || has_ground;
+      return has_tip_loss || has_ground || needs_flow;
     }
 
     /** μ₁, μ₂, λ_f, w̄ [m/s], Z [m] */

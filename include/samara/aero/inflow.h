@@ -62,12 +62,19 @@ namespace samara
     /** What a force F [N] of blades along the thrust axis does: ż_k += load_weights[k] F φ_k. */
     std::vector<double> load_weights;
 
+    /** How many z there are: of the shapes, or of a theory of its own. */
+    unsigned int
+    n_amplitudes() const
+    {
+      return disk.shapes.empty() ? states.size() : disk.shapes.size();
+    }
+
     /** z_k */
     template <typename Number>
     void
     amplitudes(const Point<Number> &point, Number *z) const
     {
-      for (unsigned int k = 0; k < disk.shapes.size(); ++k)
+      for (unsigned int k = 0; k < n_amplitudes(); ++k)
         z[k] = states.empty() ? Number(prescribed(k, point.time)) : point.states[states[k]];
     }
 
@@ -107,6 +114,8 @@ namespace samara
     /** Entries for the flow round tips. */
     void add_tip_loss(Parameters &prm);
 
+    unsigned int given_blades = 0; ///< 0: as many as there are surfaces
+
     /** Loads of all surfaces; moment about the centre, power seen from the hub. */
     AirLoads loads(const State &state) const;
 
@@ -120,10 +129,9 @@ namespace samara
     virtual double mean(const State &state) const = 0;
 
   private:
-    std::string  hub_name, air_name, tip_loss = "none";
-    unsigned int given_blades       = 0;
-    bool         has_factor_of_tips = false; ///< whether there are the entries of add_tip_loss()
-    Vector3      axis = Vector3::Zero(), direction = Vector3::Zero();
+    std::string hub_name, air_name, tip_loss = "none";
+    bool        has_factor_of_tips = false; ///< whether there are the entries of add_tip_loss()
+    Vector3     axis = Vector3::Zero(), direction = Vector3::Zero();
   };
 
 

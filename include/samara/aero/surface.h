@@ -2,6 +2,7 @@
 #define samara_aero_surface_h
 
 #include <samara/aero/annular_inflow.h>
+#include <samara/aero/external_inflow.h>
 #include <samara/aero/station.h>
 #include <samara/model/moved.h>
 #include <samara/model/virtual_mass.h>
@@ -60,11 +61,12 @@ namespace samara
     Vector3                  leading_edge = Vector3::Zero(), upper_side = Vector3::Zero();
     std::vector<std::string> airfoil_names;
 
-    Model               *model    = nullptr;
-    const Air           *air      = nullptr;
-    Inflow              *inflow   = nullptr;
-    const AnnularInflow *annular  = nullptr; ///< the same, if it is one
-    Unsteady             unsteady = Unsteady::two_lags;
+    Model                *model    = nullptr;
+    const Air            *air      = nullptr;
+    Inflow               *inflow   = nullptr;
+    const AnnularInflow  *annular  = nullptr; ///< the same, if it is one
+    const ExternalInflow *external = nullptr; ///< likewise
+    Unsteady              unsteady = Unsteady::two_lags;
 
     struct PlacedAirfoil
     {

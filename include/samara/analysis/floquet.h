@@ -36,7 +36,8 @@ namespace samara
     unsigned int             n_columns = 0; ///< vectors taken through a section of the period
 
     // entries
-    double period = 0, turns = 1, spectral_radius = 1, newton_tolerance = 1e-12, largest_gap = 1e-4, tolerance = 1e-9;
+    double period = 0, turns = 1, spectral_radius = 1, newton_tolerance = 1e-12, largest_gap = 1e-4, tolerance = 0,
+           highest_frequency = 0;
     std::string              turns_of, method = "automatic", symmetry;
     std::vector<std::string> turning;
     unsigned int n_steps = 36, n_stages = 3, max_iterations = 50, wanted = 10, most_periods = 20, most_corrections = 10,
@@ -56,6 +57,8 @@ namespace samara
     void                                  check_corners(const Context &context, const SectionMap &map) const;
     void                                  check_switches(const Context &context, const SectionMap &map) const;
     FloquetModes                          find(SectionMap &map) const;
+    void                                  tell_stability(const Context &context, const FloquetModes &found) const;
+    void                                  tell_open_modes(const Context &context, const FloquetModes &found) const;
     void                                  report(const Context &context, const FloquetModes &found, double T) const;
     void                                  add_to_speeds(const Context &context, double T);
     void                                  animate(const Context &context, SectionMap &map, unsigned int k) const;

@@ -1,6 +1,7 @@
 #ifndef samara_analysis_floquet_modes_h
 #define samara_analysis_floquet_modes_h
 
+#include <samara/analysis/mode_content.h>
 #include <samara/analysis/section_map.h>
 
 namespace samara
@@ -15,6 +16,8 @@ namespace samara
     double               residual = 0; ///< |S v − σ v|/|σ|, or the same of what is computed in its place
     double               rate     = 0; ///< root mean square of velocities over that of displacements, by energy [rad/s]
     std::complex<double> scheme_error = 0; ///< of λ, what the steps change an undamped vibration of that rate by [1/s]
+
+    ModeContent content; ///< what repeated parts do in it, empty without any
 
     /** Mean share of each body in the kinetic energy of the motion's shape over a period, largest first. */
     std::vector<std::pair<std::string, double>> shares;
@@ -39,6 +42,12 @@ namespace samara
     unsigned int             n_columns   = 0;     ///< vectors that were taken through the section
     unsigned int             n_vanishing = 0;     ///< not among them: so small that they are lost in round-off
     bool                     is_all      = false; ///< nothing else moves
+
+    /** @name Of slow_floquet_modes() @{ */
+    unsigned int n_looked_for     = 0; ///< slow modes of the linearised motion, of pairs one; 0: it was not asked
+    unsigned int n_open           = 0; ///< modes that have not come to the tolerance, and are not among those found
+    double       largest_residual = 0; ///< of these
+    /** @} */
   };
 
 
@@ -52,8 +61,16 @@ namespace samara
    */
   FloquetModes largest_floquet_modes(SectionMap &map, unsigned int wanted, double tolerance);
 
-  /** Exponents, unwrapped frequencies and shares of the first @p n modes. */
-  void describe(SectionMap &map, FloquetModes &modes, unsigned int n);
+  /** What is known of a mode when the eigenvalue @p value of the section and its vector, in scales, have been found. */
+  FloquetMode
+  mode_of(const SectionMap &map, std::complex<double> value, const Eigen::VectorXcd &scaled_shape, double residual);
+
+  /** Largest first; those lost in round-off of a map of this @p size are taken away. */
+  void put_in_order(FloquetModes &modes, double size);
+
+  /** Exponents, unwrapped frequencies, shares and contents of the first @p n modes; @p parts: those that are repeated.
+   */
+  void describe(SectionMap &map, const RepeatedParts &parts, FloquetModes &modes, unsigned int n);
 } // namespace samara
 
 #endif

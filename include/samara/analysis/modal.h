@@ -27,13 +27,24 @@ namespace samara
 
     std::vector<Mode> modes; ///< of the last run
 
-  private:
+  protected:
+    /** A steady motion about which small motions have constant coefficients, in axes with these spins. */
+    struct Steady
+    {
+      State                state;
+      std::vector<Vector3> spins; ///< see Linearization; empty: axes turn with their nodes
+      Linearization        linearization;
+    };
+    /** Find the modes, and refuse what has none. */
+    Steady analyse(Context &context);
+
     // entries
     unsigned int n_modes = 10, n_animations = 4;
     double       shift = 0; ///< 0: found from the model
     bool         hold  = false;
     std::string  axes = "automatic", unsteady = "refuse";
 
+  private:
     ModeTracking              tracking;
     std::vector<unsigned int> branches;
     std::unique_ptr<Table>    fan;
@@ -45,12 +56,14 @@ namespace samara
     /** How much the state that came in turns otherwise than in the steady motion, and which node most. */
     struct OtherMotion
     {
-      double      spin = 0; ///< [rad/s]
+      double      spin  = 0; ///< [rad/s]
       std::string place = "";
     };
     static OtherMotion other_motion(const System &system, const State &steady, const std::vector<double> &twists);
     /** Modes belong to the steady motion: refuse them, or warn, where that makes a difference. */
     void check_other_motion(const Context &context, const OtherMotion &other) const;
+    /** Nor to one in which joints are prescribed to move beside it: nothing here knows their rates. */
+    void check_prescribed(const Context &context, const State &state) const;
     /** Nor do they belong to a state in which loads change as it turns. */
     void check_loads(const Context &context, const State &state) const;
     void refuse_unsteady(const Context &context, const std::string &why) const;

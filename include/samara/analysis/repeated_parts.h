@@ -41,6 +41,13 @@ namespace samara
       return n_parts;
     }
 
+    /** The node that a node becomes; itself if it is not repeated. */
+    unsigned int
+    next_of_node(const unsigned int node) const
+    {
+      return node_becomes[node];
+    }
+
     /** Axes are taken from these states, a Q-th of a period from each other. */
     void align(const State &start, const State &end);
 

@@ -66,6 +66,9 @@ namespace samara
     /** A basis of all increments that the constraints allow at the start; columns in terms of scales(). */
     Eigen::MatrixXd basis();
 
+    /** An increment without its controls, which keep their values. */
+    void keep_controls(double *x) const;
+
     /** What counts as one of each number of an increment. */
     const std::vector<double> &
     scales() const
@@ -82,11 +85,10 @@ namespace samara
     }
 
   private:
-    RepeatedParts       parts;
-    std::vector<double> scale;
+    RepeatedParts                   parts;
+    std::vector<double>             scale;
     const std::vector<unsigned int> kept; ///< entries of an increment that belong to controls
 
-    void                keep_controls(double *x) const;
     void                keep(const State &start);
     bool                step_nearer(const std::vector<double> &x);
     std::vector<double> solve_for_correction(const std::vector<double> &lacking);

@@ -59,8 +59,8 @@ namespace samara
     State                           state; ///< at the start of the next period
     Look                            best;
     std::optional<Table>            history;
-    unsigned int                    n_looks     = 0;
-    bool                            has_tangent = true; ///< of the motion over a turn, exact
+    unsigned int                    n_looks = 0;
+    unsigned int n_without_tangent          = 0; ///< turns one after another that had none: on some a stop is touched
 
     std::vector<PeriodAverage> find_targets();
     void                       find_controls();

@@ -68,6 +68,9 @@ namespace samara
     /** @name For shapes @{ */
     Fineness fineness() const;
 
+    /** @throws std::invalid_argument if there is no mesh of the shape: a cell is turned inside out, ... */
+    void try_mesh(const SectionShape &shape) const;
+
     /** The smallest cell of walls of which the longest is @p longest [m]. */
     double finest_of(const std::vector<Wall> &walls, double longest) const;
 

@@ -116,6 +116,9 @@ namespace samara
      */
     double geometry_error(double start, double end, unsigned int degree) const;
 
+  protected:
+    unsigned int degree = 3; ///< entry
+
   private:
     // entries
     std::string               shape = "polyline";
@@ -124,7 +127,6 @@ namespace samara
     Vector3                   axis_2 = Vector3::Zero();
     Expression                twist;
     ElementsWish              elements_wish;
-    unsigned int              degree = 3;
     std::vector<std::string>  mesh_texts;
     std::string               section_name;
     std::vector<std::string>  frame_names;

@@ -47,6 +47,7 @@ namespace samara
     void                         add_parameters(Parameters &prm) override;
     void                         initialize(Model &model) override;
     SectionValues                at(double x, const Vector3 &curvature) const override;
+    SectionValues                at_side(double x, double inside, const Vector3 &curvature) const override;
     std::vector<Eigen::Vector2d> outline(double x) const override;
     std::vector<double>          kinks() const override;
     Vector6                      damping() const override;

@@ -28,7 +28,8 @@ namespace samara
   class Cosserat : public Body, public EvaluatedDeformation<Cosserat<dim>>
   {
   public:
-    static constexpr unsigned int n = 6 * dim; ///< strains at a point
+    static constexpr int          dimension = dim;
+    static constexpr unsigned int n         = 6 * dim; ///< strains at a point
     using VectorN                   = Eigen::Matrix<double, n, 1>;
     using MatrixN                   = Eigen::Matrix<double, n, n>;
 
@@ -89,8 +90,8 @@ namespace samara
 
     /** Strains of one element at its integration points, 6 dim each, those of its first point first. */
     void element_strains(unsigned int element, const double *q, double *e) const;
-    /** The same from its nodes. */
-    void element_strains(unsigned int element, const kernel::NodeValues<double> *nodes, double *e) const;
+    /** The same from its nodes. An element with other strains overrides it, see prototype.h. */
+    virtual void element_strains(unsigned int element, const kernel::NodeValues<double> *nodes, double *e) const;
 
     /** No element has more nodes. */
     static constexpr unsigned int most_nodes = dim == 1 ? 7 : 49;
@@ -106,12 +107,6 @@ namespace samara
     };
     std::vector<Element> elements;
 
-    /** Take the elements out of all computations: their nodes are welded together, and they serve for drawing only. */
-    void make_rigid();
-
-    bool is_rigid = false;
-
-  private:
     using LocalMap = Eigen::Matrix<double, dim, dim>;
 
     /** Integration points of all elements, one after another. */
@@ -122,6 +117,18 @@ namespace samara
       VectorN      reference; ///< strain of the reference configuration
       unsigned int material;
     };
+    const std::vector<IntegrationPoint> &
+    integration_points() const
+    {
+      return points;
+    }
+
+    /** Take the elements out of all computations: their nodes are welded together, and they serve for drawing only. */
+    void make_rigid();
+
+    bool is_rigid = false;
+
+  private:
     std::vector<IntegrationPoint> points;
 
     static constexpr unsigned int most_tied = dim == 1 ? most_nodes - 1 : 2 * most_nodes;
@@ -150,6 +157,9 @@ namespace samara
     Batch              make_batch(unsigned int first, unsigned int size, unsigned int n_lanes) const;
     std::vector<Batch> batches, single_elements; ///< of doubles, of other numbers
     void               make_batches();
+
+    /** Strains of the reference configuration, so that there they are zero to the last digit. */
+    void take_reference(const Model &model);
 
     /** Call f(batch, number of nodes) for all batches; of one element each where lanes hold one number. */
     template <typename Number, typename Function>

@@ -10,11 +10,14 @@
 
 namespace samara
 {
-  /** Straight quadrilaterals of a file, as they are given. */
+  /** Straight quadrilaterals of a file, as they are given, and triangles, whose last two corners are one. */
   struct ImportedMesh
   {
     std::vector<Vector3>                     vertices;       ///< [m]
     std::vector<std::array<unsigned int, 4>> quadrilaterals; ///< corners around each
+
+    /** Cells by the names that the file gives to surfaces (Gmsh) or sets of elements (Abaqus), ELSET. */
+    std::map<std::string, std::vector<unsigned int>> regions;
 
     /** Sides of quadrilaterals by the names that the file gives to curves or sets of nodes. */
     std::map<std::string, std::vector<std::array<unsigned int, 2>>> lines;
@@ -22,13 +25,13 @@ namespace samara
   };
 
   /**
-   * Reads a mesh of Gmsh (.msh, formats 2.2 and 4.1, text) or Abaqus (.inp: *NODE, *ELEMENT, *NSET). Names of curves
-   * are those of their physical groups, or the numbers of these.
+   * Reads a mesh of Gmsh (.msh, formats 2.2 and 4.1, text) or Abaqus (.inp: *NODE, *ELEMENT, *NSET, *ELSET). Names of
+   * curves and surfaces are those of their physical groups, or the numbers of these.
    *
-   * @throws std::invalid_argument, naming the line, for what is not understood, for triangles and for elements of
-   * higher order: cells are straight here.
+   * @throws std::invalid_argument, naming the line, for what is not understood, for triangles if there must not be any,
+   * and for elements of higher order: cells are straight here.
    */
-  ImportedMesh read_mesh_file(const std::string &file);
+  ImportedMesh read_mesh_file(const std::string &file, bool with_triangles = false);
 } // namespace samara
 
 #endif

@@ -115,7 +115,7 @@ namespace samara
     Vec6<Number>
     strain(const PointValues<Number> &p)
     {
-      const auto product = [](const Mat3<Number> &A, const int i, const auto &b) {
+      const auto product = [](const Mat3<Number> &A, const int i, const auto &b) -> Number {
         return A(0, i) * b(0) + A(1, i) * b(1) + A(2, i) * b(2);
       };
       Vec6<Number> e;
@@ -134,7 +134,7 @@ namespace samara
     Vec6<Number>
     strain_rate(const PointValues<Number> &p, const PointValues<Number> &v)
     {
-      const auto product = [](const Mat3<Number> &A, const int i, const auto &b) {
+      const auto product = [](const Mat3<Number> &A, const int i, const auto &b) -> Number {
         return A(0, i) * b(0) + A(1, i) * b(1) + A(2, i) * b(2);
       };
       const auto rate = [&](const int i, const int j) {

@@ -52,11 +52,14 @@ namespace samara
     std::vector<unsigned int> rigid_nodes() const override;
     void                      add_initial_velocities(State &state) const override;
 
+  protected:
+    unsigned int degree         = 3;     ///< entry
+    bool         takes_any_cell = false; ///< see ShellMesh
+
   private:
     // entries
     std::vector<std::array<SurfaceFunction, 3>> patch_entries;
     std::vector<PatchElements>                  element_counts = {PatchElements()};
-    unsigned int                                degree         = 3;
     bool                                        merges         = true;
     std::string                                 grid, grid_arguments, mesh_file;
     bool                                        is_curved   = true;
@@ -64,6 +67,7 @@ namespace samara
     double                                      crease      = 20 * M_PI / 180;
     Vector3                                     axis_1      = Vector3::Zero();
     std::string                                 layup_name;
+    std::string                                 transverse_shear = "equilibrium";
     double                                      E = 0, nu = 0, density = 0, thickness_entry = 0, offset = 0;
     double                                      relaxation_time = 0;
     std::vector<std::string>                    frame_entries, rigid_edges;

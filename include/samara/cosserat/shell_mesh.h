@@ -68,6 +68,9 @@ namespace samara
       unsigned int cell, side;
     };
 
+    /** Whether cells of degree 1 may be other than parallelograms: where shear is taken at the sides. */
+    bool takes_any_cell = false;
+
     std::vector<Vector3>                     nodes; ///< [m]
     std::vector<Cell>                        cells;
     std::map<std::string, std::vector<Side>> edges; ///< by name

@@ -30,13 +30,23 @@ namespace samara
    * Transverse shear (γ₁₃ γ₂₃) by equilibrium (Rohwer 1988; Rolfes & Rohwer 1997): the shear stresses that balance
    * bending stresses of slowly varying moments, τ(z) = f(z) Q with f = −∫ (σ₁₁ σ₁₂; σ₁₂ σ₂₂), have the energy ½ Qᵀ G⁻¹
    * Q, G⁻¹ = ∫ fᵀ g⁻¹ f dz, g the stiffness of the ply. A homogeneous plate has 5/6 exactly.
+   *
+   * Or by the asymptotic rule (Sutyrin 1997; Yu, Hodges & Volovoi 2002): the plate of Reissner's kind whose energy is
+   * nearest to that of second order in thickness over length, by least squares over the terms of the energy, each
+   * relative to the diagonal of ABD. What a shift of the reference plane explains is left out of it.
    */
   class Laminate
   {
   public:
+    enum class TransverseShear
+    {
+      equilibrium,
+      asymptotic
+    };
+
     /** From the bottom. @throws std::invalid_argument without laminae, or if one has no thickness or no positive
-     * energy. */
-    explicit Laminate(const std::vector<Lamina> &laminae);
+     * energy, or if the asymptotic rule finds none. */
+    explicit Laminate(const std::vector<Lamina> &laminae, TransverseShear rule = TransverseShear::equilibrium);
 
     double          thickness = 0;
     Matrix6         ABD;                                 ///< in the order above
@@ -72,6 +82,7 @@ namespace samara
     Eigen::Matrix2d shear_stresses(const Layer &layer, double z) const;
     void            find_membrane_and_bending();
     void            find_shear();
+    void            find_asymptotic_shear();
   };
 
 

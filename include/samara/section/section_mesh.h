@@ -7,6 +7,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace samara
@@ -31,6 +32,10 @@ namespace samara
     std::vector<double>                                 u, v;  ///< ends of the cells, ascending
     /** Of the cell (i, j) of the rectangle. */
     std::function<Ply(unsigned int i, unsigned int j)> ply;
+    /** What it is called in complaints, if not by its number; and in tables, where what has one name is one. */
+    std::string name = "", group = "";
+    /** The tangent of the layers at a place, where it is not that of u. */
+    std::function<Eigen::Vector2d(const dealii::Point<2> &place)> tangent = {};
   };
 
 
@@ -61,10 +66,10 @@ namespace samara
     }
 
     /**
-     * The axes of the material at a point of a cell with the Jacobian @p J of its mapping: columns are the fibre, the
-     * direction across it in the layer, and the normal of the layer, in the axes 1 (along the beam), 2, 3.
+     * The axes of the material at the point @p place of a cell, with the Jacobian @p J of its mapping: columns are the
+     * fibre, the direction across it in the layer, and the normal of the layer, in the axes 1 (along the beam), 2, 3.
      */
-    Matrix3 material_axes(unsigned int cell, const Eigen::Matrix2d &J) const;
+    Matrix3 material_axes(unsigned int cell, const dealii::Point<2> &place, const Eigen::Matrix2d &J) const;
 
   private:
     struct Cell
@@ -73,8 +78,11 @@ namespace samara
       std::array<dealii::Point<2>, 4> parameters; ///< of the corners, in the order of the triangulation
       Ply                             ply;
     };
-    std::vector<Cell> cells;
+    std::vector<Cell>                                                     cells;
+    std::vector<std::string>                                              names;    ///< of the patches
+    std::vector<std::function<Eigen::Vector2d(const dealii::Point<2> &)>> tangents; ///< likewise
 
+    std::string      name_of(const Cell &cell) const;
     dealii::Point<2> parameters_at(const Cell &cell, const dealii::Point<2> &unit) const;
     void             check() const;
   };

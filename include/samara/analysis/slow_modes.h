@@ -1,0 +1,30 @@
+#ifndef samara_analysis_slow_modes_h
+#define samara_analysis_slow_modes_h
+
+#include <samara/analysis/floquet_modes.h>
+
+namespace samara
+{
+  /** Which modes are slow, and how long they are looked for. */
+  struct SlowModes
+  {
+    double       highest      = 0;    ///< |λ| of the linearised motion up to which its modes are followed [rad/s]
+    double       tolerance    = 1e-9; ///< of residuals, relative to each multiplier
+    unsigned int most_columns = 600;
+  };
+
+  /**
+   * Multipliers of the slow modes of a periodic motion: those that continue the modes of the motion linearised at the
+   * start of the period with |λ| up to @p which.highest (doc/theory/floquet.md).
+   *
+   * The largest multipliers of stiff models are what the steps do not resolve, and what matters is not among them. Here
+   * a space is made of the slow modes at the start, the map is projected on it, and as long as a Ritz vector that lies
+   * mostly in these modes has a residual, the space grows by that. A mode is given when its residual is not above the
+   * tolerance; the others are counted.
+   *
+   * @throws NotConverged if nothing is slow, or nothing comes to the tolerance
+   */
+  FloquetModes slow_floquet_modes(SectionMap &map, const SlowModes &which);
+} // namespace samara
+
+#endif

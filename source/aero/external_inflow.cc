@@ -1,0 +1,97 @@
+#include <samara/aero/external_inflow.h>
+
+namespace samara
+{
+  void
+  ExternalInflow::add_parameters(Parameters &prm)
+  {
+    Inflow::add_parameters(prm);
+    prm.add("Time constant",
+            time_constant,
+            "How slowly the states of the wake follow the loads [s].",
+            dealii::Patterns::Double(1e-300));
+  }
+
+
+
+  void
+  ExternalInflow::initialize(Model &model)
+  {
+    Inflow::initialize(model);
+    if (air == nullptr)
+      return;
+    try
+      {
+        for (const auto &[state, unit] : names_of_states(model))
+          states.push_back(model.add_state(name + ", " + state, unit, 0., 0.1));
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where(), "<" + name + ">: " + problem.what());
+      }
+    load_weights.assign(states.size(), 1 / time_constant);
+    corrections.needs_flow = true;
+    corrections.ground     = air->ground;
+  }
+
+
+
+  void
+  ExternalInflow::connect(Layout &layout)
+  {
+    Inflow::connect(layout);
+    layout.couple(block, {}, {}, {}, states);
+    layout.add(*this, *this);
+  }
+
+
+
+  ExternalInflow::Derivatives
+  ExternalInflow::derivatives(const Vector3 &x, const Flow<double> &flow, const std::vector<double> &z) const
+  {
+    constexpr double     step = 1e-30;
+    const unsigned int   n    = states.size();
+    std::vector<Complex> z_c(z.begin(), z.end()), b(n);
+    std::vector<double>  A(3 * n);
+    Derivatives          d;
+    d.drives.resize(n, 8);
+    for (unsigned int i = 0; i < 8; ++i)
+      {
+        Vec3<Complex> at = x.cast<Complex>();
+        Flow<Complex> in = flow.cast<Complex>();
+        (i < 3 ? at(i) : in(i - 3)) += Complex(0, step);
+        d.velocity.col(i) = velocity(at, in, z_c.data()).imag() / step;
+        drives(at, in, b.data());
+        for (unsigned int k = 0; k < n; ++k)
+          d.drives(k, i) = b[k].imag() / step;
+      }
+    velocities(x, flow, A.data());
+    d.by_states = Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>>(A.data(), 3, n);
+    return d;
+  }
+
+
+
+  template <typename Number>
+  void
+  ExternalInflow::residual_at(const Point<Number> &point, Number *r) const
+  {
+    Eigen::Matrix<Number, Eigen::Dynamic, 1> local(block.size());
+    for (unsigned int k = 0; k < states.size(); ++k)
+      local(k) = point.states[states[k]] / time_constant;
+    block.add(local, r);
+  }
+
+
+
+  void
+  ExternalInflow::tangent(const Point<double> &, SparseMatrix &K) const
+  {
+    Eigen::MatrixXd local = Eigen::MatrixXd::Identity(block.size(), block.size()) / time_constant;
+    block.add(local, K);
+  }
+
+
+
+  template class Evaluated<ExternalInflow, StateEquation>;
+} // namespace samara

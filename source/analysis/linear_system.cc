@@ -1,0 +1,247 @@
+#include <samara/analysis/linear_system_matrices.h>
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+#include <samara/output/write_matrices.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    /** Modes that are found to see whether coefficients are constant. */
+    constexpr unsigned int modes_to_look_at = 6;
+
+
+
+    /** States of first order that keep their values. */
+    std::vector<unsigned int>
+    states_of_controls(const System &system)
+    {
+      std::vector<unsigned int> result;
+      const auto               &states = system.model.states;
+      for (const auto &item : system.model.items)
+        if (item->kind == "control")
+          for (unsigned int i = 0; i < states.size(); ++i)
+            if (states[i].name == item->name)
+              result.push_back(i);
+      return result;
+    }
+  } // namespace
+
+
+
+  std::vector<Eigen::MatrixXcd>
+  LinearSystem::responses(const std::vector<double> &frequencies) const
+  {
+    using Complex = std::complex<double>;
+    std::vector<Eigen::MatrixXcd> result;
+    if (A.rows() == 0)
+      return std::vector<Eigen::MatrixXcd>(frequencies.size(), D.cast<Complex>());
+    const Eigen::ComplexSchur<Eigen::MatrixXd> schur(A);
+    const Eigen::MatrixXcd                     B_s = schur.matrixU().adjoint() * B.cast<Complex>(),
+                           C_s                     = C.cast<Complex>() * schur.matrixU();
+    for (const double frequency : frequencies)
+      {
+        Eigen::MatrixXcd T = -schur.matrixT();
+        T.diagonal().array() += Complex(0, frequency);
+        result.push_back(C_s * T.triangularView<Eigen::Upper>().solve(B_s) + D.cast<Complex>());
+      }
+    return result;
+  }
+
+
+
+  void
+  LinearSystemAnalysis::add_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    n_modes = modes_to_look_at;
+    prm.add("Inputs",
+            inputs,
+            "Names of controls, states of type <control>, that laws of forces and moments depend on; not given: all.");
+    prm.add("Lowest frequency", lowest_frequency, "Of the frequency response [rad/s].", Double(0));
+    prm.add("Highest frequency", highest_frequency, "Of the frequency response; 0: there is none [rad/s].", Double(0));
+    prm.add("Frequencies", n_frequencies, "Number of frequencies, as far apart on a logarithmic scale.", Integer(2));
+    prm.add("Most states",
+            most_states,
+            "More are refused: matrices are dense, and time grows with the cube.",
+            Integer(1));
+    prm.add("Hold rotations",
+            hold,
+            "Whether joints in steady rotation keep their speed, or are free to follow the motion.");
+  }
+
+
+
+  void
+  LinearSystemAnalysis::check(const std::vector<double> &rotor_speeds, Complaints &complaints) const
+  {
+    if (highest_frequency > 0 && !(lowest_frequency > 0 && lowest_frequency < highest_frequency))
+      complaints.add(parameters.where("Lowest frequency"),
+                     "the <Lowest frequency> must be positive and below the <Highest frequency>");
+    if (!rotor_speeds.empty())
+      complaints.add(parameters.where(),
+                     "a state space belongs to one speed; let a study vary the speed in place of <Rotor speeds>");
+  }
+
+
+
+  std::vector<double>
+  LinearSystemAnalysis::frequencies() const
+  {
+    std::vector<double> result;
+    for (unsigned int i = 0; highest_frequency > 0 && i < n_frequencies; ++i)
+      result.push_back(lowest_frequency * std::pow(highest_frequency / lowest_frequency, i / (n_frequencies - 1.)));
+    return result;
+  }
+
+
+
+  std::vector<unsigned int>
+  LinearSystemAnalysis::states_of_inputs(const System &system) const
+  {
+    const auto controls = states_of_controls(system);
+    if (inputs.empty())
+      {
+        if (controls.empty())
+          throw InputError(
+            parameters.where() +
+            ": linear system: there are no inputs: make a state of type <control> for each, and let the law "
+            "of a force depend on it");
+        return controls;
+      }
+    std::vector<std::string> names;
+    for (const unsigned int i : controls)
+      names.push_back(system.model.states[i].name);
+    std::vector<unsigned int> result;
+    for (const auto &input : inputs)
+      {
+        const auto found = std::find(names.begin(), names.end(), input);
+        if (found == names.end())
+          throw InputError(parameters.where("Inputs") + ": <" + input + "> is no state of type <control>" +
+                           did_you_mean(input, names));
+        result.push_back(controls[found - names.begin()]);
+      }
+    return result;
+  }
+
+
+
+  void
+  LinearSystemAnalysis::check_inputs(const System                    &system,
+                                     const Linearization             &linearization,
+                                     const std::vector<unsigned int> &numbers) const
+  {
+    const Pattern &pattern = *linearization.S.pattern;
+    for (const unsigned int input : numbers)
+      {
+        const int column = system.layout.of_state(input);
+        for (int k = pattern.column_start[column]; k < pattern.column_start[column + 1]; ++k)
+          if (const int row = pattern.rows[k] - int(linearization.n_kinematic);
+              row >= 0 && linearization.S.values[k] != 0.)
+            throw InputError(
+              parameters.where("Inputs") + ": <" + system.model.states[input].name + "> prescribes a motion (" +
+              system.layout.multiplier_names[row] +
+              "), whose acceleration would be an input, too.\n  Let it be the rest angle of a spring and a "
+              "damper, or of a state that follows it: an actuator has both");
+      }
+  }
+
+
+
+  void
+  LinearSystemAnalysis::run(Context &context)
+  {
+    const System &system  = context.system;
+    const auto    numbers = states_of_inputs(system), controls = states_of_controls(system);
+    if (!system.layout.nonholonomic.empty())
+      throw InputError(parameters.where() + ": linear system: what rolls has constraints on velocities alone, " +
+                       system.layout.multiplier_names[system.layout.nonholonomic[0]] +
+                       ", for which there is none here");
+    const Steady steady = analyse(context);
+    check_inputs(system, steady.linearization, numbers);
+    const LinearSystemSource source{
+      system, steady.state, steady.spins, steady.linearization, numbers, controls, most_states};
+    space = {};
+    for (const unsigned int i : numbers)
+      {
+        space.inputs.push_back(system.model.states[i].name);
+        space.input_units.push_back(system.model.states[i].unit);
+        space.input_values.push_back(steady.state.states[i]);
+      }
+    for (const auto &probe : context.probes)
+      {
+        space.outputs.push_back(probe.name);
+        space.output_units.push_back(probe.unit);
+      }
+    Eigen::MatrixXd basis;
+    find_dynamics(source, space, basis);
+    find_outputs(source, basis, context.probes, space);
+    context.log.line("linear system: " + std::to_string(space.A.rows()) + " states (" +
+                     std::to_string(space.n_positions) + " positions and their rates, " +
+                     std::to_string(space.A.rows() - 2 * int(space.n_positions)) + " of first order), " +
+                     std::to_string(space.B.cols()) + " inputs, " + std::to_string(space.C.rows()) + " outputs");
+    if (space.outputs.empty())
+      context.log.warning("linear system", "there are no <Probes> in subsection Output: C and D have no rows");
+    if (!context.folder.empty())
+      write(context);
+  }
+
+
+
+  void
+  LinearSystemAnalysis::write(const Context &context) const
+  {
+    const auto column = [](const std::vector<double> &values) {
+      return Eigen::MatrixXd(Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()));
+    };
+    write_matrices(context.folder + "/linear_system.h5",
+                   {{"A", space.A},
+                    {"B", space.B},
+                    {"C", space.C},
+                    {"D", space.D},
+                    {"input values", column(space.input_values)},
+                    {"output values", column(space.output_values)}},
+                   {{"inputs", space.inputs},
+                    {"input units", space.input_units},
+                    {"outputs", space.outputs},
+                    {"output units", space.output_units}});
+    if (highest_frequency > 0)
+      write_responses(context);
+  }
+
+
+
+  void
+  LinearSystemAnalysis::write_responses(const Context &context) const
+  {
+    Table      table({"frequency [rad/s]", "input", "output", "unit", "real", "imaginary", "amplitude", "phase [deg]"});
+    const auto omega = frequencies();
+    const auto all   = space.responses(omega);
+    for (unsigned int j = 0; j < space.inputs.size(); ++j)
+      for (unsigned int i = 0; i < space.outputs.size(); ++i)
+        for (unsigned int k = 0; k < omega.size(); ++k)
+          {
+            const std::complex<double> H = all[k](i, j);
+            table.add_row({omega[k],
+                           space.inputs[j],
+                           space.outputs[i],
+                           space.output_units[i] + "/" + (space.input_units[j].empty() ? "1" : space.input_units[j]),
+                           H.real(),
+                           H.imag(),
+                           std::abs(H),
+                           std::arg(H) * 180 / M_PI});
+          }
+    table.write(context.folder + "/frequency_response.csv");
+  }
+
+
+
+  void
+  LinearSystemAnalysis::finish(Context &)
+  {}
+} // namespace samara

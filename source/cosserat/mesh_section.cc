@@ -1,0 +1,330 @@
+#include <samara/base/text.h>
+#include <samara/cosserat/mesh_section.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace samara
+{
+  MeshGroupText
+  Value<MeshGroupText>::read(const std::string &text, const std::string &, const Quantities &)
+  {
+    const auto pieces = split_top_level(text, ',');
+    if (pieces.size() < 2 || pieces.size() > 4 || pieces[0].empty() || pieces[1].empty())
+      throw std::invalid_argument("<" + text +
+                                  ">: a group is written <group, material>, or with the angle of its fibres and the "
+                                  "direction of its layers, <spar, carbon, 30, 90>; the next one behind a semicolon.");
+    MeshGroupText result{pieces[0], pieces[1]};
+    if (pieces.size() > 2 && !text_to_number(pieces[2], result.angle))
+      throw std::invalid_argument("<" + pieces[2] + "> in <" + text +
+                                  ">: the angle of fibres is a number, in degrees.");
+    if (pieces.size() > 3)
+      result.layer = pieces[3];
+    return result;
+  }
+
+
+
+  std::string
+  Value<MeshGroupText>::write(const MeshGroupText &value)
+  {
+    return value.group + ", " + value.material + ", " + number_to_text(value.angle) + ", " + value.layer;
+  }
+
+
+
+  PatternPointer
+  Value<MeshGroupText>::pattern()
+  {
+    return std::make_unique<dealii::Patterns::Anything>();
+  }
+
+
+
+  void
+  MeshSection::add_parameters(Parameters &prm)
+  {
+    prm.add_file("Mesh file",
+                 file,
+                 "Mesh of Gmsh (.msh, text) or Abaqus (.inp) of straight quadrilaterals and triangles; its x and y are "
+                 "axes 2 and 3. Relative to the .prm file that says it.");
+    prm.add("Length unit", scale, "One in the file is this long [m].", dealii::Patterns::Double(0));
+    prm.add(
+      "Groups",
+      groups,
+      "What the physical groups (Gmsh) or sets of elements (Abaqus) are made of: group, material, angle of the "
+      "fibres, direction of the layers; ... Both angles in degrees: fibres turn from axis 1 towards the layer, and "
+      "layers from axis 2 towards axis 3. In place of the second the name of a group of curves that the layers "
+      "follow, counter-clockwise about the middle of the section.");
+    AnalysedSection::add_parameters(prm);
+  }
+
+
+
+  namespace
+  {
+    using Place = dealii::Point<2>;
+
+    /** Tangents of a group of curves, the nearest one of a place; counter-clockwise about a point. */
+    class NearestTangent
+    {
+    public:
+      NearestTangent(const std::vector<std::array<unsigned int, 2>> &lines,
+                     const std::vector<Place>                       &x,
+                     const Place                                    &middle)
+      {
+        // where two lines meet without a kink the tangent is the mean of both
+        std::map<unsigned int, Eigen::Vector2d> sums;
+        std::vector<Eigen::Vector2d>            own;
+        for (const auto &line : lines)
+          {
+            Eigen::Vector2d t(x[line[1]][0] - x[line[0]][0], x[line[1]][1] - x[line[0]][1]);
+            const Place     m(0.5 * (x[line[0]] + x[line[1]]) - middle);
+            if (m[0] * t(1) - m[1] * t(0) < 0)
+              t = -t;
+            own.push_back(t.normalized());
+            for (const auto v : line)
+              sums.emplace(v, Eigen::Vector2d::Zero()).first->second += own.back();
+          }
+        constexpr double smooth = 0.95; // cosine of 18 degrees
+        for (std::size_t i = 0; i < lines.size(); ++i)
+          {
+            Piece piece{x[lines[i][0]], x[lines[i][1]], own[i], own[i]};
+            for (const unsigned int end : {0u, 1u})
+              if (const Eigen::Vector2d mean = sums.at(lines[i][end]).normalized(); mean.dot(own[i]) > smooth)
+                (end == 0 ? piece.t_a : piece.t_b) = mean;
+            pieces.push_back(piece);
+          }
+      }
+
+      Eigen::Vector2d
+      operator()(const Place &x) const
+      {
+        double          nearest = std::numeric_limits<double>::infinity();
+        Eigen::Vector2d result(1, 0);
+        for (const Piece &piece : pieces)
+          {
+            const auto   ab       = piece.b - piece.a;
+            const double u        = std::min(1., std::max(0., (x - piece.a) * ab / ab.norm_square()));
+            const double distance = (x - piece.a - u * ab).norm_square();
+            if (distance < nearest)
+              {
+                nearest = distance;
+                result  = (1 - u) * piece.t_a + u * piece.t_b;
+              }
+          }
+        return result.normalized();
+      }
+
+    private:
+      struct Piece
+      {
+        Place           a, b;
+        Eigen::Vector2d t_a, t_b;
+      };
+      std::vector<Piece> pieces;
+    };
+
+
+
+    std::vector<std::string>
+    names_in(const std::map<std::string, std::vector<unsigned int>> &regions)
+    {
+      std::vector<std::string> result;
+      for (const auto &[name, cells] : regions)
+        result.push_back(name);
+      return result;
+    }
+
+
+
+    /** A straight cell as a patch of its own. */
+    SectionPatch
+    patch_of_cell(const std::array<Place, 4> &x)
+    {
+      SectionPatch patch;
+      patch.u = patch.v = {0, 1};
+      patch.place       = [x](const double u, const double v) {
+        return Place((1 - v) * ((1 - u) * x[0] + u * x[1]) + v * ((1 - u) * x[3] + u * x[2]));
+      };
+      return patch;
+    }
+
+
+
+    /** The quadrilaterals that a cell is divided into: a triangle, whose last two corners are one, or four. */
+    std::vector<std::array<Place, 4>>
+    divided(const std::array<Place, 4> &x, const bool is_triangle)
+    {
+      const unsigned int                n = is_triangle ? 3 : 4;
+      Place                             middle;
+      std::vector<std::array<Place, 4>> result;
+      for (unsigned int i = 0; i < n; ++i)
+        middle += x[i] / n;
+      for (unsigned int i = 0; i < n; ++i)
+        result.push_back(
+          {{x[i], Place(0.5 * (x[i] + x[(i + 1) % n])), middle, Place(0.5 * (x[i] + x[(i + n - 1) % n]))}});
+      return result;
+    }
+  } // namespace
+
+
+
+  std::vector<unsigned int>
+  MeshSection::groups_of_cells(const ImportedMesh &mesh) const
+  {
+    const unsigned int        none = groups.size(), n = mesh.quadrilaterals.size();
+    std::vector<unsigned int> result(n, none);
+    const auto                known = names_in(mesh.regions);
+    for (unsigned int g = 0; g < groups.size(); ++g)
+      {
+        const auto region = mesh.regions.find(groups[g].group);
+        if (region == mesh.regions.end())
+          throw std::invalid_argument("there is no group <" + groups[g].group + "> of cells in " + file +
+                                      did_you_mean(groups[g].group, known));
+        for (const unsigned int cell : region->second)
+          {
+            if (result[cell] != none && result[cell] != g)
+              throw std::invalid_argument("cell " + std::to_string(cell + 1) + " of " + file + " is in the groups <" +
+                                          groups[result[cell]].group + "> and <" + groups[g].group + ">");
+            result[cell] = g;
+          }
+      }
+    const auto lost = std::find(result.begin(), result.end(), none);
+    if (lost != result.end())
+      throw std::invalid_argument(std::to_string(std::count(result.begin(), result.end(), none)) + " cells of " + file +
+                                  ", the first of them cell " + std::to_string(lost - result.begin() + 1) +
+                                  ", are in none of the <Groups>; the file has " +
+                                  (known.empty() ? "none" : "<" + join(known, ">, <") + ">") +
+                                  ": in Gmsh surfaces need a Physical Surface");
+    std::set<std::array<unsigned int, 4>> corners;
+    for (unsigned int c = 0; c < n; ++c)
+      {
+        auto sorted = mesh.quadrilaterals[c];
+        std::sort(sorted.begin(), sorted.end());
+        if (!corners.insert(sorted).second)
+          throw std::invalid_argument("cell " + std::to_string(c + 1) + " of " + file +
+                                      " is there twice: a surface must be in one physical group only");
+      }
+    return result;
+  }
+
+
+
+  void
+  MeshSection::add_cells(const ImportedMesh &mesh, Model &model, SectionShape &shape) const
+  {
+    const auto         group_of = groups_of_cells(mesh);
+    std::vector<Place> x;
+    Place              middle;
+    for (const Vector3 &vertex : mesh.vertices)
+      x.emplace_back(scale * vertex(0), scale * vertex(1));
+    double low = std::numeric_limits<double>::infinity(), high = -low, size = 0;
+    for (const auto &cell : mesh.quadrilaterals)
+      for (const unsigned int v : cell)
+        {
+          middle += x[v] / (4. * mesh.quadrilaterals.size());
+          low  = std::min(low, scale * mesh.vertices[v](2));
+          high = std::max(high, scale * mesh.vertices[v](2));
+          size = std::max(size, x[v].distance(x[mesh.quadrilaterals[0][0]]));
+        }
+    if (high - low > 1e-6 * size)
+      throw std::invalid_argument("the cells of " + file + " do not lie in a plane z = const");
+
+    std::vector<std::function<Eigen::Vector2d(const Place &)>> tangents;
+    std::vector<Ply>                                           plies;
+    for (const auto &group : groups)
+      {
+        plies.push_back({material_number(model, shape, "Groups", group.material), group.angle * M_PI / 180});
+        double degrees = 0;
+        if (text_to_number(group.layer, degrees))
+          {
+            const Eigen::Vector2d t(std::cos(degrees * M_PI / 180), std::sin(degrees * M_PI / 180));
+            tangents.emplace_back([t](const Place &) { return t; });
+            continue;
+          }
+        const auto lines = mesh.lines.find(group.layer);
+        if (lines == mesh.lines.end())
+          {
+            std::vector<std::string> known;
+            for (const auto &line : mesh.lines)
+              known.push_back(line.first);
+            throw std::invalid_argument("<" + group.layer + "> is neither an angle nor a group of curves in " + file +
+                                        did_you_mean(group.layer, known));
+          }
+        const auto nearest = std::make_shared<NearestTangent>(lines->second, x, middle);
+        tangents.emplace_back([nearest](const Place &place) { return (*nearest)(place); });
+      }
+
+    const bool has_triangles = std::any_of(mesh.quadrilaterals.begin(),
+                                           mesh.quadrilaterals.end(),
+                                           [](const auto &cell) { return cell[2] == cell[3]; });
+    shape.finest             = size;
+    for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
+      {
+        const auto                &cell = mesh.quadrilaterals[c];
+        const unsigned int         g    = group_of[c];
+        const std::array<Place, 4> corners{{x[cell[0]], x[cell[1]], x[cell[2]], x[cell[3]]}};
+        const auto                 pieces =
+          has_triangles ? divided(corners, cell[2] == cell[3]) : std::vector<std::array<Place, 4>>{corners};
+        for (const auto &piece : pieces)
+          {
+            SectionPatch patch = patch_of_cell(piece);
+            patch.name         = "cell " + std::to_string(c + 1) + " of group <" + groups[g].group + ">";
+            patch.group        = groups[g].group;
+            patch.tangent      = tangents[g];
+            patch.ply          = [ply = plies[g]](unsigned int, unsigned int) { return ply; };
+            shape.patches.push_back(patch);
+            for (unsigned int i = 0; i < 4; ++i)
+              shape.finest = std::min(shape.finest, piece[i].distance(piece[(i + 1) % 4]));
+          }
+      }
+  }
+
+
+
+  SectionShape
+  MeshSection::make_shape(Model &model)
+  {
+    SectionShape result;
+    if (!parameters.require("Mesh file", model.complaints) || !parameters.require("Groups", model.complaints) ||
+        !is_positive(model, "Length unit", scale))
+      return result;
+    for (const char *const entry : {"Elements", "Elements per ply"})
+      if (parameters.is_set(entry))
+        model.complaints.add(parameters.where(entry),
+                             std::string("<") + entry + "> has no effect on the mesh of a file");
+    const auto  before = model.complaints.count();
+    std::string blamed = "Mesh file";
+    try
+      {
+        const ImportedMesh mesh = read_mesh_file(file, true);
+        blamed                  = "Groups";
+        add_cells(mesh, model, result);
+        blamed = "Mesh file";
+        if (model.complaints.count() == before)
+          try_mesh(result);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where(blamed), std::string("section <") + name + ">: " + problem.what());
+        return result;
+      }
+    // drawn: the box around the cells
+    double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
+    for (const auto &patch : result.patches)
+      for (const double u : {0., 1.})
+        for (const double v : {0., 1.})
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              const double at = patch.place(u, v)[d];
+              low[d]          = std::min(low[d], at);
+              high[d]         = std::max(high[d], at);
+            }
+    for (const unsigned int corner : {0u, 1u, 3u, 2u})
+      result.outline.emplace_back(corner % 2 == 0 ? low[0] : high[0], corner < 2 ? low[1] : high[1]);
+    return result;
+  }
+} // namespace samara

@@ -1,0 +1,189 @@
+// Vortex lines and the helical wake: closed forms, momentum theory, derivatives, hover against Peters and He.
+
+#include <samara/aero/helical_wake.h>
+
+#include "../complex_step.h"
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models.h"
+
+using namespace samara;
+using namespace samara::aero_models;
+
+namespace
+{
+  VortexLine<double>
+  ring(const double radius, const unsigned int n)
+  {
+    VortexLine<double> line;
+    line.resize(n + 1);
+    for (unsigned int i = 0; i <= n; ++i)
+      {
+        line.x[i] = radius * std::cos(2 * M_PI * i / n);
+        line.y[i] = radius * std::sin(2 * M_PI * i / n);
+        line.z[i] = 0;
+      }
+    return line;
+  }
+
+  const HelicalWake &
+  wake_of(const Scene &scene)
+  {
+    for (const auto &item : scene.input.model.items)
+      if (const auto *const wake = dynamic_cast<const HelicalWake *>(item.get()))
+        return *wake;
+    throw std::logic_error("no wake");
+  }
+} // namespace
+
+
+
+// H. Lamb, Hydrodynamics, art. 161: with complete elliptic integrals; polygons of n sides converge with n².
+TEST(VortexLine, Ring)
+{
+  const double R = 2, core = 1e-9;
+  const auto   error = [&](const unsigned int n) {
+    double largest = 0;
+    for (const auto &[r, z] : {std::pair<double, double>{0.5, 0.3}, {1.2, -0.7}, {2.5, 0.4}, {3.1, 0.}})
+      {
+        const double s = std::hypot(R + r, z), d = (R - r) * (R - r) + z * z, k = std::sqrt(4 * R * r) / s,
+                     K = std::comp_ellint_1(k), E = std::comp_ellint_2(k);
+        const double axial  = (K + (R * R - r * r - z * z) / d * E) / (2 * M_PI * s),
+                     radial = z / (2 * M_PI * r * s) * (-K + (R * R + r * r + z * z) / d * E);
+        const Vector3 v     = induced_velocity<double>(Vector3(0.6 * r, 0.8 * r, z), ring(R, n), core);
+        largest =
+          std::max({largest, std::abs(v(2) - axial), std::abs(v(0) - 0.6 * radial), std::abs(v(1) - 0.8 * radial)});
+      }
+    return largest;
+  };
+  EXPECT_LT(error(1600), 1e-6);
+  EXPECT_NEAR(std::log2(error(400) / error(800)), 2., 0.05);
+}
+
+
+
+// A straight line with the core of Vatistas: h/(2π √(h⁴ + r_c⁴)); nothing on the line itself.
+TEST(VortexLine, Core)
+{
+  VortexLine<double> line;
+  line.x = {0, 0, 0, 0};
+  line.y = {0, 0, 0, 0};
+  line.z = {-1e4, -1, 2, 1e4};
+  for (const double h : {0.01, 0.3, 2.})
+    EXPECT_NEAR(induced_velocity<double>(Vector3(h, 0, 0.1), line, 0.5)(1),
+                h / (2 * M_PI * std::sqrt(h * h * h * h + 0.0625)),
+                1e-6);
+  EXPECT_EQ(induced_velocity<double>(Vector3(0, 0, 2), line, 0.5).norm(), 0.);
+}
+
+
+
+// Many blades of one circulation make a cylinder of vortices. On the disk w = QΓΩ/(4πV) is momentum theory, with
+// T = ½ρΩΓQR², and nothing outside of it; where the air comes from the side, H. Glauert's, V_T in place of V, in the
+// middle, with the gradient tan(χ/2) of R. P. Coleman, A. M. Feingold & C. W. Stempin (NACA ARR L5E10, 1945).
+TEST(HelicalWake, CylinderIsMomentumTheory)
+{
+  for (const double speed : {30., -30.})
+    {
+      const Scene scene(
+        four_bladed_rotor("helical wake\n    set Speed = " + number_to_text(speed) +
+                            "\n    set Transport = 10\n    set Blades = 24\n    set Turns = 40\n    set "
+                            "Core = 0.01\n    set Nodes = 3",
+                          "rotor.centre"));
+      const auto &wake = wake_of(scene);
+      const auto  w    = [&](const double x, const double across) {
+        std::vector<double>          z(wake.states.size(), 1.);
+        ExternalInflow::Flow<double> flow = ExternalInflow::Flow<double>::Zero();
+        flow(0)                           = across;
+        return -wake.velocity<double>(Vector3(x, 0, 0), flow, z.data())(2);
+      };
+      const double expected = 24 * 30 / (4 * M_PI * 10);
+      for (const double x : {0.5, -1.2, 2.})
+        EXPECT_NEAR(w(x, 0.), expected, 0.01 * expected) << x;
+      EXPECT_NEAR(w(4.5, 0.), 0., 0.01 * expected);
+      for (const double across : {5., 10., 20.})
+        {
+          const double V_T = std::hypot(10., across), aft = w(0.3, across), ahead = w(-0.3, across);
+          EXPECT_NEAR(0.5 * (aft + ahead), expected * 10 / V_T, 0.01 * expected) << across;
+          EXPECT_NEAR((aft - ahead) / (aft + ahead) * 3 / 0.3, across / (V_T + 10), 0.02) << across;
+        }
+    }
+}
+
+
+
+TEST(HelicalWake, DerivativesAgainstComplexSteps)
+{
+  const std::string kind =
+    "helical wake\n    set Speed = 30\n    set Transport = 7\n    set Nodes = 3\n    set Turns = "
+    "2\n    set Segments = 9\n    set Root = 0.5";
+  for (const std::string hub : {"ground", "rotor.centre"})
+    {
+      const Scene       scene(four_bladed_rotor(kind, hub, "12, 3, -1\n    set Gust = sin(x + y), 0, 2*cos(x*z)"));
+      const ComplexStep step(scene.system, false, false, true);
+      EXPECT_LT(step.error_of_tangent(), 1e-12) << hub;
+      EXPECT_LT(step.error_of_damping(), 1e-12) << hub;
+    }
+}
+
+
+
+// Hover: circulation is what the loads say, and the wake that leaves with the flow of momentum theory carries a thrust
+// within a tenth of that with Peters and He's radial shapes.
+TEST(HelicalWake, HoverAgainstPetersAndHe)
+{
+  const std::string fine = "    set Breaks = 0.8, 1.6\n";
+  Scene             shapes(
+    four_bladed_rotor("Peters-He inflow\n    set Harmonics = 0\n    set Power = 8", "rotor.centre", "0, 0, 0", fine));
+  shapes.equilibrium();
+  const double T = shapes.value("flow.thrust"), nu = shapes.value("flow.mean");
+  Scene        lines(four_bladed_rotor(
+    "helical wake\n    set Speed = 30\n    set Root = 0.6\n    set Nodes = 8\n    set Turns = 5\n    set "
+           "Segments = 12\n    set Transport = " +
+      number_to_text(nu),
+    "rotor.centre",
+    "0, 0, 0",
+    fine));
+  lines.equilibrium();
+  EXPECT_NEAR(lines.value("flow.thrust"), T, 0.1 * T);
+  EXPECT_NEAR(lines.value("flow.power"), 30 * lines.value("flow.torque"), 1e-8 * lines.value("flow.power"));
+  double       sum = 0;
+  const auto  &z   = lines.context.state.states;
+  const double dr  = 2.4 / wake_of(lines).states.size();
+  for (unsigned int k = 0; k < z.size(); ++k) // ρ Ω Q Σ Γ r dr
+    sum += 1.225 * 30 * 4 * z[k] * (0.6 + (k + 0.5) * dr) * dr;
+  EXPECT_NEAR(sum, lines.value("flow.thrust"), 0.01 * sum);
+}
+
+
+
+// A wake that does not belong to the rotor is told of.
+TEST(HelicalWake, Doubts)
+{
+  const auto said = [](const std::string &entries) {
+    Scene scene(four_bladed_rotor("helical wake\n    set Nodes = 3\n    set Turns = 4\n    set Segments = 12\n    set "
+                                  "Root = 0.6\n" +
+                                    entries,
+                                  "rotor.centre"));
+    scene.equilibrium();
+    return scene.stream.str();
+  };
+  EXPECT_EQ(said("    set Speed = 30\n    set Transport = 4.8").find("warning"), std::string::npos);
+  EXPECT_NE(said("    set Speed = 25\n    set Transport = 4.8").find("another rotor's"), std::string::npos);
+  EXPECT_NE(said("    set Speed = 30\n    set Transport = 12").find("about the same"), std::string::npos);
+}
+
+
+
+TEST(HelicalWake, Refuses)
+{
+  const auto of = [](const std::string &entries) {
+    return complaint_of(four_bladed_rotor("helical wake\n    set Transport = 7\n" + entries, "rotor.centre"));
+  };
+  EXPECT_NE(of("").find("<Speed> is needed"), std::string::npos);
+  EXPECT_NE(of("    set Speed = 30\n    set Nodes = 20").find("more <Stations>"), std::string::npos);
+  EXPECT_NE(of("    set Speed = 30\n    set Root = 3").find("<Root> is not less than"), std::string::npos);
+}

@@ -1,0 +1,168 @@
+// Multipliers of slow modes, names of modes, and what belongs to a sweep.
+//
+// Reference: all columns of the same map; modes in hover; Hammond's linear equations with the damper of one blade out,
+// by Runge and Kutta's method with 4000 steps a turn in another program (tests/reference has its data).
+
+#include <samara/analysis/floquet.h>
+
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "floquet_models.h"
+
+using namespace samara;
+using namespace floquet_models;
+
+namespace
+{
+  const std::string elastic = "prm/examples/floquet/elastic_rotor.prm";
+
+  /** The modes of a shipped model with other entries. */
+  std::vector<FloquetMode>
+  modes_of(const std::string &model, const std::vector<std::string> &overrides, std::string *const said = nullptr)
+  {
+    Scene scene(model, overrides);
+    auto &analysis = scene.analysis<FloquetAnalysis>();
+    analysis.run(scene.context);
+    if (said != nullptr)
+      *said = scene.stream.str();
+    return analysis.modes;
+  }
+
+  std::string
+  name_of(const FloquetMode &mode)
+  {
+    return mode.content.family + ", " + mode.content.pattern;
+  }
+} // namespace
+
+
+
+// Among some hundred multipliers of an elastic rotor on an airframe those of the slow modes are found.
+TEST(SlowModes, AreAmongAllMultipliers)
+{
+  const auto expected = modes_of(
+    elastic,
+    {"Floquet/Steps = 6", "Floquet/Method = classical", "Floquet/Highest frequency = 0", "Floquet/Wanted = 30"});
+  ASSERT_EQ(expected.size(), 30u);
+  std::string                said;
+  const auto                 found = modes_of(elastic, {"Floquet/Steps = 6", "Floquet/Method = implicit"}, &said);
+  std::multiset<std::string> families;
+  for (const auto &mode : found)
+    {
+      families.insert(mode.content.family);
+      double nearest = 1;
+      for (const auto &other : expected)
+        nearest = std::min({nearest,
+                            std::abs(mode.multiplier - other.multiplier),
+                            std::abs(mode.multiplier - std::conj(other.multiplier))});
+      EXPECT_LT(nearest, 1e-5) << name_of(mode);
+    }
+  EXPECT_EQ(families,
+            (std::multiset<std::string>{"flap 1", "flap 1", "flap 1", "lag 1", "lag 1", "lag 1", "lag 1", "support"}))
+    << said;
+  EXPECT_NE(said.find("the motion is unstable"), std::string::npos) << said;
+}
+
+
+
+// Two motions of Hammond's blades leave the airframe at rest, and are damped alike: the fast map tells them apart. With
+// less damping on one blade it is one blade that moves, and no pattern.
+TEST(SlowModes, HaveNamesByTheirContent)
+{
+  const auto                 modes = modes_of(hammond, {"Floquet/Steps = 24"});
+  std::multiset<std::string> at_rest;
+  ASSERT_EQ(modes.size(), 6u);
+  EXPECT_EQ(name_of(modes[0]), "lag 1, regressive");
+  EXPECT_EQ(name_of(modes[3]), "lag 1, progressive");
+  EXPECT_EQ(modes[5].content.family, "support");
+  for (const unsigned int i : {1, 2})
+    at_rest.insert(name_of(modes[i]));
+  EXPECT_EQ(at_rest, (std::multiset<std::string>{"lag 1, collective", "lag 1, differential"}));
+
+  const auto one = modes_of(hammond,
+                            {"Subsystems/blade/Joints/lag/rotation/Damper = (copy == 1) ? 1e-3 : damper",
+                             "Floquet/Method = classical",
+                             "Floquet/Steps = 24"});
+  EXPECT_NEAR(std::abs(one[0].multiplier), 1.0124006861, 1e-6);
+  EXPECT_EQ(name_of(one[0]), "lag 1, mixed");
+}
+
+
+
+TEST(SlowModes, AreRefusedWhereNothingIsSlow)
+{
+  std::string said;
+  try
+    {
+      modes_of(elastic, {"Floquet/Steps = 6", "Floquet/Settle = 1", "Floquet/Highest frequency = 0.1"});
+    }
+  catch (const NotConverged &problem)
+    {
+      said = problem.what();
+    }
+  EXPECT_NE(said.find("as slow as the <Highest frequency>"), std::string::npos) << said;
+}
+
+
+
+// The unstable band, in revolutions per minute.
+TEST(Multipliers, BandOfHammondsRotorWithADamperOut)
+{
+  const std::vector<std::pair<double, int>> edges = {{210.37112772, 1}, {307.07545367, -1}};
+  for (const auto &[rpm, into] : edges)
+    for (const double beside : {-0.01, 0.01})
+      {
+        const auto modes = modes_of(hammond,
+                                    {"Constants/out = 1",
+                                     "Constants/Omega = " + number_to_text("%.12g", rpm + beside) + "*2*pi/60",
+                                     "Floquet/Method = classical",
+                                     "Floquet/Steps = 12"});
+        EXPECT_EQ(std::abs(modes[0].multiplier) > 1, into * beside > 0) << rpm << " " << beside;
+      }
+}
+
+
+
+// Flap and lag in hover: coefficients are constant in turning axes.
+TEST(Multipliers, InHoverAreThoseOfModes)
+{
+  Scene scene(flap_lag, {"Constants/mu = 0", "Constants/theta_c = 0", "Constants/theta_s = 0"});
+  scene.equilibrium();
+  const auto modes   = scene.modes();
+  auto      &floquet = scene.analysis<FloquetAnalysis>();
+  floquet.run(scene.context);
+  ASSERT_EQ(floquet.modes.size(), 2u);
+  for (const auto &mode : floquet.modes)
+    {
+      double nearest = 1;
+      for (const auto &m : modes)
+        nearest = std::min(nearest, std::abs(std::exp(m.lambda * 2. * M_PI) - mode.multiplier));
+      EXPECT_LT(nearest, 1e-8);
+    }
+}
+
+
+
+// Cyclic pitch is no part of a steady rotation: what is found of one azimuth, with the blade's pitch at rest, are no
+// modes.
+TEST(Multipliers, OfCyclicPitchAreNoModes)
+{
+  Scene scene(flap_lag, {"Constants/mu = 0", "Constants/theta_c = 0", "Constants/theta_s = 0.05"});
+  scene.equilibrium();
+  std::string said;
+  try
+    {
+      scene.modes();
+    }
+  catch (const InputError &problem)
+    {
+      said = problem.what();
+    }
+  EXPECT_NE(said.find("<pitch.rotation> is prescribed to move"), std::string::npos) << said;
+  EXPECT_NE(said.find("0.05 rad/s"), std::string::npos) << said;
+}

@@ -1,0 +1,354 @@
+/*
+ * Problem:   sections of airfoils by skins, caps, webs, a weight in the nose and a trailing edge
+ * Reference: closed forms. The area of a strip of constant thickness t along a curve of length L that turns by θ is t L
+ * − t² θ/2; Bredt's torsion of a thin closed wall; the area of NACA's half thickness. Airfoils:
+ * tests/reference/sections.
+ */
+
+#include <samara/cosserat/airfoil_section.h>
+#include <samara/section/section_constants.h>
+
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "stiffness.h"
+
+using namespace samara;
+
+namespace
+{
+  const std::string of_airfoils = R"(
+subsection Materials
+  subsection skin
+    set Type          = isotropic
+    set E             = 70e9
+    set Poisson ratio = 0.3
+    set Density       = 1
+  end
+  subsection weightless
+    set Copy of = skin
+    set Density = 0
+  end
+  subsection soft
+    set Copy of = weightless
+    set E       = 1e6
+  end
+  subsection filler
+    set Copy of = skin
+    set E       = 1e9
+  end
+  subsection ply
+    set Type = orthotropic
+    set E1   = 140e9
+    set E2   = 10e9
+    set G12  = 5e9
+    set nu12 = 0.3
+    set nu23 = 0.4
+  end
+end
+subsection Layups
+  subsection two
+    set Plies = skin, 0, 0.5 mm; skin, 0, 1 mm
+  end
+  subsection cap
+    set Plies = weightless, 0, 2 mm
+  end
+  subsection web
+    set Plies = weightless, 0, 1 mm; weightless, 0, 2 mm
+  end
+  subsection six
+    set Plies = skin, 0, 6 mm
+  end
+  subsection eight
+    set Plies = skin, 0, 8 mm
+  end
+  subsection thick
+    set Plies = skin, 0, 8 mm; weightless, 0, 4 mm
+  end
+  subsection helix
+    set Plies = ply, 15, 2 mm
+  end
+end
+)";
+
+  std::string
+  airfoil_model(const std::string &entries)
+  {
+    return of_airfoils + "subsection Sections\n  subsection s\n    set Type = airfoil\n    set Chord = 1 m\n" +
+           entries +
+           "  end\nend\nsubsection Bodies\n  subsection b\n    set Type = rigid body\n    set Mass = 1\n"
+           "    set Inertia = 1, 1, 1\n  end\nend\n";
+  }
+
+  SectionValues
+  values_of_airfoil(const std::string &entries)
+  {
+    const Scene scene(airfoil_model(entries));
+    return scene.input.model.find<Section>("s", "section").at(0, Vector3::Zero());
+  }
+
+  AirfoilOutline
+  naca_outline(const std::string &digits, const bool sharp)
+  {
+    return AirfoilOutline(naca_points(digits, sharp), 1, 0.25);
+  }
+
+  /** t L − t² θ/2 from a to b. */
+  double
+  strip_area(const AirfoilOutline &outline, const double a, const double b, const double t)
+  {
+    const unsigned int n = 20000;
+    double             L = 0, turn = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const double s0 = a + (b - a) * i / n, s1 = a + (b - a) * (i + 1) / n;
+        const auto   n0 = outline.inwards(s0), n1 = outline.inwards(s1);
+        L += outline.place(s0).distance(outline.place(s1));
+        turn += std::atan2(n0[0] * n1[1] - n0[1] * n1[0], n0 * n1);
+      }
+    return t * L - t * t / 2 * turn;
+  }
+
+  std::string
+  reference_airfoil(const std::string &name)
+  {
+    return "    set Coordinates = " SAMARA_SOURCE_DIR "/tests/reference/sections/airfoil_" + name + ".csv\n";
+  }
+} // namespace
+
+
+
+TEST(Airfoil, OutlineIsThatOfNACA)
+{
+  const auto outline = naca_outline("0012", true);
+  EXPECT_EQ(outline.trailing_edge(), 0);
+  EXPECT_NEAR(naca_outline("0012", false).trailing_edge(), 0.00252, 1e-12);
+  double area = 0;
+  for (unsigned int i = 0; i < 40000; ++i)
+    {
+      const auto a = outline.place(outline.length() * i / 40000), b = outline.place(outline.length() * (i + 1) / 40000);
+      area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+  EXPECT_NEAR(area, 1.2 * (0.2969 * 2 / 3 - 0.1260 / 2 - 0.3516 / 3 + 0.2843 / 4 - 0.1036 / 5), 1e-8)
+    << "counter-clockwise, with the nose at +2";
+  for (const double x : {0.003, 0.1, 0.47, 0.9})
+    EXPECT_NEAR(outline.place(outline.at(true, x))[1],
+                0.6 *
+                  (0.2969 * std::sqrt(x) - 0.1260 * x - 0.3516 * x * x + 0.2843 * x * x * x - 0.1036 * x * x * x * x),
+                2e-8);
+  EXPECT_NEAR(1 / outline.curvature(outline.nose()), 1.1019 * 0.0144, 1e-4) << "radius of the nose";
+}
+
+
+
+TEST(Airfoil, SkinHasTheAreaOfAStrip)
+{
+  for (const bool sharp : {false, true})
+    for (const std::string digits : {"0012", "2418"})
+      {
+        const auto outline = naca_outline(digits, sharp);
+        const auto v       = values_of_airfoil(
+          "    set NACA = " + digits + "\n    set NACA trailing edge = " + (sharp ? "sharp" : "blunt") +
+          "\n    set Layup = two\n    set Trailing edge material = weightless\n"
+                "    set Spar caps = both, 0.15, 0.5, cap\n    set Webs = 0.15, web; 0.5, web\n"
+                "    set Trailing edge from = 0.9\n");
+        EXPECT_NEAR(v.inertia(0, 0) / strip_area(outline, outline.at(false, 0.9), outline.at(true, 0.9), 0.0015),
+                    1,
+                    1e-5)
+          << digits;
+      }
+}
+
+
+
+TEST(Airfoil, WebsStandUnderTheirCaps)
+{
+  // a web of 3 mm from skin to skin, and caps that reach over it
+  const auto   outline = naca_outline("0012", true);
+  const double h       = 2 * outline.place(outline.at(true, 0.3))[1] - 2 * 0.0015;
+  const auto   mass    = [](const std::string &more) {
+    return values_of_airfoil("    set NACA = 0012\n    set NACA trailing edge = sharp\n    set Material = weightless\n"
+                                  "    set Thickness = 1.5 mm\n" +
+                             more)
+      .inertia(0, 0);
+  };
+  EXPECT_EQ(mass(""), 0);
+  const Scene scene(
+    airfoil_model("    set NACA = 0012\n    set NACA trailing edge = sharp\n"
+                  "    set Material = weightless\n    set Thickness = 1.5 mm\n    set Webs = 0.3, two\n"));
+  EXPECT_NEAR(scene.input.model.find<Section>("s", "section").at(0, Vector3::Zero()).inertia(0, 0), 0.0015 * h, 1e-8);
+}
+
+
+
+TEST(Airfoil, WeightFillsTheNose)
+{
+  const auto   outline = naca_outline("2418", false);
+  const auto   v = values_of_airfoil("    set NACA = 2418\n    set Material = weightless\n    set Thickness = 2 mm\n"
+                                     "    set Nose material = skin\n    set Nose to = 0.06\n");
+  const double t = 0.002;
+  // between the inner face and the line that closes it
+  const unsigned int            n = 40000;
+  std::vector<dealii::Point<2>> ring;
+  for (unsigned int i = 0; i <= n; ++i)
+    {
+      const double           s = outline.at(false, 0.08) + (outline.at(true, 0.08) - outline.at(false, 0.08)) * i / n;
+      const dealii::Point<2> x(outline.place(s) + t * outline.inwards(s));
+      if (outline.x_of(x) <= 0.06)
+        ring.push_back(x);
+    }
+  double area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+  EXPECT_NEAR(v.inertia(0, 0) / area, 1, 1e-4);
+}
+
+
+
+// Another mesher and another program of sections, numpy and dense, p = 4: skin of 0.6 %, webs of 0.8 % at 25 and 55 %,
+// a soft trailing edge from 93 %. Its webs are thinner at the inner face by the lean of the normals.
+TEST(Airfoil, AgreesWithAnotherMesher)
+{
+  const auto v = values_of_airfoil("    set NACA = 0012\n    set Layup = six\n    set Webs = 0.25, eight; 0.55, eight\n"
+                                   "    set Trailing edge material = filler\n    set Trailing edge from = 0.93\n"
+                                   "    set Origin = 0\n    set Elements = 16\n    set Degree = 4\n");
+  const SectionConstants c(v.stiffness.inverse(), v.inertia);
+  EXPECT_NEAR(v.stiffness(0, 0) / 9.020678e8, 1, 3e-4);
+  EXPECT_NEAR(v.stiffness(4, 4) / 1.560446e6, 1, 3e-4);
+  EXPECT_NEAR(v.stiffness(5, 5) / 2.452722e8, 1, 3e-4);
+  EXPECT_NEAR(c.GJ / 1.850989e6, 1, 4e-3);
+  EXPECT_NEAR(-c.shear_centre(0), 0.33194, 1e-3);
+}
+
+
+
+// A thin closed skin twists as Bredt says; what couples in a symmetric airfoil vanishes.
+TEST(Airfoil, TwistsAsBredtSays)
+{
+  const double t = 5e-4;
+  const auto v = values_of_airfoil("    set NACA = 0012\n    set NACA trailing edge = sharp\n    set Material = skin\n"
+                                   "    set Thickness = 0.5 mm\n    set Elements = 20\n    set Degree = 2\n");
+  const auto outline = naca_outline("0012", true);
+  const double area = 1.2 * (0.2969 * 2 / 3 - 0.1260 / 2 - 0.3516 / 3 + 0.2843 / 4 - 0.1036 / 5), L = outline.length(),
+               middle = area - L * t / 2, GJ = 70e9 / 2.6 * 4 * middle * middle * t / (L - M_PI * t);
+  const SectionConstants c(v.stiffness.inverse(), v.inertia);
+  EXPECT_NEAR(c.GJ / GJ, 1, 0.01);
+  EXPECT_NEAR(c.shear_centre(1), 0, 1e-9);
+  EXPECT_NEAR(c.tension_centre(1), 0, 1e-9);
+  EXPECT_NEAR(v.stiffness(0, 0) / 70e9 / v.inertia(0, 0), 1, 1e-9);
+}
+
+
+
+// Plies turn as in a box: tension twists both the same way. Nothing changes when the airfoil is drawn the other way
+// round.
+TEST(Airfoil, PliesTurnAsInABox)
+{
+  const auto  airfoil = values_of_airfoil("    set NACA = 0012\n    set Layup = helix\n    set Elements = 4\n"
+                                          "    set Degree = 2\n    set Trailing edge material = soft\n");
+  const Scene box(of_airfoils +
+                  "subsection Sections\n  subsection s\n    set Type = box\n    set Width 2 = 1\n"
+                  "    set Width 3 = 0.1\n    set Layup = helix\n    set Elements = 4\n    set Degree = 2\n"
+                  "  end\nend\nsubsection Bodies\n  subsection b\n    set Type = rigid body\n"
+                  "    set Mass = 1\n    set Inertia = 1, 1, 1\n  end\nend\n");
+  const auto  of_box = box.input.model.find<Section>("s", "section").at(0, Vector3::Zero());
+  EXPECT_GT(std::abs(of_box.stiffness(0, 3)), 0.01 * std::sqrt(of_box.stiffness(0, 0) * of_box.stiffness(3, 3)));
+  EXPECT_GT(of_box.stiffness(0, 3) * airfoil.stiffness(0, 3), 0);
+
+  const auto written = [](const bool reversed) {
+    const auto  points = naca_points("0012", false);
+    std::string text   = "NACA 0012\n";
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const auto &p = points[reversed ? points.size() - 1 - i : i];
+        text += number_to_text(p[0]) + " " + number_to_text(p[1]) + "\n";
+      }
+    const std::string file = ::testing::TempDir() + (reversed ? "reversed.dat" : "selig.dat");
+    std::ofstream(file) << text;
+    return "    set Coordinates = " + file +
+           "\n    set Layup = helix\n    set Elements = 4\n    set Degree = 2\n"
+           "    set Trailing edge material = soft\n";
+  };
+  EXPECT_LT(difference(values_of_airfoil(written(false)).stiffness, airfoil.stiffness), 1e-9);
+  EXPECT_LT(difference(values_of_airfoil(written(true)).stiffness, airfoil.stiffness), 1e-9);
+}
+
+
+
+// Public airfoils, sharp and blunt, with thin and thick skins, caps that end anywhere and webs: all have valid meshes,
+// of which cells do not overlap: the area of the mesh is that between the outline and the cavities.
+TEST(Airfoil, PublicAirfoilsHaveMeshes)
+{
+  const std::vector<std::string> outlines = {"    set NACA = 0012\n    set NACA trailing edge = sharp\n",
+                                             "    set NACA = 2418\n",
+                                             reference_airfoil("s809"),
+                                             reference_airfoil("du_97_w_300"),
+                                             reference_airfoil("ffa_w3_241")};
+  const std::vector<std::string> designs  = {
+     "    set Layup = two\n",
+     "    set Layup = two\n    set Skins = both, 0.1, 1, thick\n",
+     "    set Layup = two\n    set Skins = upper, 0.3, 0.7, thick; both, 0.75, 0.9, web\n"
+      "    set Spar caps = both, 0.2, 0.45, thick; lower, 0.31, 0.39, cap\n    set Webs = 0.2, web; 0.44, 0.46, two; 0.6, two\n"};
+  for (const auto &outline : outlines)
+    for (const auto &design : designs)
+      {
+        const SectionValues v = values_of_airfoil(outline + design +
+                                                  "    set Degree = 2\n    set Elements = 6\n"
+                                                  "    set Trailing edge material = soft\n");
+        EXPECT_GT(v.stiffness.llt().matrixLLT().diagonal().minCoeff(), 0) << outline << design;
+      }
+}
+
+
+
+TEST(Airfoil, SaysWhatIsWrong)
+{
+  const auto old = std::filesystem::current_path();
+  std::filesystem::current_path(::testing::TempDir());
+  const auto says = [](const std::string &entries, const std::string &wanted) {
+    const std::string text = complaint_of(airfoil_model(entries));
+    EXPECT_NE(text.find(wanted), std::string::npos) << entries << text;
+    EXPECT_NE(text.find(".prm:"), std::string::npos) << text;
+  };
+  const std::string naca = "    set NACA = 0012\n    set Material = skin\n";
+  std::filesystem::remove("section_s.svg");
+  says(naca + "    set Thickness = 20 mm\n", "at x/c = ");
+  EXPECT_GT(std::filesystem::file_size("section_s.svg"), 1000u);
+  says(naca + "    set Thickness = 20 mm\n", "section_s.svg");
+  says(naca, "<Thickness>");
+  says(naca + "    set Thickness = 1 mm\n    set Spar caps = both, 0.3, 0.5, cab\n", "did you mean <cap>");
+  says(naca + "    set Thickness = 1 mm\n    set Spar caps = both, 0.5, 0.3, cap\n", "from < to");
+  says(naca + "    set Thickness = 1 mm\n    set Spar caps = uper, 0.3, 0.5, cap\n", "upper");
+  says(naca + "    set Thickness = 1 mm\n    set Spar caps = both, 30, 50, cap\n", "fractions of the chord");
+  says(naca + "    set Thickness = 1 mm\n    set Webs = 0.3, web; 0.302, web\n", "overlap");
+  says(naca + "    set Thickness = 5 mm\n    set Webs = 0.995, web\n", "block of the trailing edge begins");
+  says(naca + "    set Thickness = 5 mm\n    set Skins = both, 0.995, 1, cap\n", "block of the trailing edge begins");
+  says(naca +
+         "    set Thickness = 10 mm\n    set Spar caps = both, 0.3, 0.5, thick; both, 0.3, 0.5, thick; both, 0.3, 0.5, "
+         "thick; both, 0.3, 0.5, thick\n",
+       "overlap");
+  says(naca + "    set Thickness = 1 mm\n    set Webs = 0.3, 0.5, web; 0.5, 0.3, web\n", "web 1 and web 2 cross");
+  says(naca + "    set Thickness = 1 mm\n    set Spar caps = lower, 0.3, 0.48, thick\n    set Webs = 0.5, 0.1, web\n",
+       "web 1 runs into the skin");
+  says("    set NACA = 12\n    set Material = skin\n    set Thickness = 1 mm\n", "four-digit");
+  says("    set NACA = 0012\n    set Layup = two\n", "<Trailing edge material>");
+  says("    set Material = skin\n    set Thickness = 1 mm\n", "<Coordinates>");
+  says(naca + "    set Thickness = 1 mm\n    set Nose to = 0.1\n", "<Nose material>");
+  std::filesystem::current_path(old);
+
+  const auto file = [](const std::string &text) {
+    const std::string name = ::testing::TempDir() + "airfoil.dat";
+    std::ofstream(name) << text;
+    return "    set Coordinates = " + name + "\n    set Material = skin\n    set Thickness = 1 mm\n";
+  };
+  says(file("title\n1 0\n0.5 0.1\n0.5 x\n"), "airfoil.dat:4");
+  says(file("title\n100 0\n50 10\n"), "fractions of its chord");
+  says(file("title\n1 0\n0.5 0.1\n0 0\n0.5 -0.1\n1 0\n"), "eight points");
+  says(file("1 0\n0.8 0.1\n0.5 0.1\n0.05 0.06\n0 0\n0.05 -0.06\n0.5 0.11\n0.8 -0.05\n1 0\n"), "cross");
+}
