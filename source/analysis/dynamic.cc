@@ -174,8 +174,9 @@ namespace samara
     if (report.n_exact_steps > 0)
       context.log.line(
         "  " + std::to_string(report.n_exact_steps) + " steps were repeated with the exact matrix of all stages: " +
-        (context.system.layout.frictions.empty() ? "is the mechanism near a singular position?" :
-                                                   "so it is where something begins to stick or to slip"));
+        (!context.system.layout.contact_groups.empty() ? "so it is where contacts in groups begin or end" :
+         context.system.layout.frictions.empty()       ? "is the mechanism near a singular position?" :
+                                                         "so it is where something begins to stick or to slip"));
     if (report.n_exchanges > 0)
       context.log.line("  redundant constraints: other rows were chosen to be left out " +
                        std::to_string(report.n_exchanges) + " times");

@@ -207,6 +207,29 @@ namespace samara
 
 
 
+  double
+  ContactsItem::corner_of(const std::vector<Span> &spans) const
+  {
+    constexpr double largest_kink = 0.2; // of a mesh; it is smoothed
+    for (unsigned int i = 0; i + 1 < spans.size(); ++i)
+      {
+        const auto slope = [&](const Span &span, const double s) {
+          // N_a' by differences: a tenth of the angle would do
+          const double h   = 1e-4 * (span.end - span.start);
+          Vector3      sum = Vector3::Zero();
+          for (unsigned int a = 0; a < span.frames.size(); ++a)
+            sum += (lagrange(span.abscissae, a, s + h) - lagrange(span.abscissae, a, s - h)) / (2 * h) *
+                   model->position(span.frames[a]);
+          return sum;
+        };
+        if ((slope(spans[i], spans[i].end) - slope(spans[i + 1], spans[i + 1].start)).norm() > largest_kink)
+          return spans[i].end;
+      }
+    return 0;
+  }
+
+
+
   void
   ContactsItem::add_beams()
   {
@@ -232,6 +255,10 @@ namespace samara
                   bead.place.push_back({span.frames[a], lagrange(span.abscissae, a, s)});
                 group.beads.push_back(bead);
               }
+          if (const double s = corner_of(spans); touching == "all" && (!balls.empty() || beams.size() > 1) && s > 0)
+            throw std::invalid_argument("<" + shape.path + "> has a corner at s = " + number_to_text("%.4g", s) +
+                                        " m, where nearest places are not determined: make two beams of it, or let "
+                                        "<Touching = surfaces>");
           group.lines.push_back({spans, shape.above_zero("radius"), &body, "<" + shape.path + ">"});
         }
       catch (const FollowUp &problem)

@@ -27,19 +27,64 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** What turns the slope at an end of a piece by one, and nothing else: of ξ from 0 to 1 over @p length, with
+     * derivatives. */
+    std::array<double, 3>
+    turn_of_slope(const double xi, const double length, const bool at_end)
+    {
+      if (at_end)
+        return {{length * xi * xi * (xi - 1), (3 * xi - 2) * xi, (6 * xi - 2) / length}};
+      return {{length * xi * (1 - xi) * (1 - xi), (1 - xi) * (1 - 3 * xi), (6 * xi - 4) / length}};
+    }
+
+    /** Call add(frame, N, N', N'') for all frames of a place: those of its piece, and of those beside it. */
+    template <typename Add>
+    void
+    for_frames(const std::vector<Span> &spans, const ContactLine::Place &place, const Add &add)
+    {
+      const Span &span = spans[place.piece];
+      for (unsigned int a = 0; a < span.frames.size(); ++a)
+        {
+          const auto N = polynomial(span.abscissae, a, place.s);
+          add(span.frames[a], N[0], N[1], N[2]);
+        }
+      // Elements meet with a kink that is none of the beam. Who goes along it would have two places at once on its
+      // inner side: the slope is the mean of both there.
+      const double length = span.end - span.start, xi = (place.s - span.start) / length;
+      for (const bool at_end : {false, true})
+        {
+          if (at_end ? place.piece + 1 == spans.size() : place.piece == 0)
+            continue;
+          const Span  &other = spans[at_end ? place.piece + 1 : place.piece - 1];
+          const double s = at_end ? span.end : span.start, s_other = at_end ? other.start : other.end;
+          const auto   turn = turn_of_slope(xi, length, at_end);
+          const auto   half = [&](const Span &of, const double at, const double sign) {
+            for (unsigned int a = 0; a < of.frames.size(); ++a)
+              {
+                const double w = 0.5 * sign * polynomial(of.abscissae, a, at)[1];
+                add(of.frames[a], w * turn[0], w * turn[1], w * turn[2]);
+              }
+          };
+          half(other, s_other, 1.);
+          half(span, s, -1.);
+        }
+    }
+  } // namespace
+
+
+
   ContactLine::Local
   ContactLine::local(const Place &place, const double *const q) const
   {
-    const Span &span = spans[place.piece];
-    Local       result{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
-    for (unsigned int a = 0; a < span.frames.size(); ++a)
-      {
-        const auto    N = polynomial(span.abscissae, a, place.s);
-        const Vector3 x = span.frames[a].position(q);
-        result.x += N[0] * x;
-        result.slope += N[1] * x;
-        result.curvature += N[2] * x;
-      }
+    Local result{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
+    for_frames(spans, place, [&](const Frame &frame, const double N, const double slope, const double curvature) {
+      const Vector3 x = frame.position(q);
+      result.x += N * x;
+      result.slope += slope * x;
+      result.curvature += curvature * x;
+    });
     return result;
   }
 
@@ -48,9 +93,15 @@ namespace samara
   void
   ContactLine::add_frames(const Place &place, std::vector<WeightedFrame> &frames) const
   {
-    const Span &span = spans[place.piece];
-    for (unsigned int a = 0; a < span.frames.size(); ++a)
-      frames.push_back({span.frames[a], polynomial(span.abscissae, a, place.s)[0]});
+    for_frames(spans, place, [&](const Frame &frame, const double N, double, double) {
+      for (auto &known : frames)
+        if (known.frame.node == frame.node && known.frame.arm == frame.arm)
+          {
+            known.weight += N;
+            return;
+          }
+      frames.push_back({frame, N});
+    });
   }
 
 
@@ -111,17 +162,16 @@ namespace samara
           }
       }
 
-      /** Go along the line, at most half a piece, and not beyond its ends. Returns how far it was. */
-      double
-      go(double way, const double *q)
+      /** Go along the line, at most half a piece, and not beyond its ends. */
+      void
+      go(const double way, const double *q)
       {
         if (is_held)
-          return 0;
+          return;
         const Span  &span = line->spans[place.piece];
-        const double most = 0.5 * (span.end - span.start), before = place.s;
-        place.s = std::clamp(place.s + std::clamp(way, -most, most), span.start, span.end);
+        const double most = 0.5 * (span.end - span.start);
+        place.s           = std::clamp(place.s + std::clamp(way, -most, most), span.start, span.end);
         look(q);
-        return std::abs(place.s - before);
       }
     };
 
@@ -171,9 +221,11 @@ namespace samara
         const Vector3 delta = b.at.x - a.at.x;
         b.find_freedom(delta, q);
         a.find_freedom(-delta, q);
-        const auto   step = newton_step(b, a, delta);
-        const double gone = b.go(step[0], q) + a.go(step[1], q);
-        if (!(gone < 1e-13 * length))
+        const auto step = newton_step(b, a, delta);
+        b.go(step[0], q);
+        a.go(step[1], q);
+        // what is wanted, not what an end lets through: the next piece may go on
+        if (!(std::abs(step[0]) + std::abs(step[1]) < 1e-13 * length))
           continue;
         const Vector3 there = b.at.x - a.at.x;
         const Hessian H(b, a, there);

@@ -169,3 +169,27 @@ TEST(ContactLines, Eytelwein)
     square += std::pow(scene.value("hold.force " + component), 2);
   EXPECT_NEAR(std::sqrt(square) / 100, std::exp(0.3 * M_PI * 200 / 201), 2e-3);
 }
+
+
+
+// A ball rolls down a flexible beam from element to element: their ends are no places of their own, and a ball that is
+// pressed into the inner side of a kink of the mesh does not get a second one.
+TEST(ContactLines, BallRollsAcrossElements)
+{
+  const Scene scene(
+    tube_section +
+    model(beam_of("rail", "0, 0, 0.3; 0.5, 0, 0.05; 1, 0, 0", "set Shape = arc\n set Elements = 7\n set Degree = 2\n") +
+            ball("a", 0.05, {0.12, 0, 0.31}, {0, 0, 0}, {0, 0, 0}),
+          joint("clamp", "rigid", "set Body A = ground\n set Body B = rail.start\n") +
+            joint("touching",
+                  "contacts",
+                  "set Balls = a\n set Ball radius = 0.05\n set Beams = rail radius 0.02\n set Stiffness = 1e5\n"
+                  " set Exponent = 1.5\n set Restitution = 0.5\n set Impact speed = 1\n set Friction = 0.3\n"
+                  " set Sticking speed = 0.02\n"),
+          gravity));
+  const auto         run = contact_motion(scene.system, Tableau(2, 0.5), 2e-3, 0.5, nullptr, 1e-9);
+  const unsigned int a   = scene.system.layout.n_nodes - 1;
+  EXPECT_GT(run.state.position(a)(0), 0.45); // beyond three ends
+  EXPECT_GT(run.state.position(a)(2), 0.0);
+  EXPECT_LT(run.drift, 1e-5);
+}

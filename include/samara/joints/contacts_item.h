@@ -70,9 +70,12 @@ namespace samara
     void
     add_surfaces(const std::vector<std::string> &texts, const std::string &entry, PairShape::Kind kind, bool hollow);
     void add_beams();
-    void check_law();
-    void refuse_overlaps(const Layout &layout) const;
-    void couple_pairs(Layout &layout);
+    /** Where pieces meet at an angle that is no error of the mesh: abscissa of the first such place; 0 if there is
+     * none. */
+    double corner_of(const std::vector<Span> &spans) const;
+    void   check_law();
+    void   refuse_overlaps(const Layout &layout) const;
+    void   couple_pairs(Layout &layout);
     template <typename Do>
     void for_touching(const double *q, const Do &what) const;
     template <typename Add>
