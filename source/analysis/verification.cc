@@ -158,7 +158,7 @@ namespace samara
   void
   VerificationAnalysis::check_derivatives(const System &system)
   {
-    const ComplexStep check(system, false, false, true);
+    const ComplexStep check(system);
     const auto        place = [&]() {
       return "row <" + system.layout.name_of(check.worst_row) + ">, column <" +
              system.layout.name_of(check.worst_column) + ">";

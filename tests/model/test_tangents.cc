@@ -308,7 +308,7 @@ TEST(Tangents, EveryKindOfTheCatalogueIsTested)
   const auto tested = scenes();
   // sections give the beam its matrices; the others have tests of their own, in tests/section, tests/states, tests/trim and tests/aero
   const std::set<std::string> elsewhere = {
-    "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C", "file", "BeamDyn",
+    "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C", "mesh", "airfoil", "file", "BeamDyn",
     "PID", "transfer function", "state space", "delay", "control",
     "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow", "helical wake",
     "lifting line"};
@@ -371,6 +371,8 @@ TEST(Tangents, StrainRowsHoldTheMaterial)
 {
   for (const auto &[kind, text] : scenes())
     {
+      if (kind == "MITC4 shell" || kind == "geodesic beam")
+        continue; // prototypes offer no rows: their matrices hold everything
       const Scene         scene(text.model());
       const System       &system = scene.system;
       State               state  = system.reference();

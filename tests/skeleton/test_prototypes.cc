@@ -179,7 +179,7 @@ TEST(Prototypes, TangentsAgreeWithComplexStep)
       const PrototypeScene scene(text);
       for (const bool orthonormal : {true, false})
         {
-          const ComplexStep check(scene.system, orthonormal, false, true);
+          const ComplexStep check(scene.system, orthonormal);
           EXPECT_LT(check.error_of_tangent(), 1e-13) << text;
           EXPECT_LT(check.error_of_damping(), 1e-13) << text;
           EXPECT_LT(check.error_of_strain_rates(), 1e-13) << text;
