@@ -49,24 +49,24 @@ namespace samara
 
 
 
-    const std::vector<std::string> columns = {"mode",
-                                              "multiplier",
-                                              "multiplier real",
-                                              "multiplier imaginary",
-                                              "growth rate [1/s]",
-                                              "frequency [rad/s]",
-                                              "frequency mod period [rad/s]",
-                                              "damping ratio",
-                                              "steps a cycle",
-                                              "growth error by steps [1/s]",
-                                              "frequency error by steps [rad/s]",
-                                              "residual",
-                                              "most in",
-                                              "share",
-                                              "family",
-                                              "share of family",
-                                              "pattern",
-                                              "share of pattern"};
+    const std::vector<std::string> columns_of_modes = {"mode",
+                                                       "multiplier",
+                                                       "multiplier real",
+                                                       "multiplier imaginary",
+                                                       "growth rate [1/s]",
+                                                       "frequency [rad/s]",
+                                                       "frequency mod period [rad/s]",
+                                                       "damping ratio",
+                                                       "steps a cycle",
+                                                       "growth error by steps [1/s]",
+                                                       "frequency error by steps [rad/s]",
+                                                       "residual",
+                                                       "most in",
+                                                       "share",
+                                                       "family",
+                                                       "share of family",
+                                                       "pattern",
+                                                       "share of pattern"};
 
 
 
@@ -146,7 +146,7 @@ namespace samara
                                                "Arnoldi's method, ") +
                      std::to_string(found.n_columns) + " columns of the map over " +
                      (parts > 1 ? "a part of " + std::to_string(parts) : std::string("the period")));
-    Table table(columns);
+    Table table(columns_of_modes);
     for (unsigned int i = 0; i < modes.size(); ++i)
       {
         add_mode(modes[i], i + 1, h, T, table);

@@ -10,7 +10,7 @@ namespace samara
   namespace
   {
     /** Of rates, relative to them. */
-    constexpr double round_off = 1e-9;
+    constexpr double equal_rates = 1e-9;
   } // namespace
 
 
@@ -31,10 +31,10 @@ namespace samara
           first = rates;
         for (const auto &[coordinate, row] : system.model.prescribed)
           {
-            const double steady = std::abs(rates[row] - of_time[row]), smallest = round_off * std::abs(of_time[row]);
+            const double steady = std::abs(rates[row] - of_time[row]), smallest = equal_rates * std::abs(of_time[row]);
             const double beside = std::abs(rates[row] - (steady > smallest ? first[row] : 0.));
             const double rate   = beside / (system.model.coordinate_units[coordinate] == "m" ? length : 1.);
-            if (beside > std::max(smallest, round_off * steady) && rate > result.rate)
+            if (beside > std::max(smallest, equal_rates * steady) && rate > result.rate)
               result = {system.model.coordinates[coordinate], rate};
           }
       }

@@ -237,11 +237,13 @@ namespace samara
       {
         Complex   value;
         VectorXcd vector, residual; ///< unit norm; S v − σ v
-        double    share = 0;        ///< of its norm in the first columns
+        double    share  = 0;       ///< of its norm in the first columns
+        double    change = 1;       ///< of σ since the space has grown last, relative
+        /** Either may be small by itself: a residual where left vectors are large, a change where nothing is new. */
         double
         error() const
         {
-          return residual.norm() / std::max(std::abs(value), 1e-300);
+          return std::max(residual.norm() / std::max(std::abs(value), 1e-300), change);
         }
       };
 
@@ -258,7 +260,7 @@ namespace samara
             const double    share = y.head(n_first).norm();
             if (eigen.eigenvalues()(i).imag() < 0 || share < least_share)
               continue;
-            Pair pair{eigen.eigenvalues()(i), V * y, {}, share};
+            Pair pair{eigen.eigenvalues()(i), V * y, {}, share, 1.};
             pair.residual = images * y - pair.value * pair.vector;
             if (energy.rate(pair.vector) <= too_fast * highest)
               result.push_back(pair);
@@ -337,6 +339,18 @@ namespace samara
 
 
 
+    /** By how much each value is away from the nearest one before. */
+    void
+    find_changes(const std::vector<Projected::Pair> &before, std::vector<Projected::Pair> &pairs)
+    {
+      for (auto &pair : pairs)
+        for (const auto &other : before)
+          pair.change =
+            std::min(pair.change, std::abs(pair.value - other.value) / std::max(std::abs(pair.value), 1e-300));
+    }
+
+
+
     /** Let the space grow by the residuals of all that has not come to the tolerance; returns whether it did. */
     bool
     grow(Projected &space, const std::vector<Projected::Pair> &pairs, const SlowModes &which)
@@ -381,9 +395,15 @@ namespace samara
     do
       {
         space.carry();
-        pairs = space.pairs(n_first, result.n_looked_for, which.highest);
+        const auto before = pairs;
+        pairs             = space.pairs(n_first, result.n_looked_for, which.highest);
+        find_changes(before, pairs);
       }
     while (grow(space, pairs, which));
+    if (space.size() < which.most_columns) // there is nothing else that could change them
+      for (auto &pair : pairs)
+        if (pair.error() > which.tolerance)
+          pair.change = 0;
 
     result.n_columns = space.size();
     for (const auto &pair : pairs)

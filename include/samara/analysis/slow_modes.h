@@ -9,7 +9,7 @@ namespace samara
   struct SlowModes
   {
     double       highest      = 0;    ///< |λ| of the linearised motion up to which its modes are followed [rad/s]
-    double       tolerance    = 1e-9; ///< of residuals, relative to each multiplier
+    double       tolerance    = 1e-9; ///< of residuals and changes, relative to each multiplier
     unsigned int most_columns = 600;
   };
 
@@ -19,8 +19,8 @@ namespace samara
    *
    * The largest multipliers of stiff models are what the steps do not resolve, and what matters is not among them. Here
    * a space is made of the slow modes at the start, the map is projected on it, and as long as a Ritz vector that lies
-   * mostly in these modes has a residual, the space grows by that. A mode is given when its residual is not above the
-   * tolerance; the others are counted.
+   * mostly in these modes has a residual, the space grows by that. A mode is given when neither its residual nor the change
+   * of its multiplier since the space has grown last is above the tolerance; the others are counted.
    *
    * @throws NotConverged if nothing is slow, or nothing comes to the tolerance
    */
