@@ -55,7 +55,10 @@ namespace samara
       {
         const std::vector<double> twists = context.state.y;
         set_steady_motion(system, context.state, context.speeds);
-        other = other_motion(system, context.state, twists);
+        // in a sweep the state before is that of the speed before
+        if (twists != left)
+          other = other_motion(system, context.state, twists);
+        left = context.state.y;
         system.stresses(context.state, context.state.stress);
       }
     require_finite_state(system, context.state);

@@ -152,3 +152,24 @@ TEST(SpinningShaft, CriticalSpeeds)
       EXPECT_NEAR(nearest(backward, -c.backward), -c.backward, 2e-6 * c.backward);
     }
 }
+
+
+
+// The speed before is no other motion: alone, modal goes through a sweep as it does behind statics.
+TEST(SpinningShaft, SweepWithoutStatics)
+{
+  Scene  sweep(spinning_shaft);
+  auto  &modal = sweep.analysis<ModalAnalysis>();
+  for (const double Omega : {5., 20.})
+    {
+      sweep.context.speeds = {Omega};
+      ASSERT_NO_THROW(modal.run(sweep.context)) << Omega;
+      Scene alone(spinning_shaft);
+      alone.context.speeds = {Omega};
+      alone.analysis<ModalAnalysis>().run(alone.context);
+      EXPECT_EQ(modal.modes.at(0).frequency(), alone.analysis<ModalAnalysis>().modes.at(0).frequency()) << Omega;
+    }
+  // what dynamics has left is one
+  sweep.context.state.y.at(6 + 3) += 3;
+  EXPECT_THROW(modal.run(sweep.context), InputError);
+}

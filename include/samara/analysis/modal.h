@@ -48,6 +48,7 @@ namespace samara
     ModeTracking              tracking;
     std::vector<unsigned int> branches;
     std::unique_ptr<Table>    fan;
+    std::vector<double>       left; ///< twists of the steady motion in which the state was left: nobody's but its own
 
     /** Complain if the state is none of a steady motion: what would be frozen then? Returns whether it is one. */
     bool check_motion(const Context &context) const;
