@@ -209,8 +209,8 @@ namespace samara
 
 
     /**
-     * No more eigenvalues are finite than two for each unknown with mass and, if nothing is viscous, one for each of the
-     * others whose rate counts: states of first order.
+     * No more eigenvalues are finite than two for each unknown with mass and, if nothing is viscous, one for each of
+     * the others whose rate counts: states of first order.
      */
     unsigned int
     most_eigenvalues(const LinearMotion &motion)
@@ -229,10 +229,19 @@ namespace samara
 
 
 
-    /** One real shape for each independent motion among those that are there twice at λ = 0. */
+    /**
+     * One real shape for each independent motion among those that are there twice at λ = 0. Round-off moves these
+     * eigenvalues apart, and their shapes near each other: of one motion the others may hold 1e-5 only. What is as
+     * little is a motion if nothing is strained in it.
+     */
     void
-    add_free_motions(const std::vector<Eigen::VectorXcd> &shapes, const LinearMotion &motion, std::vector<Mode> &modes)
+    add_free_motions(const std::vector<Eigen::VectorXcd> &shapes,
+                     const LinearMotion                  &motion,
+                     const ShiftInvert                   &op,
+                     const double                         frequency,
+                     std::vector<Mode>                   &modes)
     {
+      constexpr double surely_independent = 1e-4, round_off = 1e-10, low = 1e-4;
       if (shapes.empty())
         return;
       const Eigen::Map<const Eigen::VectorXd> units(motion.units.data(), motion.n_kinematic);
@@ -244,10 +253,19 @@ namespace samara
           all.col(2 * i + 1)       = x.imag() / x.norm();
         }
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(all);
-      qr.setThreshold(1e-4);
+      qr.setThreshold(round_off);
       const Eigen::MatrixXd Q = Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(all.rows(), qr.rank()));
       for (int i = 0; i < Q.cols(); ++i)
-        modes.push_back({0., Q.col(i).cwiseProduct(units).normalized().cast<Complex>(), 0.});
+        {
+          const Eigen::VectorXcd shape = Q.col(i).cwiseProduct(units).normalized().cast<Complex>();
+          if (std::abs(qr.matrixQR()(i, i)) <= surely_independent * std::abs(qr.matrixQR()(0, 0)))
+            {
+              const auto judgement = op.judge(0., shape);
+              if (!(judgement.work <= low * frequency * low * frequency * judgement.mass))
+                continue;
+            }
+          modes.push_back({0., shape, 0.});
+        }
     }
 
 
@@ -285,7 +303,7 @@ namespace samara
           else if (!(judgement.error > 1e-2 * size && size * size * judgement.mass < 0.1 * judgement.work))
             modes.found.push_back({pair.lambda, pair.zeta.normalized(), judgement.error / size});
         }
-      add_free_motions(free, motion, modes.found);
+      add_free_motions(free, motion, op, frequency, modes.found);
       std::stable_sort(modes.found.begin(), modes.found.end(), [](const Mode &a, const Mode &b) {
         return std::abs(a.lambda) < std::abs(b.lambda);
       });
