@@ -79,6 +79,7 @@ namespace samara
             return;
           }
         hub                      = model.frame_at(given, model.position(given), triad_about(e3, e1));
+        azimuth_zero             = triad_about(e3, e1).col(0);
         corrections.has_tip_loss = tip_loss == "Prandtl";
         corrections.radius       = radius;
         corrections.least_speed  = 1e-7 * air->speed_of_sound;

@@ -116,7 +116,7 @@ namespace samara
   Surface::azimuth(const AtStation<double> &at, const Vector3 &centre) const
   {
     // the direction of azimuth zero does not turn, be the hub one that turns or not
-    const Vector3 e3 = at.thrust_axis.normalized(), zero = model->triad(inflow->hub).col(0),
+    const Vector3 e3 = at.thrust_axis.normalized(), zero = inflow->azimuth_zero,
                   e1 = (zero - e3 * e3.dot(zero)).normalized(), r = at.place - centre;
     const double angle = std::atan2(r.dot(e3.cross(e1)), r.dot(e1)) * 180 / M_PI;
     return angle < 0 ? angle + 360 : angle;

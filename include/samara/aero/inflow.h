@@ -90,6 +90,9 @@ namespace samara
 
     const Air *air = nullptr;
 
+    /** Direction of azimuth zero in the reference configuration. */
+    Vector3 azimuth_zero = Vector3::UnitX();
+
     DiskCorrections corrections;
 
     /** What they depend on; @p H the hub's triad. */
