@@ -1,3 +1,4 @@
+#include <samara/analysis/controls.h>
 #include <samara/analysis/linear_system_matrices.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
@@ -14,22 +15,6 @@ namespace samara
   {
     /** Modes that are found to see whether coefficients are constant. */
     constexpr unsigned int modes_to_look_at = 6;
-
-
-
-    /** States of first order that keep their values. */
-    std::vector<unsigned int>
-    states_of_controls(const System &system)
-    {
-      std::vector<unsigned int> result;
-      const auto               &states = system.model.states;
-      for (const auto &item : system.model.items)
-        if (item->kind == "control")
-          for (unsigned int i = 0; i < states.size(); ++i)
-            if (states[i].name == item->name)
-              result.push_back(i);
-      return result;
-    }
   } // namespace
 
 

@@ -1,3 +1,4 @@
+#include <samara/analysis/controls.h>
 #include <samara/analysis/section_map.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
@@ -23,13 +24,9 @@ namespace samara
     std::vector<unsigned int>
     entries_of_controls(const System &system)
     {
-      std::vector<unsigned int> result;
-      const auto               &states = system.model.states;
-      for (const auto &item : system.model.items)
-        if (item->kind == "control")
-          for (unsigned int i = 0; i < states.size(); ++i)
-            if (states[i].name == item->name)
-              result.push_back(system.layout.of_state(i));
+      std::vector<unsigned int> result = states_of_controls(system);
+      for (auto &i : result)
+        i = system.layout.of_state(i);
       return result;
     }
   } // namespace

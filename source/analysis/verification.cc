@@ -149,7 +149,7 @@ namespace samara
     check_derivatives(context.system);
     look_at_items(context);
     write(context);
-    if (const std::string wrong = complaint(context.system); !wrong.empty())
+    if (const std::string wrong = complaint(); !wrong.empty())
       throw NotConverged("verification: " + wrong);
   }
 
@@ -228,7 +228,7 @@ namespace samara
 
 
   std::string
-  VerificationAnalysis::complaint(const System &) const
+  VerificationAnalysis::complaint() const
   {
     // not "larger than": what is not a number is wrong, too
     if (!(std::max(error_of_tangent, error_of_damping) <= tolerance))

@@ -34,8 +34,8 @@ namespace samara
           }
         else
           {
-            // directions of the derivatives: director 1 there, made tangent to the surface, so that they are those of the
-            // components
+            // directions of the derivatives: director 1 there, made tangent to the surface, so that they are those of
+            // the components
             Vector3 d_1 = Vector3::Zero();
             for (unsigned int a = 0; a < t.n_nodes; ++a)
               d_1 += t.value_at_points(g, a) * nodes[a].D.col(0);
@@ -49,11 +49,6 @@ namespace samara
         point.reference.setZero();
         points.push_back(point);
       }
-
-    std::vector<double> e(n * t.n_points);
-    element_strains(elements.size() - 1, nodes.data(), e.data()); // references are zero so far
-    for (unsigned int g = 0; g < t.n_points; ++g)
-      points[elements.back().first_point + g].reference = Eigen::Map<VectorN>(&e[n * g]);
   }
 
 
@@ -88,19 +83,21 @@ namespace samara
   Cosserat<dim>::take_reference(const Model &model)
   {
     // by the very instructions that will compute strains: of a stiff element the round-off of others would be a stress
-    std::vector<double> q, e(n * points.size());
-    for (const auto &node : model.nodes)
-      {
-        q.insert(q.end(), node.x.data(), node.x.data() + 3);
-        q.insert(q.end(), node.D.data(), node.D.data() + 9);
-      }
-    for (auto &point : points)
-      point.reference.setZero();
+    // Only its own nodes are written, and read: models of many bodies would go through all nodes for each.
+    const std::unique_ptr<double[]> q(new double[12 * model.nodes.size()]);
+    for (const auto &element : elements)
+      for (const auto &frame : element.frames)
+        {
+          const auto &node = model.nodes[frame.node];
+          std::copy_n(node.x.data(), 3, &q[12 * frame.node]);
+          std::copy_n(node.D.data(), 9, &q[12 * frame.node + 3]);
+        }
+    std::vector<double>   e(n * points.size());
     samara::Point<double> reference;
-    reference.q = q.data();
+    reference.q = q.get();
     this->strains(reference, e.data());
     for (unsigned int g = 0; g < points.size(); ++g)
-      points[g].reference = Eigen::Map<const VectorN>(&e[n * g]);
+      points[g].reference += Eigen::Map<const VectorN>(&e[n * g]); // zero before
   }
 
 

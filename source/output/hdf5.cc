@@ -1,5 +1,7 @@
+#include <samara/output/file.h>
 #include <samara/output/hdf5.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 namespace samara
@@ -76,6 +78,27 @@ namespace samara
     Quiet::~Quiet()
     {
       H5Eset_auto2(H5E_DEFAULT, function, data);
+    }
+
+
+
+    void
+    write_file(const std::string &file, const std::function<void(hid_t)> &write)
+    {
+      const Quiet quiet;
+      try
+        {
+          Handle handle(H5Fcreate(part_of(file).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), &H5Fclose);
+          write(handle);
+          handle.close();
+        }
+      catch (const std::runtime_error &error)
+        {
+          std::error_code ignored;
+          std::filesystem::remove(part_of(file), ignored);
+          throw std::runtime_error("cannot write " + file + ": " + error.what() + ".");
+        }
+      replace_by_part(file);
     }
 
 

@@ -1,12 +1,9 @@
-#include <samara/output/file.h>
 #include <samara/output/hdf5.h>
 #include <samara/output/write_hdf5.h>
 
 #include <deal.II/base/exceptions.h>
 
-#include <filesystem>
 #include <set>
-#include <stdexcept>
 
 namespace samara
 {
@@ -29,19 +26,17 @@ namespace samara
 
 
     void
-    write_all(const std::string                                             &file,
+    write_all(const hid_t                                                    file,
               const std::vector<std::pair<std::string, std::string>>        &columns,
               const std::uint64_t                                            n_rows,
               const std::function<void(std::vector<std::vector<double>> &)> &next_block)
     {
-      Handle handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), &H5Fclose);
-
       std::set<std::string>                        names;
       std::vector<std::pair<unsigned int, Handle>> datasets;
       for (unsigned int c = 0; c < columns.size(); ++c)
         if (names.insert(columns[c].first).second)
           {
-            datasets.emplace_back(c, hdf5::create_dataset(handle, columns[c].first, H5T_NATIVE_DOUBLE, n_rows));
+            datasets.emplace_back(c, hdf5::create_dataset(file, columns[c].first, H5T_NATIVE_DOUBLE, n_rows));
             hdf5::write_attribute(datasets.back().second, "unit", columns[c].second);
           }
 
@@ -58,7 +53,6 @@ namespace samara
 
       for (auto &column_and_dataset : datasets)
         column_and_dataset.second.close();
-      handle.close();
     }
   } // namespace
 
@@ -70,17 +64,6 @@ namespace samara
              const std::uint64_t                                            n_rows,
              const std::function<void(std::vector<std::vector<double>> &)> &next_block)
   {
-    const hdf5::Quiet quiet;
-    try
-      {
-        write_all(part_of(file), columns, n_rows, next_block);
-      }
-    catch (const std::runtime_error &error)
-      {
-        std::error_code ignored;
-        std::filesystem::remove(part_of(file), ignored);
-        throw std::runtime_error("cannot write " + file + ": " + error.what() + ".");
-      }
-    replace_by_part(file);
+    hdf5::write_file(file, [&](const hid_t part) { write_all(part, columns, n_rows, next_block); });
   }
 } // namespace samara

@@ -1,10 +1,7 @@
-#include <samara/output/file.h>
 #include <samara/output/hdf5.h>
 #include <samara/output/write_matrices.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <stdexcept>
 
 namespace samara
 {
@@ -57,19 +54,6 @@ namespace samara
         hdf5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()));
       dataset.close();
     }
-
-
-
-    void
-    write_all_matrices(const std::string &file, const Matrices &matrices, const Texts &texts)
-    {
-      hdf5::Handle handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), &H5Fclose);
-      for (const auto &[name, matrix] : matrices)
-        write_matrix(handle, name, matrix);
-      for (const auto &[name, text] : texts)
-        write_texts(handle, name, text);
-      handle.close();
-    }
   } // namespace
 
 
@@ -77,17 +61,11 @@ namespace samara
   void
   write_matrices(const std::string &file, const Matrices &matrices, const Texts &texts)
   {
-    const hdf5::Quiet quiet;
-    try
-      {
-        write_all_matrices(part_of(file), matrices, texts);
-      }
-    catch (const std::runtime_error &error)
-      {
-        std::error_code ignored;
-        std::filesystem::remove(part_of(file), ignored);
-        throw std::runtime_error("cannot write " + file + ": " + error.what() + ".");
-      }
-    replace_by_part(file);
+    hdf5::write_file(file, [&](const hid_t part) {
+      for (const auto &[name, matrix] : matrices)
+        write_matrix(part, name, matrix);
+      for (const auto &[name, text] : texts)
+        write_texts(part, name, text);
+    });
   }
 } // namespace samara

@@ -47,7 +47,7 @@ namespace samara
     void        check_derivatives(const System &system);
     void        look_at_items(const Context &context);
     void        write(const Context &context) const;
-    std::string complaint(const System &system) const;
+    std::string complaint() const;
 
     std::string worst_place; ///< of the derivatives, "row, column" by name
   };

@@ -116,12 +116,7 @@ namespace samara
                                                                 double                           *e) const
   {
     Nodes<double> own;
-    std::copy_n(nodes, std::min<unsigned int>(n_nodes, this->elements[i].table->n_nodes), own.begin());
-    if (this->elements[i].table->n_nodes != n_nodes)
-      {
-        std::fill_n(e, n * this->elements[i].table->n_points, 0.); // initialize() complains
-        return;
-      }
+    std::copy_n(nodes, n_nodes, own.begin());
     const auto strains = strains_at_nodes<double>(i, own);
     for (unsigned int k = 0; k < strains.size(); ++k)
       e[k] = strains[k] - this->integration_points()[this->elements[i].first_point + k / n].reference(k % n);

@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -60,6 +61,12 @@ namespace samara
     };
 
 
+
+    /**
+     * Write a file beside @p file by @p write, which is given it, and let it take the place of @p file; if that fails the
+     * old content stays. @throws std::runtime_error with the name of the file
+     */
+    void write_file(const std::string &file, const std::function<void(hid_t)> &write);
 
     /** Throw if the library returned a failure. */
     void check(herr_t error);
