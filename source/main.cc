@@ -3,6 +3,7 @@
 #include <samara/program.h>
 
 #include <CLI/CLI.hpp>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -30,6 +31,16 @@ namespace
     limit.rlim_cur = all;
     setrlimit(RLIMIT_AS, &limit);
 #endif
+  }
+
+
+
+  /** Memory of large arrays goes back when they are gone, whichever thread had them; small models do not notice. */
+  void
+  return_memory()
+  {
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
   }
 } // namespace
 
@@ -69,6 +80,7 @@ main(int argc, char **argv)
     return std::cout << "samara " << SAMARA_VERSION << '\n', samara::success;
 
   limit_memory();
+  return_memory();
   std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
   return samara::execute(options);
 }

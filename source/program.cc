@@ -262,6 +262,9 @@ namespace samara
         log.line(counts.redundancy_text());
       if (counts.n_free_motions > 0 && input.has_analysis("static"))
         log.line(counts.free_motions_text());
+      if (input.has_analysis("dynamic") || input.has_analysis("modal"))
+        if (const std::string text = counts.massless_text(); !text.empty())
+          log.warning("", text);
     }
 
 

@@ -148,7 +148,7 @@ namespace samara
     std::unique_ptr<LinearStrains> frozen_strains;       ///< of the same configuration
     unsigned int                   n_steps_with_factors = 0, fresh_iterations = 0;
     double                         extra_iterations = 0; ///< more than with fresh factors
-    SparseMatrix                   C, K;
+    SparseMatrix                   C, K; // of large models gone after a factorisation
     /** Of the mass matrix, where it is not zero, and where that is in the pattern of the factors. */
     struct MassEntry
     {
@@ -208,6 +208,8 @@ namespace samara
     void remember(const State &state, double h);
     void freeze(const State &state, double h);
     void factorize(double h);
+    /** Fill the matrices of all factors: M + hμ C + (hμ)² K. */
+    void combine_matrices(double h);
     /** Make solvers for a pattern without the rows left out, of their values there are none yet. */
     void make_factors();
 
