@@ -406,7 +406,7 @@ namespace samara
       system.damping(state, C);
       Eigen::VectorXd metric = Eigen::VectorXd::Ones(Z.rows());
       for (int i = 0; i < Z.rows(); ++i)
-        if (!system.layout.is_length(i))
+        if (i < system.layout.of_state(0) && !system.layout.is_length(i))
           metric(i) = length * length;
       metric *= mass / std::max(1u, system.layout.n_nodes - 1);
       const Eigen::MatrixXd whole = Z.transpose() * metric.asDiagonal() * Z, damping = projected(C, Z);
