@@ -10,6 +10,7 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
+#include <samara/several_models.h>
 #include <samara/section_report.h>
 #include <samara/study.h>
 
@@ -356,6 +357,8 @@ namespace samara
   {
     try
       {
+        if (!options.several.empty())
+          return execute_all(options);
         // no MPI, which would want to start a daemon and complains where it cannot
         set_threads(1);
         Log log(std::cout, options.quiet);
