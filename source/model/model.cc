@@ -159,6 +159,8 @@ namespace samara
   void
   Model::close()
   {
+    if (!kept_as.empty())
+      throw std::logic_error("A model belongs to one system, whose numbers its items have: read it again for another.");
     // a node is welded to one with a smaller number, of which the root is known by then: chains of welds may be long
     for (unsigned int i = 0; i < nodes.size(); ++i)
       if (parent[i].node != i)
