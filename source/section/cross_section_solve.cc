@@ -8,6 +8,7 @@
 #include <complex>
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 
 namespace samara
 {
@@ -99,6 +100,69 @@ namespace samara
         }
       return result;
     }
+
+
+
+    /** [P(θ), R + θL; (R − θL)ᵀ, A] (x, y) = (f, g) for one θ, 0 or i|k|, by the Schur complement of P. */
+    template <typename Number>
+    class BorderedWarping
+    {
+    public:
+      using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+
+      BorderedWarping(const Warping<Number>             &P,
+                      const std::array<unsigned int, 6> &pinned,
+                      const Columns                     &R,
+                      const Columns                     &L,
+                      const Matrix6                     &A,
+                      const Complex                      theta)
+        : P(P)
+        , pinned(pinned)
+        , PB(inverse(without_pins(R.cast<Complex>() + theta * L.cast<Complex>())))
+        , rows(without_pins(R.cast<Complex>() - theta * L.cast<Complex>()).transpose())
+        , complement(A.cast<Complex>() - rows * PB)
+      {}
+
+      /** (x, y) */
+      std::pair<ComplexColumns, ComplexColumns>
+      solve(const ComplexColumns &f, const ComplexColumns &g) const
+      {
+        const ComplexColumns x0 = inverse(without_pins(f));
+        const ComplexColumns y  = complement.solve(g - rows * x0);
+        return {x0 - PB * y, y};
+      }
+
+    private:
+      const Warping<Number>                    &P;
+      const std::array<unsigned int, 6>        &pinned;
+      const ComplexColumns                      PB, rows;
+      const Eigen::PartialPivLU<ComplexColumns> complement;
+
+      ComplexColumns
+      without_pins(ComplexColumns x) const
+      {
+        for (const auto i : pinned)
+          x.row(i).setZero();
+        return x;
+      }
+
+      ComplexColumns
+      inverse(const ComplexColumns &b) const
+      {
+        if constexpr (std::is_same_v<Number, Complex>)
+          return P.solve(b);
+        else
+          {
+            ComplexColumns x(b.rows(), b.cols());
+            x.real() = P.solve(b.real());
+            if (b.imag().isZero(0.))
+              x.imag().setZero();
+            else
+              x.imag() = P.solve(b.imag());
+            return x;
+          }
+      }
+    };
   } // namespace
 
 
@@ -111,54 +175,19 @@ namespace samara
     std::vector<bool>  is_pinned(n, false);
     for (const auto i : pinned)
       is_pinned[i] = true;
-    const auto without_pins = [&](ComplexColumns x) {
-      for (const auto i : pinned)
-        x.row(i).setZero();
-      return x;
-    };
-
-    const Warping<double>             straight(E, C, M, 0., is_pinned);
-    std::unique_ptr<Warping<Complex>> turning;
+    const Warping<double>                           straight(E, C, M, 0., is_pinned);
+    const BorderedWarping<double>                   at_zero(straight, pinned, R, L, A, 0.);
+    std::unique_ptr<const Warping<Complex>>         turning;
+    std::unique_ptr<const BorderedWarping<Complex>> at_kappa;
     if (kappa > 0)
-      turning = std::make_unique<Warping<Complex>>(E, C, M, Complex(0, kappa), is_pinned);
-
-    const auto inverse = [&](const Complex theta, const ComplexColumns &b) -> ComplexColumns {
-      if (theta != 0.)
-        return turning->solve(b);
-      ComplexColumns x(b.rows(), b.cols());
-      x.real() = straight.solve(b.real());
-      if (b.imag().isZero(0.))
-        x.imag().setZero();
-      else
-        x.imag() = straight.solve(b.imag());
-      return x;
-    };
-    // [P(θ), R + θL; (R − θL)ᵀ, A] (x, y) = (f, g), by the Schur complement of P
-    struct Border
-    {
-      ComplexColumns                      PB, rows;
-      Eigen::PartialPivLU<ComplexColumns> complement;
-    };
-    const auto border_of = [&](const Complex theta) {
-      Border border;
-      border.PB   = inverse(theta, without_pins(R.cast<Complex>() + theta * L.cast<Complex>()));
-      border.rows = without_pins(R.cast<Complex>() - theta * L.cast<Complex>()).transpose();
-      border.complement.compute(A.cast<Complex>() - border.rows * border.PB);
-      return border;
-    };
-    const Border border_of_straight = border_of(0.),
-                 border_of_turning  = kappa > 0 ? border_of(Complex(0, kappa)) : Border();
-    const auto solve_with           = [&](const Complex theta, const ComplexColumns &f, const ComplexColumns &g) {
-      const Border        &border = theta == 0. ? border_of_straight : border_of_turning;
-      const ComplexColumns x0     = inverse(theta, without_pins(f));
-      const ComplexColumns y      = border.complement.solve(g - border.rows * x0);
-      return std::make_pair(ComplexColumns(x0 - border.PB * y), y);
-    };
+      {
+        turning  = std::make_unique<Warping<Complex>>(E, C, M, Complex(0, kappa), is_pinned);
+        at_kappa = std::make_unique<BorderedWarping<Complex>>(*turning, pinned, R, L, A, Complex(0, kappa));
+      }
 
     const Eigen::Matrix3cd U        = eigenvectors_of_skew(k);
     const Complex          theta[3] = {0., Complex(0, kappa), Complex(0, -kappa)};
-    Matrix3                shift    = skew(Vector3(1, 0, 0));
-    const Eigen::Matrix3cd W        = U.adjoint() * shift.cast<Complex>() * U;
+    const Eigen::Matrix3cd W        = U.adjoint() * skew(Vector3(1, 0, 0)).cast<Complex>() * U;
 
     // unit moments, then unit forces, in the directions U; of a conjugate pair only the first is solved for
     ComplexColumns x_moment(n, 3), y_moment(6, 3), x_force(n, 3), y_force(6, 3);
@@ -185,7 +214,7 @@ namespace samara
               g.topRows(3) = U.col(j);
               g += L.transpose() * x1;
             }
-          const auto solution = solve_with(theta[j], f, g);
+          const auto solution = theta[j] == 0. ? at_zero.solve(f, g) : at_kappa->solve(f, g);
           x.col(j)            = solution.first;
           y.col(j)            = solution.second;
         }
