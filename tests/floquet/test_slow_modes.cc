@@ -94,6 +94,36 @@ TEST(SlowModes, HaveNamesByTheirContent)
 
 
 
+// A pendulum on a moving hinge has one slow mode at the start and two real multipliers: the one that grows is not left
+// out.
+TEST(SlowModes, ThatGrowAreNotLeftOut)
+{
+  std::ostringstream text;
+  text << std::ifstream(std::string(SAMARA_SOURCE_DIR) + "/" + pendulum).rdbuf();
+  for (unsigned int i = 1; i <= 30; ++i)
+    {
+      const std::string name = "fast " + std::to_string(i);
+      text << "subsection Bodies\n subsection " << name << "\n set Type = rigid body\n set Mass = 1\n"
+           << "  set Inertia = 1, 1, 1\n end\nend\nsubsection Joints\n subsection spring of " << name
+           << "\n set Type = prismatic\n set Body A = block.centre\n set Body B = " << name << ".centre\n"
+           << "  set Axis = 0, 1, 0\n subsection displacement\n set Spring = " << 30 * 30 + 10 * i
+           << "\n set Damper = 1\n end\n end\nend\n";
+    }
+  for (const std::string q : {"0.2", "-0.2"}) // either may be nearer to the mode at the start
+    {
+      const auto modes = modes_of(text.str(),
+                                  {"Constants/q = " + q,
+                                   "Floquet/Highest frequency = 5",
+                                   "Floquet/Steps = 24",
+                                   "Floquet/Method = implicit",
+                                   "Floquet/Animations = 0"});
+      ASSERT_FALSE(modes.empty());
+      EXPECT_NEAR(std::abs(modes[0].multiplier), 1.26394066521, 1e-5);
+    }
+}
+
+
+
 TEST(SlowModes, AreRefusedWhereNothingIsSlow)
 {
   std::string said;
