@@ -204,7 +204,7 @@ namespace samara
     context.log.line("periodic linear system: " + std::to_string(space.A[0].rows()) + " states, " +
                      std::to_string(space.inputs.size()) + " inputs, " + std::to_string(space.outputs.size()) +
                      " outputs, " + std::to_string(n_samples) + " samples a period; largest multiplier " +
-                     number_to_text("%.8g", std::abs(space.multipliers()[0])));
+                     number_to_text("%.10g", std::abs(space.multipliers()[0])));
     context.log.line("  over the period A changes by " + number_to_text("%.2g", space.variation()) + " of A - 1");
     if (space.averaged.A.rows() == 0)
       return context.log.warning(

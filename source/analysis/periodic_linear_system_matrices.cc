@@ -68,6 +68,8 @@ namespace samara
     for (unsigned int k = 0; k < n_samples; ++k)
       {
         const Eigen::MatrixXd own = whole.basis_at(states[k]);
+        if (own.cols() == 0)
+          throw NotConverged("periodic linear system: nothing can move that is not prescribed");
         if (own.cols() > int(most_states))
           throw NotConverged("periodic linear system: there are " + std::to_string(own.cols()) + " states, more than " +
                              std::to_string(most_states) + " (<Most states>)");

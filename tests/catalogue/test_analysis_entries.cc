@@ -74,19 +74,19 @@ TEST_F(Catalogued, PeriodicLinearSystem)
         models::periodic_arms,
         "Periodic linear system",
         {{"Period", "0.8*pi"},
-         {"Samples", "6"},
-         {"Steps", "1"},
+         {"Samples", "16"},
+         {"Steps", "3"},
          {"Stages", "1"},
          {"Spectral radius", "0.5"},
          {"Newton tolerance", "1e-2"},
          {"Inputs", "pull"},
          {"Symmetry", "", {}, false, {"Periodic linear system/Turning ="}},
-         {"Turning", "", {}},
          {"Settle", "1", {"Periodic linear system/Corrections = 0"}},
          {"Corrections", "0", {settle}},
          {"Largest gap", "1e-16", {settle, "Periodic linear system/Corrections = 0"}},
          {"Most states", "2"}},
-        {{"Iterations", "only where Newton's method finds no solution: tests/dynamics"}});
+        {{"Turning", "only what moves besides the parts has other axes: tests/floquet/test_periodic_linear_system.cc"},
+         {"Iterations", "only where Newton's method finds no solution: tests/dynamics"}});
 }
 
 
@@ -199,13 +199,13 @@ TEST_F(Catalogued, Lyapunov)
 {
   check("lyapunov",
         std::regex_replace(models::oscillator, std::regex("dynamic"), "lyapunov") +
-          "\nsubsection Lyapunov\n set Step = 0.01\n set Duration = 1\nend\n",
+          "\nsubsection Lyapunov\n set Step = 0.01\n set Duration = 2\nend\n",
         "Lyapunov",
         {{"Exponents", "1"},
          {"Step", "0.02"},
          {"Steps between", "5"},
          {"Settle", "0.3"},
-         {"Duration", "1.5"},
+         {"Duration", "2.5"},
          {"Stages", "1"},
          {"Spectral radius", "0"},
          {"Newton tolerance", "1e-1"}},
