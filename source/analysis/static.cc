@@ -131,6 +131,27 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * Whether a large model is stable at @p start, or free to move, without a look at its matrix, which costs as much
+     * as all else: free of stress, with nothing but elastic strains and constraints that could push. The sign of the
+     * determinant is then that of as many factors −1 as there are constraints.
+     */
+    bool
+    is_stable_as_drawn(const Context &context, const State &start)
+    {
+      const Layout &layout = context.system.layout;
+      return context.system.size() > 20000 && !context.is_equilibrium && layout.n_states == 0 && layout.stops.empty() &&
+             layout.frictions.empty() && layout.nonlinear_springs.empty() && layout.contact_groups.empty() &&
+             layout.nonholonomic.empty() &&
+             std::all_of(start.stress.begin(), start.stress.end(), [](const double s) { return s == 0.; }) &&
+             std::all_of(start.multipliers.begin(), start.multipliers.end(), [](const double l) { return l == 0.; });
+    }
+  } // namespace
+
+
+
   bool
   StaticAnalysis::is_beyond_limit(const Context      &context,
                                   const State        &start,
@@ -143,6 +164,9 @@ namespace samara
       {
         // without constraints the unloaded model is stable, all eigenvalues positive, or free to move
         if (!context.is_equilibrium && context.system.layout.n_multipliers == 0 && sign > 0)
+          return false;
+        const unsigned int n_rows = context.system.layout.n_multipliers - found.left_out.size();
+        if (sign == (n_rows % 2 == 0 ? 1 : -1) && is_stable_as_drawn(context, start))
           return false;
         sign_at_start = stability_sign(context, start);
         stability_sign(context, found); // the solver keeps the matrix of the equilibrium
@@ -310,8 +334,8 @@ namespace samara
     const std::vector<double> speeds       = context.speeds;
     const double              start_factor = context.is_equilibrium ? context.state.factor : 0.;
     // an analysis that no file has asked for has no entries
-    const bool                is_given = parameters.has("Load factor") && parameters.is_set("Load factor");
-    std::vector<double>       start_speeds(speeds.size(), 0.);
+    const bool          is_given = parameters.has("Load factor") && parameters.is_set("Load factor");
+    std::vector<double> start_speeds(speeds.size(), 0.);
     if (is_given && std::any_of(speeds.begin(), speeds.end(), [](const double w) { return w != 0.; }))
       throw InputError(parameters.where("Load factor") +
                        ": with a steady rotation loads and speeds grow together; leave out the <Load factor>");
@@ -367,14 +391,14 @@ namespace samara
               least_step = 0.5 * step_of_jumps;
           }
         const bool by_load = at_rest && start_factor < 1 && !is_given;
-        const int  turned  = result.converged && !is_between_speeds ?
-                               turned_too_far(system, context.state, trial, by_load) :
-                               -1;
+        const int  turned =
+          result.converged && !is_between_speeds ? turned_too_far(system, context.state, trial, by_load) : -1;
         if (turned >= 0 && fraction == 0 && !has_looked_at_start)
           {
-            // what does not grow with the load, as a spring away from its rest, moves at once: from there on it is followed
+            // what does not grow with the load, as a spring away from its rest, moves at once: from there on it is
+            // followed
             has_looked_at_start = true;
-            State released;
+            State              released;
             const NewtonResult at_start = attempt(context.state, step_of_jumps, released);
             if (at_start.converged && turned_too_far(system, context.state, released, by_load) >= 0)
               {
@@ -466,9 +490,11 @@ namespace samara
     else
       {
         if (result.residual > 0)
-          text += "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n";
-        text += "  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
-                "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
+          text +=
+            "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n";
+        text +=
+          "  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
+          "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
       }
     throw NotConverged(text);
   }
