@@ -150,6 +150,7 @@ TEST_F(Catalogued, Sections)
          {"Density", "900"},
          {"Width 2", "0.06"},
          {"Width 3", "0.09"},
+         {"Trapeze effect", "true"},
          {"Shear factor", "0.5"}},
         analysed);
   check("tube",
@@ -160,6 +161,7 @@ TEST_F(Catalogued, Sections)
          {"Density", "900"},
          {"Outer radius", "0.06"},
          {"Inner radius", "0.04"},
+         {"Trapeze effect", "true"},
          {"Shear factor", "0.5"}},
         analysed);
 

@@ -329,7 +329,6 @@ namespace samara
                    "",
                    joint("rod", "distance", "set Body A = crank.end\n set Body B = slider.centre\n")),
       flying_beam("30", "2", 0.02, 0.05),
-      flying_blade(),
       hinged_beam("30", "2", 0.02, 0.05),
       hinged_beam("1e8", "100", 0.005, 0),
       pair("revolute", slanted + turn),
