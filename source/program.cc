@@ -11,6 +11,7 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
+#include <samara/several_models.h>
 #include <samara/section_report.h>
 #include <samara/study.h>
 
@@ -263,6 +264,9 @@ namespace samara
         log.line(counts.redundancy_text());
       if (counts.n_free_motions > 0 && input.has_analysis("static"))
         log.line(counts.free_motions_text());
+      if (input.has_analysis("dynamic") || input.has_analysis("modal"))
+        if (const std::string text = counts.massless_text(); !text.empty())
+          log.warning("", text);
     }
 
 
@@ -355,6 +359,8 @@ namespace samara
   {
     try
       {
+        if (!options.several.empty())
+          return execute_all(options);
         // no MPI, which would want to start a daemon and complains where it cannot
         set_threads(1);
         Log log(std::cout, options.quiet);

@@ -220,6 +220,12 @@ namespace samara
     std::vector<Sample>                       axis;
     std::vector<Local>                        known;
     std::vector<std::vector<Eigen::Vector2d>> outlines;
+    std::size_t                               n_samples = 1;
+    for (const auto &cell : cells)
+      n_samples += 2 * cell.degree;
+    axis.reserve(n_samples);
+    known.reserve(n_samples);
+    outlines.reserve(n_samples);
     for (const auto &cell : cells)
       for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= 2 * cell.degree; ++k)
         {

@@ -331,8 +331,10 @@ namespace samara
         q.insert(q.end(), node.x.data(), node.x.data() + 3);
         q.insert(q.end(), node.D.data(), node.D.data() + 9);
       }
-    unsigned int       n       = 0;
-    double             deepest = 0;
+    constexpr double   most_of_radii = 0.5; // as in steps: deeper in, it is not sure to which side they push
+    unsigned int       n             = 0;
+    double             deepest       = 0;
+    bool               is_too_deep   = false;
     ContactGroup::Pair worst{};
     for_touching(q.data(), [&](const ContactGroup::Pair &pair) {
       const PairShape shape = group.shape(pair);
@@ -340,13 +342,20 @@ namespace samara
       if (gap < 1e-9 * shape.radius_b)
         return;
       ++n;
-      if (gap > deepest)
-        {
-          deepest = gap;
-          worst   = pair;
-        }
+      const bool too_deep =
+        shape.kind != PairShape::plane && !shape.hollow && gap > most_of_radii * (shape.radius_a + shape.radius_b);
+      if (is_too_deep ? !(too_deep && gap > deepest) : !(too_deep || gap > deepest))
+        return;
+      deepest     = gap;
+      worst       = pair;
+      is_too_deep = too_deep;
     });
-    if (n > 0)
+    if (is_too_deep)
+      complain("Overlap",
+               group.name_of(worst) + " press into each other by " + number_to_text("%.4g", deepest) +
+                 " m in the reference configuration, more than half of their radii: to which side they push is not "
+                 "sure. Move them apart, or, if a joint holds them together, put them into different groups");
+    else if (n > 0 && overlap == "refused")
       complain("Overlap",
                group.name_of(worst) + " press into each other by " + number_to_text("%.4g", deepest) +
                  " m in the reference configuration" +
@@ -417,8 +426,7 @@ namespace samara
         of_node[node] = layout.of_node(node);
     });
     couple_pairs(layout);
-    if (overlap == "refused")
-      refuse_overlaps(layout);
+    refuse_overlaps(layout);
     layout.add(*this, *this);
     layout.contact_groups.push_back(&group);
   }

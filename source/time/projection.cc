@@ -89,7 +89,6 @@ namespace samara
 
   Projection::Projection(const System &system)
     : system(system)
-    , K(system.layout.pattern)
     , no_multipliers(system.layout.n_multipliers, 0.)
   {
     sort_nodes();
@@ -199,17 +198,20 @@ namespace samara
   Projection::factorize_rows(const State &state)
   {
     make_solver_without();
+    if (unknowns.empty())
+      return;
     Point<double> point = state.point();
     point.held          = false;
     point.multipliers   = no_multipliers.data(); // the rows alone
+    if (!K)
+      K = std::make_unique<SparseMatrix>(system.layout.pattern);
     // the other columns are many, and never read
+    const auto &start = K->pattern->column_start;
     for (const int j : unknowns)
-      std::fill(K.values.begin() + K.pattern->column_start[j], K.values.begin() + K.pattern->column_start[j + 1], 0.);
-    system.add_constraint_tangent(point, K);
+      std::fill(K->values.begin() + start[j], K->values.begin() + start[j + 1], 0.);
+    system.add_constraint_tangent(point, *K);
     for (unsigned int k = 0; k < entries.size(); ++k)
-      saddle->values[k] = entries[k].is_mass ? entries[k].mass : K.values[entries[k].at];
-    if (unknowns.empty())
-      return;
+      saddle->values[k] = entries[k].is_mass ? entries[k].mass : K->values[entries[k].at];
     try
       {
         solver->factorize(*saddle);

@@ -18,6 +18,15 @@ namespace samara
     {
       return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
     }
+
+
+
+    /** Whether to make matrices anew costs little beside the factors, and their memory counts. */
+    bool
+    are_large(const SparseMatrix &K)
+    {
+      return K.pattern->n_nonzeros() > 300000;
+    }
   } // namespace
 
 
@@ -94,11 +103,8 @@ namespace samara
 
     factored_step       = 0;
     real_matrix.pattern = pattern;
-    real_matrix.values  = {}; // of a complex eigenvalue they are not needed
-    for (const auto &eigenvalue : tableau.eigenvalues)
-      if (eigenvalue.mu.imag() == 0.)
-        real_matrix = SparseMatrix(pattern);
-    factors = new_factors();
+    real_matrix.values  = std::vector<double>();
+    factors             = new_factors();
     factors_at_end.clear();
   }
 
@@ -121,10 +127,46 @@ namespace samara
   void
   StageIntegrator::factorize(const double h)
   {
+    combine_matrices(h);
+    const bool is_large = are_large(K);
+    const auto make     = [&](const unsigned int j) {
+      if (factors[j].real)
+        {
+          factors[j].real->factorize(real_matrix);
+          if (is_large)
+            real_matrix.values = std::vector<double>();
+        }
+      else
+        {
+          factors[j].complex->factorize(matrix);
+          if (is_large)
+            matrix = std::vector<std::complex<double>>();
+        }
+    };
+    // of a large model the search for pivots needs the most memory of all: for one of them at a time
+    if (is_large && n_factorizations == 0)
+      for (unsigned int j = 0; j < factors.size(); ++j)
+        make(j);
+    else
+      for_factors(make);
+    n_factorizations += factors.size();
+    factored_step = step_of_factors = h;
+    n_steps_with_factors            = 0;
+    extra_iterations                = 0;
+    forget_columns();
+  }
+
+
+
+  void
+  StageIntegrator::combine_matrices(const double h)
+  {
     // where a matrix is singular there are no factors, whatever the next step is
     factored_step = step_of_factors = 0;
     if (!contacts.is_empty())
       add_contacts_to_matrices();
+    for (auto *const parts : {&C, &K})
+      parts->values.resize(parts->pattern->n_nonzeros() + 1);
     system.damping(frozen, C);
     system.tangent(frozen, K);
     for (const auto i : left_out)
@@ -142,21 +184,22 @@ namespace samara
     const auto         value = [&](const unsigned int k, const auto &hm) {
       const int i  = entries_in_use.empty() ? k : entries_in_use[k];
       using Number = std::decay_t<decltype(hm)>;
-      return i < 0 ? Number(0) : is_constraint_entry[i] ? Number(K.values[i]) : Number(hm * (C.values[i] + hm * K.values[i]));
+      return i < 0                  ? Number(0) :
+                     is_constraint_entry[i] ? Number(K.values[i]) :
+                                              Number(hm * (C.values[i] + hm * K.values[i]));
     };
-    n_factorizations += factors.size();
     for_factors([&](const unsigned int j) {
       const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
       if (factors[j].real)
         {
           const double hr = hm.real();
+          real_matrix.values.resize(n + 1);
           for (unsigned int i = 0; i < n; ++i)
             real_matrix.values[i] = value(i, hr);
           for (const auto &m : mass)
             real_matrix.values[m.at] += m.value;
           for (const auto &p : entries_of_pairs)
             real_matrix.values[p.at] += hr * (p.C + hr * p.K);
-          factors[j].real->factorize(real_matrix);
         }
       else
         {
@@ -167,13 +210,11 @@ namespace samara
             matrix[m.at] += m.value;
           for (const auto &p : entries_of_pairs)
             matrix[p.at] += hm * (p.C + hm * p.K);
-          factors[j].complex->factorize(matrix);
         }
     });
-    factored_step = step_of_factors = h;
-    n_steps_with_factors            = 0;
-    extra_iterations                = 0;
-    forget_columns();
+    if (are_large(K))
+      for (auto *const parts : {&C, &K})
+        parts->values = std::vector<double>();
   }
 
 

@@ -122,6 +122,64 @@ namespace samara
       for (int i = 0; i < 3; ++i)
         sum(i) += factor * (A(i, 0) * v(0) + A(i, 1) * v(1) + A(i, 2) * v(2));
     }
+
+
+
+    /** Four nodes at once, each in a lane; behind the last node of a model, it fills up. */
+    class FourNodes
+    {
+    public:
+      FourNodes(const unsigned int first, const unsigned int n_nodes)
+      {
+        for (unsigned int l = 0; l < 4; ++l)
+          {
+            nodes[l]     = std::min(first + l, n_nodes - 1);
+            is_wanted[l] = first + l < n_nodes;
+          }
+      }
+
+      /** The @p n values of each. */
+      void
+      load(const unsigned int n, const std::vector<double> &values, Lane *lanes) const
+      {
+        std::array<const double *, 4> from;
+        for (unsigned int l = 0; l < 4; ++l)
+          from[l] = values.data() + n * nodes[l];
+        Lanes<double>::load(n, from, lanes);
+      }
+
+      void
+      store(const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) const
+      {
+        Lane   lanes[12];
+        double not_wanted[12];
+        std::copy_n(x.data(), 3, lanes);
+        std::copy_n(D.data(), 9, lanes + 3);
+        std::array<double *, 4> to;
+        for (unsigned int l = 0; l < 4; ++l)
+          to[l] = is_wanted[l] ? q.data() + 12 * nodes[l] : not_wanted;
+        Lanes<double>::store(12, lanes, to);
+      }
+
+    private:
+      std::array<unsigned int, 4> nodes;
+      std::array<bool, 4>         is_wanted;
+    };
+
+
+
+    /** Add factor · D Ω~ to @p sum: a row of it is that row of D crossed with Ω. */
+    void
+    add_rate_of_triad(const Mat3<Lane> &D, const Lane &factor, const Vec3<Lane> &spin, Mat3<Lane> &sum)
+    {
+      for (int i = 0; i < 3; ++i)
+        {
+          const Lane a = factor * D(i, 0), b = factor * D(i, 1), c = factor * D(i, 2);
+          sum(i, 0) += b * spin(2) - c * spin(1);
+          sum(i, 1) += c * spin(0) - a * spin(2);
+          sum(i, 2) += a * spin(1) - b * spin(0);
+        }
+    }
   } // namespace
 
 
@@ -130,40 +188,20 @@ namespace samara
   void
   StageIntegrator::move_nodes(const State &state, const double h)
   {
-    // four nodes at once; the last one fills up
     const unsigned int n_nodes = system.layout.n_nodes;
     parallel_for((n_nodes + 2) / 4, worth_threads, [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int first = 1 + 4 * begin; first < std::min(1 + 4 * end, n_nodes); first += 4)
         {
-          std::array<unsigned int, 4>   nodes;
-          std::array<const double *, 4> from;
-          std::array<double *, 4>       to;
-          double                        not_wanted[12];
-          for (unsigned int l = 0; l < 4; ++l)
-            nodes[l] = std::min(first + l, n_nodes - 1);
-          const auto load = [&](const unsigned int n, const std::vector<double> &values, Lane *lanes) {
-            for (unsigned int l = 0; l < 4; ++l)
-              from[l] = values.data() + n * nodes[l];
-            Lanes<double>::load(n, from, lanes);
-          };
-          const auto store = [&](const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) {
-            Lane lanes[12];
-            std::copy_n(x.data(), 3, lanes);
-            std::copy_n(D.data(), 9, lanes + 3);
-            for (unsigned int l = 0; l < 4; ++l)
-              to[l] = first + l < n_nodes ? q.data() + 12 * nodes[l] : not_wanted;
-            Lanes<double>::store(12, lanes, to);
-          };
-
-          Lane start[12], y[s][6];
-          load(12, state.q, start);
+          const FourNodes nodes(first, n_nodes);
+          Lane            start[12], y[s][6];
+          nodes.load(12, state.q, start);
           const Vec3<Lane> x_start = Eigen::Map<const Vec3<Lane>>(start);
           const Mat3<Lane> D_start = Eigen::Map<const Mat3<Lane>>(start + 3);
           Vec3<Lane>       spin[s], velocity[s];
           Mat3<Lane>       D[s];
           for (int k = 0; k < s; ++k)
             {
-              load(6, stages[k].y, y[k]);
+              nodes.load(6, stages[k].y, y[k]);
               spin[k] = Eigen::Map<const Vec3<Lane>>(y[k] + 3);
             }
           stage_triads<s>(tableau, h, spin, D_start, D);
@@ -176,14 +214,8 @@ namespace samara
               velocity[k].setZero();
               add_product(D[k], Lane(1), Eigen::Map<const Vec3<Lane>>(y[k]), velocity[k]);
               for (int i = 0; i < 3; ++i)
-                {
-                  x_final(i) += hb * velocity[k](i);
-                  // a row of D Ω~ is that row of D crossed with Ω
-                  const Lane a = hb * D[k](i, 0), b = hb * D[k](i, 1), c = hb * D[k](i, 2);
-                  D_final(i, 0) += b * spin[k](2) - c * spin[k](1);
-                  D_final(i, 1) += c * spin[k](0) - a * spin[k](2);
-                  D_final(i, 2) += a * spin[k](1) - b * spin[k](0);
-                }
+                x_final(i) += hb * velocity[k](i);
+              add_rate_of_triad(D[k], hb, spin[k], D_final);
             }
           for (int k = 0; k < s; ++k)
             {
@@ -191,9 +223,9 @@ namespace samara
               for (int l = 0; l < s; ++l)
                 for (int i = 0; i < 3; ++i)
                   x(i) += Lane(h * tableau.a(k, l)) * velocity[l](i);
-              store(x, D[k], stages[k].q);
+              nodes.store(x, D[k], stages[k].q);
             }
-          store(x_final, D_final, final_q);
+          nodes.store(x_final, D_final, final_q);
         }
     });
   }

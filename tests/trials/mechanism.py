@@ -26,6 +26,10 @@ MOTIONS = {
     "spring": {"length": (False, None)},
     "rolling ball": {},
     "knife edge": {},
+    "sliding point": {"displacement": (False, None)},
+    "sliding sleeve": {"displacement": (False, None)},
+    "sliding prismatic": {"displacement": (False, None)},
+    "sliding screw": {"displacement": (False, None)},
 }
 WITH_ROTATION = [kind for kind, motions in MOTIONS.items() if "rotation" in motions]
 
@@ -97,8 +101,55 @@ class Beam(Body):
     damping: float = 0.0
 
     def weight(self):
-        length = sum(np.linalg.norm(q - p) for p, q in zip(self.line, self.line[1:]))
-        return self.section["Density"] * np.pi * self.section["Outer radius"] ** 2 * length
+        return self.section["Density"] * np.pi * self.section["Outer radius"] ** 2 * self.length()
+
+    def arc(self):
+        """Centre, two normal directions and the angle of an arc through three points, from the first direction on."""
+        p, q, r = self.line
+        u, v = q - p, r - p
+        w = np.cross(u, v)
+        centre = p + (np.cross(w, u) * (v @ v) + np.cross(v, w) * (u @ u)) / (2 * w @ w)
+        first = p - centre
+        second = np.cross(w / np.linalg.norm(w), first)
+        angle = np.arctan2((r - centre) @ second, (r - centre) @ first)
+        return centre, first, second, angle % (2 * np.pi)
+
+    def length(self):
+        if len(self.line) == 2:
+            return float(np.linalg.norm(self.line[1] - self.line[0]))
+        _, first, _, angle = self.arc()
+        return float(np.linalg.norm(first) * angle)
+
+    def place_at(self, part):
+        """Of the reference line, at a part of its length."""
+        if len(self.line) == 2:
+            return (1 - part) * self.line[0] + part * self.line[1]
+        centre, first, second, angle = self.arc()
+        return centre + first * np.cos(part * angle) + second * np.sin(part * angle)
+
+    def axes_at(self, part):
+        """Those of the section of a straight beam (columns); of an arc any with the tangent as the first."""
+        tangent = self.place_at(part + 1e-5) - self.place_at(part - 1e-5)
+        tangent /= np.linalg.norm(tangent)
+        second = self.axis_2 - tangent * (tangent @ self.axis_2)
+        second /= np.linalg.norm(second)
+        return np.column_stack((tangent, second, np.cross(tangent, second)))
+
+    def nodes(self):
+        """Parts of the length at which the nodes of each element are, (elements, degree + 1): Gauss–Lobatto points."""
+        inner = np.polynomial.legendre.Legendre.basis(self.degree).deriv().roots() if self.degree > 1 else []
+        unit = (np.array([-1, *np.real(np.sort(inner)), 1]) + 1) / 2
+        return (np.arange(self.elements)[:, None] + unit) / self.elements
+
+    def place_on_elements(self, part):
+        """Where the elements have that place: on polynomials through their nodes."""
+        nodes = self.nodes()[min(self.elements - 1, int(part * self.elements))]
+        weights = [np.prod([(part - r) / (s - r) for r in nodes if r != s]) for s in nodes]
+        return sum(weight * self.place_at(node) for weight, node in zip(weights, nodes))
+
+    def node_points(self):
+        """The same as points for probes, once each."""
+        return list(dict.fromkeys(f"{self.name}.at {float(part)!r}" for part in self.nodes().ravel()))
 
     def text(self, world):
         yield "Type", "beam"
@@ -135,7 +186,10 @@ class Joint:
     DIMENSIONS = {  # of a displacement, of an angle
         "Spring": (SPRING, HINGE_SPRING), "Rest": (LENGTH, NUMBER), "Damper": (DAMPER, HINGE_DAMPER), "Force": (FORCE, None),
         "Lower stop": (LENGTH, NUMBER), "Upper stop": (LENGTH, NUMBER), "Stop stiffness": (SPRING, HINGE_SPRING),
-        "Stop damping": (DAMPER, HINGE_DAMPER), "Moment": (None, MOMENT), "Prescribed": (LENGTH, NUMBER)}
+        "Stop damping": (DAMPER, HINGE_DAMPER), "Moment": (None, MOMENT), "Prescribed": (LENGTH, NUMBER),
+        "Friction": (NUMBER, NUMBER), "Static friction": (NUMBER, NUMBER), "Stribeck speed": (SPEED, SPEED),
+        "Sticking speed": (SPEED, SPEED), "Bristle stiffness": (SPRING, SPRING), "Bristle damping": (DAMPER, DAMPER),
+        "Friction radius": (LENGTH, LENGTH), "Friction preload": (FORCE, FORCE)}
     OWN = {"Pitch": LENGTH, "Radius": LENGTH, "Stiffness": SPRING, "Rotational stiffness": HINGE_SPRING, "Damping": DAMPER,
            "Rotational damping": HINGE_DAMPER}
 
@@ -217,6 +271,7 @@ class Mechanism:
     joints: list = field(default_factory=list)
     gears: list = field(default_factory=list)
     loads: list = field(default_factory=list)
+    contacts: list = field(default_factory=list)
     gravity: np.ndarray = None
     analyses: tuple = ("dynamic",)
     step: float = 0.01
@@ -243,7 +298,11 @@ class Mechanism:
 
     def joint_points(self):
         """All points that joints or loads use, once each, and the centres of rigid bodies."""
-        points = {p: None for joint in self.joints for p in (joint.a, joint.b) if p != "ground"}
+        points = {p: None for joint in self.joints for p in (joint.a, joint.b) if p != "ground" and "." in p}
+        points.update({p: None for contact in self.contacts if hasattr(contact, "a") for p in (contact.a, contact.b) if p != "ground"})
+        points.update({p: None for contact in self.contacts if hasattr(contact, "balls") for p in contact.balls})
+        if self.contacts or any(joint.kind.startswith("sliding") for joint in self.joints):
+            points.update({p: None for body in self.bodies if isinstance(body, Beam) for p in body.node_points()})
         points.update({f"{body.name}.centre": None for body in self.bodies if isinstance(body, RigidBody)})
         return list(points)
 
@@ -255,6 +314,15 @@ class Mechanism:
         for joint in self.joints:
             for motion in MOTIONS[joint.kind]:
                 yield f"{joint.name}.{motion}"
+            if joint.kind.startswith("sliding"):
+                yield f"{joint.name}.arc length"
+        for contact in self.contacts:
+            if hasattr(contact, "balls"):
+                yield from contact.probes()
+            else:
+                yield from (f"{contact.name}.{quantity}" for quantity in ("gap", "force"))
+                if contact.law.friction():
+                    yield from (f"{contact.name}.{quantity}" for quantity in ("slip", "friction"))
 
     def size(self):
         """Largest distance between points, at least 1 mm [m]."""
@@ -272,7 +340,7 @@ class Mechanism:
         yield "Bodies", [(body.name, list(body.text(world))) for body in self.bodies]
         if self.is_rough:
             yield "Assembly", [("Gaps", "closed")]
-        yield "Joints", [(joint.name, list(joint.text(world))) for joint in (*self.joints, *self.gears)]
+        yield "Joints", [(joint.name, list(joint.text(world))) for joint in (*self.joints, *self.gears, *self.contacts)]
         loads = [(load.name, list(load.text(world))) for load in self.loads]
         if self.gravity is not None:
             loads.append(("weight", [("Type", "gravity"), ("Acceleration", world.vector(self.gravity, ACCELERATION))]))

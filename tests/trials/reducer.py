@@ -59,10 +59,11 @@ def smaller_mechanisms(model):
         on_it = [j for j in model.joints if name in (j.a.partition(".")[0], j.b.partition(".")[0])]
         yield model.with_(bodies=model.bodies[:k] + model.bodies[k + 1 :], joints=[j for j in model.joints if j not in on_it],
                           loads=[load for load in model.loads if load.at.partition(".")[0] != name],
+                          contacts=[c for c in (without_body(contact, name) for contact in model.contacts) if c],
                           gears=[g for g in model.gears if g.a not in on_it and g.b not in on_it])
     for k, joint in enumerate(model.joints):
         yield model.with_(joints=model.joints[:k] + model.joints[k + 1 :], gears=[g for g in model.gears if joint not in (g.a, g.b)])
-    for name in "loads", "gears":
+    for name in "loads", "gears", "contacts":
         things = getattr(model, name)
         for k in range(len(things)):
             yield model.with_(**{name: things[:k] + things[k + 1 :]})
@@ -73,7 +74,20 @@ def smaller_mechanisms(model):
     yield from simpler_parts(model)
 
 
+def without_body(contact, name):
+    """None if the contact is one of the body; a group without it."""
+    if not hasattr(contact, "balls"):
+        return None if name in (contact.a.partition(".")[0], contact.b.partition(".")[0]) else contact
+    return dataclasses.replace(contact, balls={p: r for p, r in contact.balls.items() if p.partition(".")[0] != name},
+                               beams={p: r for p, r in contact.beams.items() if p != name})
+
+
 def simpler_parts(model):
+    for k, contact in enumerate(model.contacts):
+        for entry in contact.law.entries:
+            new = copy.deepcopy(model)
+            del new.contacts[k].law.entries[entry]
+            yield new
     for k, joint in enumerate(model.joints):
         for motion, entries in joint.motions.items():
             for entry in entries:

@@ -13,6 +13,7 @@ from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
 from outline import render
 from program import LIMIT, Run
+from touching import Group, Toucher, rough_touching, touching_mechanism
 from world import World
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -82,6 +83,21 @@ def mechanism_trial(seed, integrator=None):
     return MechanismTrial(f"mechanism {seed}" + (f" s={model.stages} radius={model.radius:g}" if integrator else ""), model)
 
 
+def touching_trial(seed):
+    return MechanismTrial(f"touching {seed}", touching_mechanism(seed))
+
+
+def placed_trials(seed):
+    """What slides, touches and rubs, turned and in another unit: a few steps, as contacts amplify. Stiff balls at beams take a
+    thousand steps, whose sizes round-off decides."""
+    model = touching_mechanism(seed).with_(steps=5, newton=1e-13, analyses=("dynamic",))
+    if any(isinstance(contact, Group) and contact.beams for contact in model.contacts):
+        return
+    model.radius = 0.5 if model.stages == 1 else model.radius
+    yield RelativeTrial(f"placed-turned {seed}", model, relatives.turned(Toucher(seed)), 1e-5)
+    yield RelativeTrial(f"placed-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-5)
+
+
 def relative_trials(seed):
     """Turned, and in one other unit; smooth motions over a short time, so that little is amplified."""
     generator = Generator(seed)
@@ -118,13 +134,18 @@ def extreme_trials(program):
 
 def short(program):
     """What ctest runs: the same always."""
-    for seed in range(100, 140):
+    for seed in range(100, 130):
         yield mechanism_trial(seed)
+    for seed in range(100, 112):
+        yield touching_trial(seed)
+    for seed in range(4):
+        yield from placed_trials(seed)
+        yield RoughTrial(f"rough-touching {seed}", rough_touching(seed))
     for seed in range(6):
         yield from relative_trials(seed)
     for seed in range(14):
         yield mutant_trial(seed)
-    for seed in range(20):
+    for seed in range(14):
         yield RoughTrial(f"rough {seed}", rough_mechanism(seed))
     # chosen by their names, so that an entry more in the catalogue leaves the others as they are
     yield from sorted(extreme_trials(program), key=lambda trial: zlib.crc32(trial.name.encode()))[:14]
@@ -138,7 +159,10 @@ def endless(program, start):
     while True:
         for integrator in INTEGRATORS:
             yield mechanism_trial(seed, integrator)
+        yield from (touching_trial(10 * seed + k) for k in range(10))
         yield from relative_trials(seed)
+        yield from placed_trials(seed)
+        yield from (RoughTrial(f"rough-touching {10 * seed + k}", rough_touching(10 * seed + k)) for k in range(5))
         yield from (mutant_trial(10 * seed + k) for k in range(10))
         yield from (RoughTrial(f"rough {10 * seed + k}", rough_mechanism(10 * seed + k)) for k in range(10))
         yield from (everything.pop() for _ in range(min(10, len(everything))))

@@ -63,6 +63,9 @@ namespace samara
     std::vector<double> gap(const State &start, const State &end) const;
 
   private:
+    /** P x, or P⁻¹ x. */
+    void exchange(double *x, bool forward) const;
+
     const System             &system;
     unsigned int              n_parts = 1;
     std::vector<unsigned int> node_becomes, coordinate_becomes, state_becomes;
