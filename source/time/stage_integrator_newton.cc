@@ -471,7 +471,7 @@ namespace samara
         strains(k, dz[k], strain_increment);
         if (system.is_viscous())
           strains(k, dz_rate[k], rate_increment);
-        system.stresses(strain_increment.data(), rate_increment.data(), stress_increment.data());
+        change_of_stresses(k, strain_increment.data(), rate_increment.data(), stress_increment);
         for (unsigned int i = 0; i < layout.n_strains; ++i)
           stage.stress[i] += stage.excess[i] + stress_increment[i];
       }

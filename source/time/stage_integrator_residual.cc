@@ -100,8 +100,7 @@ namespace samara
     if (!(largest_gap(h) < allowed_gap()))
       return false;
     if (system.is_viscous() || tableau.alpha != 0.)
-      for (auto &stage : stages)
-        system.strain_rates(stage.point(), stage.strain_rates.data());
+      evaluate_strain_rates(h);
     return true;
   }
 
