@@ -2,6 +2,7 @@
 #include <samara/analysis/near_redundancy.h>
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/refused_pictures.h>
 #include <samara/base/text.h>
 #include <samara/base/threads.h>
 #include <samara/cosserat/section.h>
@@ -13,6 +14,7 @@
 #include <samara/several_models.h>
 #include <samara/section_report.h>
 #include <samara/study.h>
+#include <samara/trim_variants.h>
 
 #include <algorithm>
 #include <chrono>
@@ -309,6 +311,7 @@ namespace samara
     const auto start           = std::chrono::steady_clock::now();
     const auto processor_start = std::clock();
     InputFile  file(options.model);
+    folder_of_refused_pictures() = folder_of_results(options);
     if (Study::is_study(file.outline))
       return run_study(options, std::move(file), log);
 
@@ -317,6 +320,7 @@ namespace samara
     const auto overrides    = is_automatic ? find_meshes(Catalogue(), file, options.overrides, log) : options.overrides;
     Input      input(Catalogue(), std::move(file), overrides);
     input.use_settings();
+    let_trim_continue(input, options.model, overrides);
     if (input.is_without_bodies())
       return run_without_bodies(options, input, log);
     const auto owner  = input.assemble();

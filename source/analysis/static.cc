@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/integrating_states.h>
+#include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/text.h>
@@ -131,6 +132,27 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * Whether a large model is stable at @p start, or free to move, without a look at its matrix, which costs as much
+     * as all else: free of stress, with nothing but elastic strains and constraints that could push. The sign of the
+     * determinant is then that of as many factors −1 as there are constraints.
+     */
+    bool
+    is_stable_as_drawn(const Context &context, const State &start)
+    {
+      const Layout &layout = context.system.layout;
+      return context.system.size() > 20000 && !context.is_equilibrium && layout.n_states == 0 && layout.stops.empty() &&
+             layout.frictions.empty() && layout.nonlinear_springs.empty() && layout.contact_groups.empty() &&
+             layout.nonholonomic.empty() &&
+             std::all_of(start.stress.begin(), start.stress.end(), [](const double s) { return s == 0.; }) &&
+             std::all_of(start.multipliers.begin(), start.multipliers.end(), [](const double l) { return l == 0.; });
+    }
+  } // namespace
+
+
+
   bool
   StaticAnalysis::is_beyond_limit(const Context      &context,
                                   const State        &start,
@@ -143,6 +165,9 @@ namespace samara
       {
         // without constraints the unloaded model is stable, all eigenvalues positive, or free to move
         if (!context.is_equilibrium && context.system.layout.n_multipliers == 0 && sign > 0)
+          return false;
+        const unsigned int n_rows = context.system.layout.n_multipliers - found.left_out.size();
+        if (sign == (n_rows % 2 == 0 ? 1 : -1) && is_stable_as_drawn(context, start))
           return false;
         sign_at_start = stability_sign(context, start);
         stability_sign(context, found); // the solver keeps the matrix of the equilibrium
@@ -192,7 +217,10 @@ namespace samara
                             why_not_steady(context.system, turning, context.speeds, motion) +
                             "; this is the equilibrium of one moment, as if speeds stayed what they are");
     else
-      tell_loads(context);
+      {
+        tell_loads(context);
+        tell_prescribed(context, turning);
+      }
     if (!motion.shared.empty())
       {
         std::string names;
@@ -217,6 +245,27 @@ namespace samara
       return;
     has_told_motion = true;
     context.log.warning("static", loads.text() + "; this is the equilibrium of one azimuth, as if it stayed");
+  }
+
+
+
+  void
+  StaticAnalysis::tell_prescribed(const Context &context, const State &turning)
+  {
+    double fastest = 0;
+    for (const double speed : context.speeds)
+      fastest = std::max(fastest, std::abs(speed));
+    if (fastest == 0)
+      return;
+    const PrescribedMotion other =
+      prescribed_beside(context.system, turning, {0., 0.1 / fastest, 1 / fastest, 2.4 / fastest});
+    if (!(other.rate > 1e-9 * fastest))
+      return;
+    has_told_motion = true;
+    context.log.warning("static",
+                        "<" + other.name + "> is prescribed to move, with up to " + short_text(other.rate) +
+                          " rad/s or lengths of the model per second, beside the steady rotation; this is the "
+                          "equilibrium of one moment, as if it kept still there");
   }
 
 
@@ -271,9 +320,11 @@ namespace samara
     else
       {
         if (result.residual > 0)
-          text += "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n";
-        text += "  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
-                "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
+          text +=
+            "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n";
+        text +=
+          "  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
+          "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
       }
     throw NotConverged(text);
   }
