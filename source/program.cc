@@ -2,6 +2,7 @@
 #include <samara/analysis/near_redundancy.h>
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/refused_pictures.h>
 #include <samara/base/text.h>
 #include <samara/base/threads.h>
 #include <samara/cosserat/section.h>
@@ -310,6 +311,7 @@ namespace samara
     const auto start           = std::chrono::steady_clock::now();
     const auto processor_start = std::clock();
     InputFile  file(options.model);
+    folder_of_refused_pictures() = folder_of_results(options);
     if (Study::is_study(file.outline))
       return run_study(options, std::move(file), log);
 

@@ -1,3 +1,4 @@
+#include <samara/model/strain_products.h>
 #include <samara/time/rival_energy_decaying.h>
 
 #include <algorithm>
@@ -19,6 +20,10 @@ namespace samara
     , is_nonholonomic(rivals::nonholonomic_multipliers(system))
     , frozen_strains(system.linear_strains())
   {
+    if (!strain_products(system.model).empty())
+      throw std::invalid_argument(
+        "energy decaying: tension that stiffens torsion (<Trapeze effect>, <Trapeze coupling>) "
+        "is not among its strains; take the integrator <family>, or a section without it");
     system.mass(M);
     for (const auto &node : system.model.nodes)
       {

@@ -271,11 +271,7 @@ namespace samara
   StageIntegrator::evaluate_stresses(const double h)
   {
     const unsigned int n_strains = system.layout.n_strains;
-    for (auto &stage : stages)
-      {
-        stage.strain_rates.resize(n_strains);
-        system.strain_rates(stage.point(), stage.strain_rates.data());
-      }
+    evaluate_strain_rates(h);
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         Stage &stage = stages[k];
@@ -283,11 +279,67 @@ namespace samara
         for (unsigned int l = 0; l < tableau.s; ++l)
           for (unsigned int i = 0; i < n_strains; ++i)
             e[i] += h * tableau.a_alpha(k, l) * stages[l].strain_rates[i];
+        for (unsigned int i = 0; i < products.size(); ++i)
+          e[products[i].factor] = stage.factors[i];
         stage.excess.resize(n_strains);
         system.stresses(e.data(), stage.strain_rates.data(), stage.excess.data());
         for (unsigned int i = 0; i < n_strains; ++i)
           stage.excess[i] -= stage.stress[i];
       }
+  }
+
+
+
+  void
+  StageIntegrator::evaluate_strain_rates(const double h)
+  {
+    for (auto &stage : stages)
+      {
+        stage.strain_rates.resize(system.layout.n_strains);
+        system.strain_rates(stage.point(), stage.strain_rates.data());
+      }
+    find_products(products, tableau, h, e_start, stages);
+  }
+
+
+
+  void
+  StageIntegrator::find_products(const std::vector<StrainProduct> &products,
+                                 const Tableau                    &tableau,
+                                 const double                      h,
+                                 const std::vector<double>        &e_start,
+                                 std::vector<Stage>               &stages)
+  {
+    // Gauss' rule: with e = e_i + h Σ a ė the sum h Σ b e ė is ½ (e_f² − e_i²), whatever the rates are
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        Stage &stage = stages[k];
+        stage.factors.resize(products.size());
+        for (unsigned int i = 0; i < products.size(); ++i)
+          {
+            const auto &p      = products[i];
+            double      factor = e_start[p.factor];
+            for (unsigned int l = 0; l < tableau.s; ++l)
+              factor += h * tableau.a(k, l) * stages[l].strain_rates[p.factor];
+            stage.factors[i]             = factor;
+            stage.strain_rates[p.result] = factor * stage.strain_rates[p.factor] + stage.strain_rates[p.rest];
+          }
+      }
+  }
+
+
+
+  void
+  StageIntegrator::change_of_stresses(const unsigned int   k,
+                                      const double        *e,
+                                      const double        *rates,
+                                      std::vector<double> &stress) const
+  {
+    system.stresses(e, rates, stress.data());
+    const Stage &stage = stages[k];
+    for (unsigned int i = 0; i < products.size(); ++i)
+      stress[products[i].factor] =
+        stress[products[i].rest] * stage.factors[i] + stage.stress[products[i].rest] * e[products[i].factor];
   }
 
 

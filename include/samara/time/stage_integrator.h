@@ -1,6 +1,7 @@
 #ifndef samara_time_stage_integrator_h
 #define samara_time_stage_integrator_h
 
+#include <samara/model/strain_products.h>
 #include <samara/solvers/linear.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/exact_stages.h>
@@ -119,6 +120,7 @@ namespace samara
       std::vector<double> stress; ///< σ_k as iterated
       std::vector<double> excess; ///< what the configuration's stress has more than it
       std::vector<double> strain_rates, residual, constraint_rates;
+      std::vector<double> factors; ///< of strain products, as the stages integrate them
       double              time;
       bool                stops = false; ///< these act in all stages at once
 
@@ -129,6 +131,8 @@ namespace samara
       }
     };
     std::vector<Stage> stages;
+
+    const std::vector<StrainProduct> products = strain_products(system.model); ///< strains that are not quadratic
 
     /** A factorisation for one eigenvalue of the tableau, real or complex. */
     struct Factor
@@ -240,6 +244,16 @@ namespace samara
     void move_nodes(const State &state, double h);
     void evaluate(const State &state, double h);
     void evaluate_stresses(double h);
+    /** Rates of the strains in all stages. */
+    void evaluate_strain_rates(double h);
+    /** The same for @p stages of a step from the strains @p e_start: products follow from the other rates. */
+    static void find_products(const std::vector<StrainProduct> &products,
+                              const Tableau                    &tableau,
+                              double                            h,
+                              const std::vector<double>        &e_start,
+                              std::vector<Stage>               &stages);
+    /** Stresses of changes of strains in stage @p k, linearised there. */
+    void change_of_stresses(unsigned int k, const double *e, const double *rates, std::vector<double> &stress) const;
     /** Add the inertial forces of stage @p k to its residual; returns its kinetic energy. */
     double add_inertia(unsigned int k, const State &state, double h);
     /** From this many groups of four nodes on threads are faster. */
