@@ -14,6 +14,7 @@
 #include <samara/several_models.h>
 #include <samara/section_report.h>
 #include <samara/study.h>
+#include <samara/trim_variants.h>
 
 #include <algorithm>
 #include <chrono>
@@ -319,6 +320,7 @@ namespace samara
     const auto overrides    = is_automatic ? find_meshes(Catalogue(), file, options.overrides, log) : options.overrides;
     Input      input(Catalogue(), std::move(file), overrides);
     input.use_settings();
+    let_trim_continue(input, options.model, overrides);
     if (input.is_without_bodies())
       return run_without_bodies(options, input, log);
     const auto owner  = input.assemble();

@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/integrating_states.h>
+#include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/text.h>
@@ -216,7 +217,10 @@ namespace samara
                             why_not_steady(context.system, turning, context.speeds, motion) +
                             "; this is the equilibrium of one moment, as if speeds stayed what they are");
     else
-      tell_loads(context);
+      {
+        tell_loads(context);
+        tell_prescribed(context, turning);
+      }
     if (!motion.shared.empty())
       {
         std::string names;
@@ -241,6 +245,27 @@ namespace samara
       return;
     has_told_motion = true;
     context.log.warning("static", loads.text() + "; this is the equilibrium of one azimuth, as if it stayed");
+  }
+
+
+
+  void
+  StaticAnalysis::tell_prescribed(const Context &context, const State &turning)
+  {
+    double fastest = 0;
+    for (const double speed : context.speeds)
+      fastest = std::max(fastest, std::abs(speed));
+    if (fastest == 0)
+      return;
+    const PrescribedMotion other =
+      prescribed_beside(context.system, turning, {0., 0.1 / fastest, 1 / fastest, 2.4 / fastest});
+    if (!(other.rate > 1e-9 * fastest))
+      return;
+    has_told_motion = true;
+    context.log.warning("static",
+                        "<" + other.name + "> is prescribed to move, with up to " + short_text(other.rate) +
+                          " rad/s or lengths of the model per second, beside the steady rotation; this is the "
+                          "equilibrium of one moment, as if it kept still there");
   }
 
 

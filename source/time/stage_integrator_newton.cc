@@ -3,6 +3,7 @@
 #include <samara/base/threads.h>
 #include <samara/solvers/part_without.h>
 #include <samara/solvers/row_scale.h>
+#include <samara/solvers/swept_solver.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -17,6 +18,22 @@ namespace samara
     product(const std::complex<double> &a, const std::complex<double> &b)
     {
       return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+    }
+
+    /** Fewer dense states fill too little for it. */
+    constexpr unsigned int worth_sweeping = 8;
+
+    /** Unknowns that are states of first order and depend on more than a third of all, in systems that are not small.
+     */
+    std::vector<int>
+    dense_states(const Layout &layout, const Pattern &pattern)
+    {
+      constexpr int    least_size = 300;
+      std::vector<int> dense;
+      for (int j = layout.of_state(0); j < layout.of_multiplier(0) && pattern.size() > least_size; ++j)
+        if (3 * (pattern.column_start[j + 1] - pattern.column_start[j]) > pattern.size())
+          dense.push_back(j);
+      return dense;
     }
 
 
@@ -113,9 +130,14 @@ namespace samara
   std::vector<StageIntegrator::Factor>
   StageIntegrator::new_factors() const
   {
-    std::vector<Factor> result(tableau.eigenvalues.size());
+    std::vector<Factor>    result(tableau.eigenvalues.size());
+    const std::vector<int> dense = dense_states(system.layout, *real_matrix.pattern);
     for (unsigned int i = 0; i < result.size(); ++i)
-      if (tableau.eigenvalues[i].mu.imag() == 0.)
+      if (dense.size() >= worth_sweeping && tableau.eigenvalues[i].mu.imag() == 0.)
+        result[i].real = std::make_unique<SweptRealSolver>(real_matrix.pattern, dense);
+      else if (dense.size() >= worth_sweeping)
+        result[i].complex = std::make_unique<SweptComplexSolver>(real_matrix.pattern, dense);
+      else if (tableau.eigenvalues[i].mu.imag() == 0.)
         result[i].real = make_solver(real_matrix.pattern);
       else
         result[i].complex = make_complex_solver(real_matrix.pattern);

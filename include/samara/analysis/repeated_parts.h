@@ -48,6 +48,26 @@ namespace samara
       return node_becomes[node];
     }
 
+    /** The same of joint coordinates and of states of first order. @{ */
+    unsigned int
+    next_of_coordinate(const unsigned int i) const
+    {
+      return coordinate_becomes[i];
+    }
+    unsigned int
+    next_of_state(const unsigned int i) const
+    {
+      return state_becomes[i];
+    }
+    /** @} */
+
+    /** Whether a node turns with the repeated parts and is none of them. */
+    bool
+    only_turns(const unsigned int node) const
+    {
+      return node_turns[node] && node_becomes[node] == node;
+    }
+
     /** Axes are taken from these states, a Q-th of a period from each other. */
     void align(const State &start, const State &end);
 

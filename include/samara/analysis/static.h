@@ -118,6 +118,7 @@ namespace samara
     void              record(Context &context, const State &state, double progress, const NewtonResult &result);
     void              tell_motion(const Context &context);
     void              tell_loads(const Context &context);
+    void              tell_prescribed(const Context &context, const State &turning);
     [[noreturn]] void give_up(const Context &context, const NewtonResult &result, double fraction) const;
   };
 } // namespace samara
