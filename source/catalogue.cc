@@ -4,7 +4,10 @@
 #include <samara/aero/surface.h>
 #include <samara/analysis/dynamic.h>
 #include <samara/analysis/floquet.h>
+#include <samara/analysis/harmonics.h>
 #include <samara/analysis/linear_system.h>
+#include <samara/analysis/lyapunov.h>
+#include <samara/analysis/periodic_linear_system.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/trim.h>
@@ -197,9 +200,14 @@ namespace samara
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");
     analyses.add<LinearSystemAnalysis>("linear system", "linear equations from controls to probes, for controllers");
+    analyses.add<PeriodicLinearSystemAnalysis>("periodic linear system",
+                                               "the same about a periodic motion, sampled, and its mean");
     analyses.add<DynamicAnalysis>("dynamic", "motion in time", integrators);
     analyses.add<TrimAnalysis>("trim", "controls for which a periodic motion meets its targets");
     analyses.add<FloquetAnalysis>("floquet", "stability of periodic motion");
+    analyses.add<HarmonicsAnalysis>("harmonics",
+                                    "harmonics of a periodic motion, loads of rotors in standing and turning axes");
+    analyses.add<LyapunovAnalysis>("lyapunov", "growth of small changes of a motion that is not periodic");
     analyses.add<VerificationAnalysis>("verification",
                                        "derivatives, rigid motions and degree of the strains of elements");
     analyses.add<SectionReport>("section", "stiffness and centres of cross-sections, and stresses in them");

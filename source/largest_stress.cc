@@ -82,7 +82,7 @@ namespace samara
     for (const auto &place : places)
       {
         const auto   there = beam.station(state, point_at(place.x));
-        const double index = index_of(place.stresses->extremes(there.forces).indices);
+        const double index = index_of(place.stresses->extremes(there.linear_forces, there.helix).indices);
         if (!found || index > found->index)
           found = Found{state.time, place.x, index, there};
       }

@@ -3,6 +3,7 @@
 #include <samara/program.h>
 
 #include <CLI/CLI.hpp>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -31,6 +32,16 @@ namespace
     setrlimit(RLIMIT_AS, &limit);
 #endif
   }
+
+
+
+  /** Memory of large arrays goes back when they are gone, whichever thread had them; small models do not notice. */
+  void
+  return_memory()
+  {
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  }
 } // namespace
 
 
@@ -38,16 +49,19 @@ namespace
 int
 main(int argc, char **argv)
 {
-  samara::Options options;
-  CLI::App        app{"Samara: flexible multibody dynamics. Usage: samara model.prm"};
+  samara::Options          options;
+  std::vector<std::string> models;
+  CLI::App                 app{"Samara: flexible multibody dynamics. Usage: samara model.prm"};
   app.set_help_flag();
-  app.add_option("model", options.model, "Input file");
+  app.add_option("model", models, "Input file; of several each runs in a process of its own");
   app.add_option("--set", options.overrides, "Override an entry: \"Bodies/shaft 1/Degree = 4\"")
     ->allow_extra_args(false);
-  app.add_option("--output", options.output, "Folder of the results; default results/<name of the model>");
+  app.add_option("--output",
+                 options.output,
+                 "Folder of the results; default results/<name of the model>; of several models: of their folders");
   app.add_flag("--check", options.check, "Read and assemble the model, say what it is, and stop");
   app.add_flag("--restart", options.restart, "Go on from the checkpoint in the folder of the results");
-  app.add_option("-j,--jobs", options.jobs, "Of a study: how many members run side by side")
+  app.add_option("-j,--jobs", options.jobs, "Of a study or of several models: how many run side by side")
     ->check(CLI::Range(1, 1024));
   app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
   app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
@@ -69,6 +83,12 @@ main(int argc, char **argv)
     return std::cout << "samara " << SAMARA_VERSION << '\n', samara::success;
 
   limit_memory();
+  return_memory();
   std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
+  if (!models.empty())
+    options.model = models[0];
+  if (models.size() < 2)
+    return samara::execute(options);
+  options.several = std::move(models);
   return samara::execute(options);
 }

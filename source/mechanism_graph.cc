@@ -245,6 +245,67 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** The lines and words of a picture, at points of space. */
+    class Sketch
+    {
+    public:
+      explicit Sketch(const std::vector<Vector3> &places)
+        : view(places, 800, 80)
+      {
+        out.precision(6);
+        out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << view.size()(0) << "\" height=\""
+            << view.size()(1)
+            << "\" font-family=\"sans-serif\" font-size=\"13\">\n"
+               "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+      }
+
+      void
+      line(const Vector3 &a, const Vector3 &b, const std::string &style)
+      {
+        const auto p = view(a), q = view(b);
+        out << "<line x1=\"" << p(0) << "\" y1=\"" << p(1) << "\" x2=\"" << q(0) << "\" y2=\"" << q(1) << "\" " << style
+            << "/>\n";
+      }
+
+      void
+      words(const Vector3 &at, const double right, const double down, const std::string &style, const std::string &text)
+      {
+        const auto p = view(at);
+        out << "<text x=\"" << p(0) + right << "\" y=\"" << p(1) + down << "\" " << style << ">" << for_xml(text)
+            << "</text>\n";
+      }
+
+      void
+      ground(const Vector3 &at)
+      {
+        const auto p = view(at);
+        out << "<path d=\"M" << p(0) << " " << p(1) << " l-9 15 h18 z\" fill=\"none\" stroke=\"black\"/>\n";
+      }
+
+      void
+      circle(const Vector3 &at, const std::string &fill)
+      {
+        const auto p = view(at);
+        out << "<circle cx=\"" << p(0) << "\" cy=\"" << p(1) << "\" r=\"5\" fill=\"" << fill
+            << "\" stroke=\"black\"/>\n";
+      }
+
+      std::string
+      text() const
+      {
+        return out.str() + "</svg>\n";
+      }
+
+    private:
+      const View         view;
+      std::ostringstream out;
+    };
+  } // namespace
+
+
+
   std::string
   MechanismGraph::svg() const
   {
@@ -260,22 +321,7 @@ namespace samara
       }
     if (places.empty())
       places.emplace_back(Vector3::Zero());
-    const View         view(places, 800, 80);
-    std::ostringstream out;
-    out.precision(6);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << view.size()(0) << "\" height=\"" << view.size()(1)
-        << "\" font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    const auto line = [&](const Vector3 &a, const Vector3 &b, const std::string &style) {
-      const auto p = view(a), q = view(b);
-      out << "<line x1=\"" << p(0) << "\" y1=\"" << p(1) << "\" x2=\"" << q(0) << "\" y2=\"" << q(1) << "\" " << style
-          << "/>\n";
-    };
-    const auto words =
-      [&](const Vector3 &at, const double right, const double down, const std::string &style, const std::string &text) {
-        const auto p = view(at);
-        out << "<text x=\"" << p(0) + right << "\" y=\"" << p(1) + down << "\" " << style << ">" << for_xml(text)
-            << "</text>\n";
-      };
+    Sketch sketch(places);
     // bodies: between the places where they are held
     for (unsigned int v = 1; v < vertices.size(); ++v)
       {
@@ -285,8 +331,8 @@ namespace samara
         for (const auto &x : held[v])
           middle += x / held[v].size();
         for (const auto &x : held[v])
-          line(middle, x, "stroke=\"#888\" stroke-width=\"5\" stroke-linecap=\"round\"");
-        words(middle, 6, -8, "fill=\"#555\" font-style=\"italic\"", vertices[v].name);
+          sketch.line(middle, x, "stroke=\"#888\" stroke-width=\"5\" stroke-linecap=\"round\"");
+        sketch.words(middle, 6, -8, "fill=\"#555\" font-style=\"italic\"", vertices[v].name);
       }
     // loops: through the middles of bodies, each in its colour and a little beside the others
     for (unsigned int i = 0; i < loops.size(); ++i)
@@ -296,23 +342,20 @@ namespace samara
           const auto &next = edges[loops[i].edges[(k + 1) % loops[i].edges.size()]];
           const bool  via_ground =
             (edge.a == 0 || edge.b == 0) && (next.a == 0 || next.b == 0) && k + 1 == loops[i].edges.size();
-          line(edge.at_b,
-               next.at_b,
-               "stroke=\"" + colours[i % colours.size()] + "\" stroke-width=\"1.5\"" +
-                 (via_ground ? " stroke-dasharray=\"6 4\"" : ""));
+          sketch.line(edge.at_b,
+                      next.at_b,
+                      "stroke=\"" + colours[i % colours.size()] + "\" stroke-width=\"1.5\"" +
+                        (via_ground ? " stroke-dasharray=\"6 4\"" : ""));
         }
     for (const auto &edge : edges)
       {
-        const auto p = view(edge.at_b);
         if ((edge.at_b - edge.at_a).norm() > 0)
-          line(edge.at_a, edge.at_b, "stroke=\"black\" stroke-dasharray=\"2 3\"");
-        if (edge.a == 0 || edge.b == 0) // on the ground
-          out << "<path d=\"M" << p(0) << " " << p(1) << " l-9 15 h18 z\" fill=\"none\" stroke=\"black\"/>\n";
-        out << "<circle cx=\"" << p(0) << "\" cy=\"" << p(1) << "\" r=\"5\" fill=\""
-            << (edge.constrains ? "white" : "#ddd") << "\" stroke=\"black\"/>\n";
-        words(edge.at_b, 9, 16, "", edge.name + " (" + edge.kind + ")");
+          sketch.line(edge.at_a, edge.at_b, "stroke=\"black\" stroke-dasharray=\"2 3\"");
+        if (edge.a == 0 || edge.b == 0)
+          sketch.ground(edge.at_b);
+        sketch.circle(edge.at_b, edge.constrains ? "white" : "#ddd");
+        sketch.words(edge.at_b, 9, 16, "", edge.name + " (" + edge.kind + ")");
       }
-    out << "</svg>\n";
-    return out.str();
+    return sketch.text();
   }
 } // namespace samara

@@ -2,6 +2,7 @@
 #include <samara/analysis/near_redundancy.h>
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/refused_pictures.h>
 #include <samara/base/text.h>
 #include <samara/base/threads.h>
 #include <samara/cosserat/section.h>
@@ -10,8 +11,10 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
+#include <samara/several_models.h>
 #include <samara/section_report.h>
 #include <samara/study.h>
+#include <samara/trim_variants.h>
 
 #include <algorithm>
 #include <chrono>
@@ -262,6 +265,9 @@ namespace samara
         log.line(counts.redundancy_text());
       if (counts.n_free_motions > 0 && input.has_analysis("static"))
         log.line(counts.free_motions_text());
+      if (input.has_analysis("dynamic") || input.has_analysis("modal"))
+        if (const std::string text = counts.massless_text(); !text.empty())
+          log.warning("", text);
     }
 
 
@@ -305,6 +311,7 @@ namespace samara
     const auto start           = std::chrono::steady_clock::now();
     const auto processor_start = std::clock();
     InputFile  file(options.model);
+    folder_of_refused_pictures() = folder_of_results(options);
     if (Study::is_study(file.outline))
       return run_study(options, std::move(file), log);
 
@@ -313,6 +320,7 @@ namespace samara
     const auto overrides    = is_automatic ? find_meshes(Catalogue(), file, options.overrides, log) : options.overrides;
     Input      input(Catalogue(), std::move(file), overrides);
     input.use_settings();
+    let_trim_continue(input, options.model, overrides);
     if (input.is_without_bodies())
       return run_without_bodies(options, input, log);
     const auto owner  = input.assemble();
@@ -353,6 +361,8 @@ namespace samara
   {
     try
       {
+        if (!options.several.empty())
+          return execute_all(options);
         // no MPI, which would want to start a daemon and complains where it cannot
         set_threads(1);
         Log log(std::cout, options.quiet);

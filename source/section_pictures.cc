@@ -116,7 +116,11 @@ namespace samara
 
 
   std::string
-  picture_of_stresses(const SectionAnalysis &analysis, const Vector6 &forces, const Vector3 &x, const Matrix3 &D)
+  picture_of_stresses(const SectionAnalysis &analysis,
+                      const Vector6         &forces,
+                      const double           helix,
+                      const Vector3         &x,
+                      const Matrix3         &D)
   {
     Fields fields;
     fields.add("material");
@@ -129,7 +133,8 @@ namespace samara
       fields.add(name);
     return vtu(analysis, fields, [&](const CrossSection::StressPoint &point, std::vector<double> &values) {
       const unsigned int material = analysis.mesh.ply(point.cell).material;
-      const Vector6 stress = CrossSection::stress(point, forces), own = CrossSection::stress_in_material(point, forces);
+      const Vector6      stress   = CrossSection::stress(point, forces, helix),
+                    own           = CrossSection::stress_in_material(point, forces, helix);
       values.push_back(material);
       append(Vector3(0, point.place[0], point.place[1]), values);
       for (int i = 0; i < 6; ++i)

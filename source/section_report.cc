@@ -280,6 +280,8 @@ namespace samara
           blade.damping = beam.relaxation_times();
           for (const auto &there : beam.sections_along())
             blade.stations.push_back({there.x, there.values.stiffness, there.values.inertia});
+          if (beam.has_trapeze())
+            context.log.line("Beam " + name + ": BeamDyn knows no trapeze effect, its file is without it");
           const std::string file = context.folder + "/" + file_name_of(name) + "_beamdyn.dat";
           replace_file(file, blade.write("Beam " + name + ", length " + number_to_text("%.9g", beam.length()) + " m"));
           context.log.line("Beam " + name + ": " + std::to_string(blade.stations.size()) + " stations for BeamDyn in " +

@@ -63,7 +63,7 @@ namespace samara
 
     /** Stresses by layers, the walls in the order of the shape. */
     std::vector<Layer>
-    layers_of(const SectionAnalysis &analysis, const Vector6 &forces)
+    layers_of(const SectionAnalysis &analysis, const Vector6 &forces, const double helix)
     {
       // cells are numbered patch by patch, layer by layer
       std::vector<Layer>        layers;
@@ -89,7 +89,7 @@ namespace samara
           AssertThrow(ply.material == layer.ply.material && ply.angle == layer.ply.angle,
                       dealii::ExcMessage("a layer of a section has more than one ply"));
           layer.extremes.add(analysis.shape.materials[ply.material].strengths,
-                             CrossSection::stress_in_material(point, forces));
+                             CrossSection::stress_in_material(point, forces, helix));
         }
       return layers;
     }
@@ -207,7 +207,7 @@ namespace samara
         for (int i = 0; i < 6; ++i)
           row.emplace_back(here.forces(i));
         Extremes of_all;
-        for (const auto &layer : layers_of(*analysis, here.forces))
+        for (const auto &layer : layers_of(*analysis, here.linear_forces, here.helix))
           {
             std::vector<Table::Cell> of_ply = {name,
                                                time,
@@ -223,7 +223,7 @@ namespace samara
         whole.add_row(row);
         if (context.pictures && context.is_shown())
           replace_file(context.folder + "/stresses_" + file_name_of(file) + ".vtu",
-                       picture_of_stresses(*analysis, here.forces, here.x, here.D));
+                       picture_of_stresses(*analysis, here.linear_forces, here.helix, here.x, here.D));
       }
     whole.write(context.folder + "/stresses.csv");
     plies.write(context.folder + "/stresses_of_plies.csv");

@@ -114,11 +114,118 @@ namespace samara
 
 
 
-    struct Running
+    /** Members that run side by side, each in a process of its own. */
+    class Crew
     {
-      StudyMember             *member;
-      std::unique_ptr<Process> process;
+    public:
+      Crew(const Study &study, const Program &program, Log &log, const unsigned int n_done)
+        : study(study)
+        , program(program)
+        , log(log)
+        , n_done(n_done)
+      {}
+
+      std::size_t
+      size() const
+      {
+        return running.size();
+      }
+
+      void start(StudyMember &member);
+      /** Finish those that have ended, and end those that have run for too long. */
+      void look();
+      /** Ask all to end. @throws Interrupted */
+      [[noreturn]] void stop() const;
+
+    private:
+      struct Running
+      {
+        StudyMember             *member;
+        std::unique_ptr<Process> process;
+      };
+      const Study         &study;
+      const Program       &program;
+      Log                 &log;
+      unsigned int         n_done;
+      std::vector<Running> running;
+
+      void finish(const Running &run);
     };
+
+
+
+    void
+    Crew::start(StudyMember &member)
+    {
+      // nothing may be left of an earlier run: what is read must be this one's
+      std::filesystem::remove_all(member.folder);
+      make_folder(member.folder);
+      replace_file(member.folder + "/command.txt", command_text(member));
+      running.push_back({&member,
+                         std::make_unique<Process>([&]() { return program(options_of(member)); },
+                                                   member.folder + "/log.txt",
+                                                   member.folder + "/errors.txt")});
+    }
+
+
+
+    void
+    Crew::finish(const Running &run)
+    {
+      StudyMember &member       = *run.member;
+      member.result.cpu_seconds = run.process->cpu_seconds();
+      member.result.finished    = run.process->exit_code() == 0;
+      if (!member.result.finished && member.result.reason.empty())
+        member.result.reason = reason_of(*run.process, member.folder);
+      if (member.result.finished)
+        member.result.reason.clear();
+      write_record(member);
+      const auto &methods = study.methods;
+      log.line("  " + std::to_string(++n_done) + "/" + std::to_string(study.members.size()) + "  " +
+               (member.method < methods.size() ? methods[member.method]->name + ", " : std::string()) +
+               (member.label.empty() ? "one run" : member.label) + ": " +
+               (member.result.finished ? number_to_field(run.process->seconds(), 3) + " s" :
+                                         "fails: " + member.result.reason));
+    }
+
+
+
+    void
+    Crew::look()
+    {
+      for (auto run = running.begin(); run != running.end();)
+        if (run->process->has_ended())
+          {
+            finish(*run);
+            run = running.erase(run);
+          }
+        else
+          {
+            if (study.time_limit > 0 && run->process->seconds() > study.time_limit &&
+                run->member->result.reason.empty())
+              {
+                run->member->result.reason = time_limit_text + number_to_text(study.time_limit) + " s";
+                run->process->send(SIGKILL);
+              }
+            ++run;
+          }
+    }
+
+
+
+    void
+    Crew::stop() const
+    {
+      for (const auto &run : running)
+        run.process->send(SIGTERM);
+      // what does not end by itself is killed with its Process
+      const auto asked_at = std::chrono::steady_clock::now();
+      for (const auto &run : running)
+        while (!run.process->has_ended() && std::chrono::steady_clock::now() - asked_at < longest_patience)
+          std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      throw Interrupted("interrupted: " + std::to_string(n_done) + " of " + std::to_string(study.members.size()) +
+                        " members are done; the same command goes on with the others");
+    }
   } // namespace
 
 
@@ -163,73 +270,18 @@ namespace samara
              (n_kept > 0 ? ", " + std::to_string(n_kept) + " kept from before" : ""));
     std::reverse(waiting.begin(), waiting.end());
 
-    InterruptGuard       interrupt;
-    std::vector<Running> running;
-    unsigned int         n_done = n_kept;
-    const auto           start  = [&](StudyMember &member) {
-      // nothing may be left of an earlier run: what is read must be this one's
-      std::filesystem::remove_all(member.folder);
-      make_folder(member.folder);
-      replace_file(member.folder + "/command.txt", command_text(member));
-      running.push_back({&member,
-                         std::make_unique<Process>([&]() { return program(options_of(member)); },
-                                                   member.folder + "/log.txt",
-                                                   member.folder + "/errors.txt")});
-    };
-    const auto finish = [&](const Running &run) {
-      StudyMember &member       = *run.member;
-      member.result.cpu_seconds = run.process->cpu_seconds();
-      member.result.finished    = run.process->exit_code() == 0;
-      if (!member.result.finished && member.result.reason.empty())
-        member.result.reason = reason_of(*run.process, member.folder);
-      if (member.result.finished)
-        member.result.reason.clear();
-      write_record(member);
-      log.line("  " + std::to_string(++n_done) + "/" + std::to_string(members.size()) + "  " +
-               (member.method < methods.size() ? methods[member.method]->name + ", " : std::string()) +
-               (member.label.empty() ? "one run" : member.label) + ": " +
-               (member.result.finished ? number_to_field(run.process->seconds(), 3) + " s" :
-                                         "fails: " + member.result.reason));
-    };
-
-    while (!waiting.empty() || !running.empty())
+    InterruptGuard interrupt;
+    Crew           crew(*this, program, log, n_kept);
+    while (!waiting.empty() || crew.size() > 0)
       {
-        while (!waiting.empty() && running.size() < std::max(1u, n_jobs))
-          {
-            start(*waiting.back());
-            waiting.pop_back();
-          }
+        for (; !waiting.empty() && crew.size() < std::max(1u, n_jobs); waiting.pop_back())
+          crew.start(*waiting.back());
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
         if (interrupt.was_interrupted())
-          {
-            for (const auto &run : running)
-              run.process->send(SIGTERM);
-            // what does not end by itself is killed with its Process
-            const auto asked_at = std::chrono::steady_clock::now();
-            for (const auto &run : running)
-              while (!run.process->has_ended() && std::chrono::steady_clock::now() - asked_at < longest_patience)
-                std::this_thread::sleep_for(std::chrono::milliseconds(2));
-            throw Interrupted("interrupted: " + std::to_string(n_done) + " of " + std::to_string(members.size()) +
-                              " members are done; the same command goes on with the others");
-          }
-        for (auto run = running.begin(); run != running.end();)
-          if (run->process->has_ended())
-            {
-              finish(*run);
-              run = running.erase(run);
-            }
-          else
-            {
-              if (time_limit > 0 && run->process->seconds() > time_limit && run->member->result.reason.empty())
-                {
-                  run->member->result.reason = time_limit_text + number_to_text(time_limit) + " s";
-                  run->process->send(SIGKILL);
-                }
-              ++run;
-            }
+          crew.stop();
+        crew.look();
       }
   }
-
 
 
   void

@@ -35,7 +35,8 @@ namespace samara
 
     Input(const Catalogue &catalogue, InputFile file, const std::vector<std::string> &overrides = {});
 
-    /** How the bodies of a rough drawing have been moved; nothing where no joint wants it. The model is that of then. */
+    /** How the bodies of a rough drawing have been moved; nothing where no joint wants it. The model is that of then.
+     */
     std::shared_ptr<const AssembledDrawing> assembled;
 
     /** An empty one, for the documentation of its entries. */
@@ -47,7 +48,7 @@ namespace samara
     std::vector<std::unique_ptr<Analysis>> analyses;
     std::vector<std::string>               probes;
     std::vector<double>                    rotor_speeds;
-    bool                                   pictures = true;
+    bool                                   pictures       = true;
     bool                                   says_redundant = false; ///< an entry of earlier versions is set
 
     bool
@@ -105,11 +106,9 @@ namespace samara
 
     std::map<std::string, std::string> places_of_probes; ///< of those that subsystems ask for, by their paths
 
-    void               add_probes_of(const Subsystems &subsystems);
-    void               read_objects(const Group             &group,
-                                    const Subsystems::Scope &scope,
-                                    Subsystems              &subsystems,
-                                    Complaints              &complaints);
+    void add_probes_of(const Subsystems &subsystems);
+    void
+    read_objects(const Group &group, const Subsystems::Scope &scope, Subsystems &subsystems, Complaints &complaints);
     void               read_object(const Group             &group,
                                    const Subsystems::Scope &scope,
                                    const Subsystems        &subsystems,

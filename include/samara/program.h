@@ -14,8 +14,9 @@ namespace samara
   {
     std::string              model, output, help_about;
     std::vector<std::string> overrides;
+    std::vector<std::string> several; ///< models, where there are more than one: see execute_all()
     bool                     check = false, parameters = false, quiet = false, restart = false;
-    unsigned int             jobs  = 1; ///< members of a study that run side by side
+    unsigned int             jobs = 1; ///< members of a study, or models, that run side by side
   };
 
   /** Run, check or explain; returns on success. @throws InputError, NotConverged */

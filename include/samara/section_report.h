@@ -57,8 +57,11 @@ namespace samara
   std::string picture_of(const SectionAnalysis &analysis);
 
   /** Stresses and failure indices, at the place @p x with section axes @p D. */
-  std::string
-  picture_of_stresses(const SectionAnalysis &analysis, const Vector6 &forces, const Vector3 &x, const Matrix3 &D);
+  std::string picture_of_stresses(const SectionAnalysis &analysis,
+                                  const Vector6         &forces,
+                                  double                 helix,
+                                  const Vector3         &x,
+                                  const Matrix3         &D);
   /** @} */
 } // namespace samara
 

@@ -24,8 +24,8 @@ namespace samara
 
 
   /**
-   * The objects of a model with its subsystems, one copy of a subsystem after the other: what they are called, how their
-   * numbers and names are read, and where they stand.
+   * The objects of a model with its subsystems, one copy of a subsystem after the other: what they are called, how
+   * their numbers and names are read, and where they stand.
    *
    *     subsection Subsystems
    *       subsection blade
@@ -81,11 +81,11 @@ namespace samara
   private:
     using Key = std::pair<std::string, std::string>; ///< group and full name
 
-    const Catalogue                       &catalogue;
-    std::deque<Scope>                      all;
-    std::map<Key, const Outline *>         objects; ///< in subsystems
-    std::deque<Outline>                    changed;
-    std::set<std::string>                  prefixes;
+    const Catalogue               &catalogue;
+    std::deque<Scope>              all;
+    std::map<Key, const Outline *> objects; ///< in subsystems
+    std::deque<Outline>            changed;
+    std::set<std::string>          prefixes;
 
     void expand(const Scope &around, Complaints &complaints);
     void make_copies(const Scope &around, const Outline &said, Complaints &complaints);

@@ -1,6 +1,7 @@
 #include <samara/aero/finite_state.h>
 #include <samara/base/errors.h>
 
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -93,6 +94,7 @@ namespace samara
           load_weights.push_back(load_weights[i]);
         }
     u.resize(size(), 0.);
+    first_without_skew = influence(0., 0.).inverse().row(0);
   }
 
 
@@ -267,21 +269,155 @@ namespace samara
 
 
 
-  template <typename Number>
-  double
-  FiniteStateInflow::slope_of_mean(const Flow<Number> &f, const double least) const
+  void
+  FiniteStateInflow::influence_along_skew(const double           X,
+                                          const bool             of_sines,
+                                          Eigen::MatrixXd       &L,
+                                          Eigen::MatrixXd *const slope) const
   {
-    const double x = real_of(f.X_x), y = real_of(f.X_y);
-    if (x == 0 && y == 0)
-      return 1;
-    const double lambda = real_of(f.lambda), V_T = real_of(f.V_T), size = smooth_size(lambda, least),
-                 by_lambda = (lambda / V_T + lambda / size) / (V_T + size);
-    Eigen::VectorXd y_real(f.y.size());
-    for (unsigned int j = 0; j < f.y.size(); ++j)
-      y_real(j) = real_of(f.y(j));
-    const auto [by_x, by_y]  = influence_slopes(x, y);
-    const Eigen::VectorXd dL = -by_lambda * (by_x * x + by_y * y) * y_real;
-    return 1 + k * influence(x, y).partialPivLu().solve(dL)(0);
+    std::array<double, 2 * DiskShapes::most_harmonics + 1> powers;
+    powers[0] = 1;
+    for (unsigned int i = 1; i < powers.size(); ++i)
+      powers[i] = X * powers[i - 1];
+    const int n_cosines = sine_of.size(), n = of_sines ? size() - n_cosines : n_cosines;
+    L.setZero(n, n);
+    if (slope != nullptr)
+      slope->setZero(n, n);
+    for (const auto &term : terms)
+      {
+        int    row = term.row, column = term.column;
+        double value = term.factor * powers[term.power];
+        if (of_sines)
+          {
+            row    = sine_of[row] - n_cosines;
+            column = sine_of[column] - n_cosines;
+            if (row < 0 || column < 0)
+              continue;
+            value = term.of_conjugate ? -value : value;
+          }
+        L(row, column) += value;
+        if (slope != nullptr)
+          (*slope)(row, column) += term.power * value;
+      }
+  }
+
+
+
+  Eigen::VectorXd
+  FiniteStateInflow::turned(const Eigen::VectorXd &z, const double c, const double s) const
+  {
+    Eigen::VectorXd result = z;
+    for (unsigned int j = 0; j < sine_of.size(); ++j)
+      if (const int k = sine_of[j]; k >= 0)
+        {
+          const auto [re, im] = power_of(c, s, disk.shapes[j].m);
+          result(j)           = re * z(j) + im * z(k);
+          result(k)           = re * z(k) - im * z(j);
+        }
+    return result;
+  }
+
+
+
+  template <typename Number>
+  FiniteStateInflow::Flow<Number>
+  FiniteStateInflow::at_mean_flow(const Number &nu, const Flight<Number> &flight, const double least) const
+  {
+    using std::sqrt;
+    Flow<Number> f;
+    const Number mu2    = flight.mu_x * flight.mu_x + flight.mu_y * flight.mu_y;
+    const double still  = in_mean_flow * least;
+    f.nu                = nu;
+    f.lambda            = flight.lambda_f + nu;
+    f.V_T               = sqrt(mu2 + f.lambda * f.lambda + still * still);
+    f.V_m               = (mu2 + f.lambda * (f.lambda + f.nu)) / f.V_T;
+    const Number height = f.V_T + smooth_size(f.lambda, least);
+    f.X_x               = flight.mu_x / height;
+    f.X_y               = flight.mu_y / height;
+    return f;
+  }
+
+
+
+  FiniteStateInflow::MeanFlow
+  FiniteStateInflow::mean_flow(const Eigen::VectorXd &z, const Flight<double> &flight, const double least) const
+  {
+    thread_local Eigen::MatrixXd                      L, slope;
+    thread_local Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+    const double                                      mu        = std::hypot(flight.mu_x, flight.mu_y);
+    const int                                         n_cosines = sine_of.size();
+    MeanFlow                                          mean;
+    if (mu > 0)
+      {
+        mean.c = flight.mu_x / mu;
+        mean.s = flight.mu_y / mu;
+      }
+    const Eigen::VectorXd along = turned(z, mean.c, mean.s).head(n_cosines);
+    // the start is that of a wake without skew
+    mean.nu     = k * first_without_skew * z;
+    double miss = 1e300;
+    for (unsigned int i = 0; miss > 1e-12; ++i)
+      {
+        const auto   f    = at_mean_flow(mean.nu, flight, least);
+        const double size = smooth_size(f.lambda, least), X = mu / (f.V_T + size);
+        influence_along_skew(X, false, L, &slope);
+        lu.compute(L);
+        const Eigen::VectorXd y     = lu.solve(along);
+        const double          found = k * y(0), by_lambda = (f.lambda / f.V_T + f.lambda / size) / (f.V_T + size);
+        miss = std::abs(mean.nu - found) / (std::abs(mean.nu) + std::abs(found) + mu + in_mean_flow * least);
+        if (i == 100 || !std::isfinite(miss))
+          throw NotConverged("there is no mean inflow for these states: the wake goes neither up nor down");
+        // dX/dν = −X times by_lambda
+        mean.slope = X == 0 ? 1. : 1 - k * by_lambda * lu.solve(slope * y)(0);
+        mean.nu -= (mean.nu - found) / mean.slope;
+      }
+    return mean;
+  }
+
+
+
+  namespace
+  {
+    Eigen::VectorXd
+    real_parts(const Eigen::VectorXd &z)
+    {
+      return z;
+    }
+    Eigen::VectorXd
+    real_parts(const Eigen::VectorXcd &z)
+    {
+      return z.real();
+    }
+  } // namespace
+
+
+
+  Eigen::VectorXd
+  FiniteStateInflow::loads_of(const Eigen::VectorXd &z, const Flow<double> &f, const MeanFlow &mean) const
+  {
+    thread_local Eigen::MatrixXd                      L;
+    thread_local Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+    const double                                      X         = std::hypot(f.X_x, f.X_y);
+    const int                                         n_cosines = sine_of.size(), n_sines = size() - n_cosines;
+    Eigen::VectorXd                                   y = turned(z, mean.c, mean.s);
+    influence_along_skew(X, false, L);
+    lu.compute(L);
+    y.head(n_cosines) = lu.solve(y.head(n_cosines)).eval();
+    if (n_sines > 0)
+      {
+        influence_along_skew(X, true, L);
+        lu.compute(L);
+        y.tail(n_sines) = lu.solve(y.tail(n_sines)).eval();
+      }
+    return turned(y, mean.c, -mean.s);
+  }
+
+
+
+  Eigen::VectorXcd
+  FiniteStateInflow::loads_of(const Eigen::VectorXcd &z, const Flow<std::complex<double>> &f, const MeanFlow &) const
+  {
+    return influence(f.X_x, f.X_y).partialPivLu().solve(z);
   }
 
 
@@ -293,35 +429,19 @@ namespace samara
                           const double          radius,
                           const double          least) const
   {
-    using std::sqrt;
-    Flow<Number> f;
-    const Number mu2   = flight.mu_x * flight.mu_x + flight.mu_y * flight.mu_y;
-    const double still = in_mean_flow * least;
-    const auto   solve = [&](const Number &nu) {
-      f.nu                = nu;
-      f.lambda            = flight.lambda_f + nu;
-      f.V_T               = sqrt(mu2 + f.lambda * f.lambda + still * still);
-      const Number height = f.V_T + smooth_size(f.lambda, least);
-      f.X_x               = flight.mu_x / height;
-      f.X_y               = flight.mu_y / height;
-      f.y                 = influence(f.X_x, f.X_y).partialPivLu().solve(z);
-      return Number(k * f.y(0));
-    };
-    // Newton's method for ν = k y₁(X(ν)), with the real slope; the start is that of a wake without skew
-    Number nu   = k * (influence(Number(0), Number(0)).partialPivLu().solve(z))(0);
-    double miss = 1e300;
-    for (unsigned int i = 0; miss > 1e-12; ++i)
+    const Flight<double> real = {real_of(flight.mu_x),
+                                 real_of(flight.mu_y),
+                                 real_of(flight.lambda_f),
+                                 real_of(flight.spin)};
+    const MeanFlow       mean = mean_flow(real_parts(z), real, least);
+    Flow<Number>         f    = at_mean_flow(Number(mean.nu), flight, least);
+    if constexpr (!std::is_same_v<Number, double>)
       {
-        const Number found = solve(nu), lack = nu - found;
-        const double scale =
-          std::abs(real_of(nu)) + std::abs(real_of(found)) + std::sqrt(std::abs(real_of(mu2))) + still;
-        miss = std::abs(real_of(lack)) / scale;
-        if (i == 100 || !std::isfinite(miss))
-          throw NotConverged("there is no mean inflow for these states: the wake goes neither up nor down");
-        nu -= lack / slope_of_mean(f, least); // what is imaginary is right with the slope of the solution
+        // what is imaginary is right after one step with the slope of the solution
+        const Number found = k * loads_of(z, f, mean)(0);
+        f                  = at_mean_flow(Number(f.nu - (f.nu - found) / mean.slope), flight, least);
       }
-    solve(nu);
-    f.V_m = (mu2 + f.lambda * (f.lambda + f.nu)) / f.V_T;
+    f.y = loads_of(z, f, mean);
     f.rate.resize(size());
     for (unsigned int j = 0; j < size(); ++j)
       f.rate(j) = -(f.V_m * f.y(j) + (f.V_T - f.V_m) * u[j] * f.y(0)) / (radius * apparent_mass[j]);

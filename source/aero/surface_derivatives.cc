@@ -218,14 +218,14 @@ namespace samara
               const unsigned int       first_state,
               const Change<5>         &disk)
     {
-      const unsigned int n = at.shapes.size();
+      const unsigned int n = g.amplitudes.size();
       Eigen::VectorXd    by_x(n), by_y(n);
       inflow.disk.gradients(at.on_disk(0) / inflow.radius, at.on_disk(1) / inflow.radius, by_x.data(), by_y.data());
       by_x /= inflow.radius;
       by_y /= inflow.radius;
       by_place.resize(n, 3);
       by_place << by_x, by_y, Eigen::VectorXd::Zero(n);
-      const Eigen::Map<const Eigen::VectorXd> z(g.amplitudes.data(), n), phi(at.shapes.data(), n);
+      const Eigen::Map<const Eigen::VectorXd> z(g.amplitudes.data(), n), phi(at.shapes, n);
       air.add<3>(-at.induced * Matrix3::Identity(), axis);
       air.add<3>(-at.thrust_axis * g.near * Eigen::RowVector3d(z.dot(by_x), z.dot(by_y), 0.), on_disk);
       if (!inflow.states.empty())
@@ -336,13 +336,13 @@ namespace samara
 
 
   void
-  Surface::differentiate(const Station          &station,
-                         const Gathered<double> &g,
-                         const Point<double>    &point,
-                         Eigen::MatrixXd        &K,
-                         Eigen::MatrixXd        &C) const
+  Surface::differentiate(const Station           &station,
+                         const Gathered<double>  &g,
+                         const AtStation<double> &at,
+                         const Point<double>     &point,
+                         Eigen::MatrixXd         &K,
+                         Eigen::MatrixXd         &C) const
   {
-    const auto         at       = evaluate(station, g, point.time);
     const unsigned int n_twists = 6 * g.frames.D.size(), n_states = K.cols() - n_twists, n_lags = g.lags.size();
     const bool         has_lags = unsteady != Unsteady::quasi_steady;
     Derivatives        d(n_twists, n_states);
@@ -374,8 +374,12 @@ namespace samara
     d.V.add<3>(E.transpose(), d.relative);
     d.V.add<3>(E.transpose() * skew(at.relative), d.turn);
 
-    Eigen::Matrix<double, 4, 6> J =
-      section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.kept, at.flow);
+    Eigen::Matrix<double, 4, 7> J =
+      section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.kept, at.turning, at.flow);
+    // (c/2) Ω₁, Ω₁ = e₁·ω
+    const double half_chord = 0.5 * station.section.chord;
+    d.loads.add<3>(half_chord * J.col(6) * E.col(0).transpose(), d.spin);
+    d.loads.add<3>(half_chord * J.col(6) * E.col(0).transpose() * skew(at.spin), d.turn);
     if (inflow != nullptr && inflow->corrections.has_tip_loss)
       d.of_tips(*inflow, g, at, disk, J.col(5));
     if (unsteady == Unsteady::dynamic_stall)
@@ -442,7 +446,7 @@ namespace samara
     thrust.add<3>(at.force.transpose(), d.axis);
     const double       F     = at.force.dot(at.thrust_axis);
     const unsigned int first = n_twists + n_lags;
-    for (unsigned int k = 0; k < at.shapes.size(); ++k)
+    for (unsigned int k = 0; k < g.amplitudes.size(); ++k)
       {
         const double             c     = -station.weight * inflow->load_weights[k];
         const Eigen::RowVector3d slope = c * F * d.by_place.row(k);
@@ -459,23 +463,35 @@ namespace samara
 
 
 
+  const Surface::AtElement<double> &
+  Surface::matrices(const Element &element, const Point<double> &point) const
+  {
+    AtElement<double> &all = at_element(element, point);
+    if (all.K.size() > 0)
+      return all;
+    all.K.setZero(element.block.size(), element.block.size());
+    all.C = all.K;
+    for (unsigned int i = 0; i < element.stations.size(); ++i)
+      differentiate(element.stations[i], all.g, all.stations[i], point, all.K, all.C);
+    for (unsigned int a = 0; a < element.virtual_mass.size(); ++a)
+      all.C.block<6, 6>(6 * a, 6 * a) -= gyroscopic_tangent(element.virtual_mass[a], all.g.frames.y[a]);
+    return all;
+  }
+
+
+
   void
   Surface::add_matrix(const Point<double> &point, const bool by_velocity, SparseMatrix &A) const
   {
-    Eigen::MatrixXd K, C;
+    Eigen::MatrixXd local;
     for (const auto &element : elements)
       {
-        const auto g = gather(element, point);
-        K.setZero(element.block.size(), element.block.size());
-        C = K;
-        for (const auto &station : element.stations)
-          differentiate(station, g, point, K, C);
-        for (unsigned int a = 0; a < element.virtual_mass.size(); ++a)
-          C.block<6, 6>(6 * a, 6 * a) -= gyroscopic_tangent(element.virtual_mass[a], g.frames.y[a]);
+        const auto &all = matrices(element, point);
+        local           = by_velocity ? all.C : all.K;
         if (!by_velocity) // δy = ζ̇ + ad_y ζ
-          for (unsigned int a = 0; a < g.frames.y.size(); ++a)
-            K.middleCols<6>(6 * a) += C.middleCols<6>(6 * a) * ad(g.frames.y[a]);
-        element.block.add(by_velocity ? C : K, A);
+          for (unsigned int a = 0; a < all.g.frames.y.size(); ++a)
+            local.middleCols<6>(6 * a) += all.C.middleCols<6>(6 * a) * ad(all.g.frames.y[a]);
+        element.block.add(local, A);
       }
   }
 

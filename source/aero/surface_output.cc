@@ -90,7 +90,7 @@ namespace samara
     for (unsigned int k = 0; k < quantities_of_station().size() && nearest != nullptr; ++k)
       if (quantity == quantities_of_station()[k].first)
         return Probe{path, quantities_of_station()[k].second, [this, in, nearest, k](const State &state) {
-                       const auto at = evaluate(*nearest, gather(*in, state.point()), state.time);
+                       const auto &at = at_element(*in, state.point()).stations[nearest - in->stations.data()];
                        return values_at_station(at.flow, at.induced)[k];
                      }};
     return {};
@@ -141,11 +141,13 @@ namespace samara
     std::vector<std::array<double, 2>>        places;
     for (const auto &element : elements)
       {
-        const auto g = gather(element, state.point());
-        for (const auto &station : element.stations)
+        const auto &all = at_element(element, state.point());
+        const auto &g   = all.g;
+        for (unsigned int i = 0; i < element.stations.size(); ++i)
           {
-            const auto at = evaluate(station, g, state.time);
-            Sample     sample;
+            const Station &station = element.stations[i];
+            const auto    &at      = all.stations[i];
+            Sample         sample;
             sample.x = at.place;
             sample.D << at.axes.e1, at.axes.e2, at.axes.e3;
             sample.velocity = g.frames.velocity(station.N, station.quarter);

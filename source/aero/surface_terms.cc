@@ -3,43 +3,51 @@
 #include <samara/aero/surface.h>
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 namespace samara
 {
   template <typename Number>
-  Surface::Gathered<Number>
-  Surface::gather(const Element &element, const Point<Number> &point) const
+  void
+  Surface::gather(const Element &element, const Point<Number> &point, Gathered<Number> &g) const
   {
-    Gathered<Number> g;
     g.frames.gather(element.frames, point);
+    g.rates.clear();
+    for (unsigned int a = 0; a < g.frames.D.size(); ++a)
+      g.rates.emplace_back(g.frames.D[a], g.frames.y[a]);
     if (inflow != nullptr)
       g.frames.add(inflow->hub, point);
+    g.lags.clear();
     for (const unsigned int i : element.lags)
       g.lags.push_back(point.states[i]);
-    if (inflow != nullptr)
-      {
-        g.amplitudes.resize(inflow->n_amplitudes());
-        inflow->amplitudes(point, g.amplitudes.data());
-        if (inflow->corrections.any())
-          g.disk = inflow->flow_through_disk(
-            g.frames.x.back(), g.frames.D.back(), g.frames.y.back(), g.amplitudes.data(), point.time);
-        if (inflow->corrections.has_ground)
-          g.near = inflow->corrections.ground_factor(g.disk);
-      }
-    return g;
+    if (!air->varies_in_space())
+      g.wind = air->wind(Vec3<Number>(Vec3<Number>::Zero()), point.time);
+    g.near = Number(1);
+    g.amplitudes.clear();
+    if (inflow == nullptr)
+      return;
+    g.amplitudes.resize(inflow->n_amplitudes());
+    inflow->amplitudes(point, g.amplitudes.data());
+    if (inflow->corrections.any())
+      g.disk = inflow->flow_through_disk(
+        g.frames.x.back(), g.frames.D.back(), g.frames.y.back(), g.amplitudes.data(), point.time);
+    if (inflow->corrections.has_ground)
+      g.near = inflow->corrections.ground_factor(g.disk);
   }
 
 
 
   template <typename Number>
   Surface::AtStation<Number>
-  Surface::evaluate(const Station &station, const Gathered<Number> &g, const double time) const
+  Surface::evaluate(const Station &station, const Gathered<Number> &g, const double time, Number *const shapes) const
   {
-    AtStation<Number> at(station, g.frames);
-    at.place = g.frames.position(station.N, station.quarter);
+    const AlongElement<Number> along(station.N, g.frames, g.rates);
+    AtStation<Number>          at(station, along);
+    at.place = along.x + along.F * station.quarter;
     // where the velocity of the section counts, that of the air does
     Vec3<Number> wind =
-      air->wind(air->varies_in_space() ? g.frames.position(station.N, station.three_quarters) : at.place, time);
+      air->varies_in_space() ? air->wind(Vec3<Number>(along.x + along.F * station.three_quarters), time) : g.wind;
     if (inflow != nullptr)
       {
         // as seen from the hub, whose frame is the last one
@@ -53,41 +61,43 @@ namespace samara
             at.induced = -at.added(2);
             wind += H * at.added;
           }
-        at.shapes.resize(g.amplitudes.size());
+        at.shapes = shapes;
         if (external != nullptr)
           {
             at.added   = external->velocity(at.on_disk, g.disk, g.amplitudes.data());
             at.induced = -at.added(2);
             wind += H * at.added;
-            external->drives(at.on_disk, g.disk, at.shapes.data());
+            external->drives(at.on_disk, g.disk, shapes);
           }
-        inflow->disk.evaluate(Number(at.on_disk(0) / inflow->radius),
-                              Number(at.on_disk(1) / inflow->radius),
-                              at.shapes.data());
-        for (unsigned int k = 0; k < at.shapes.size() && external == nullptr; ++k)
-          at.induced += g.near * g.amplitudes[k] * at.shapes[k];
+        inflow->disk.evaluate(Number(at.on_disk(0) / inflow->radius), Number(at.on_disk(1) / inflow->radius), shapes);
+        Number sum(0);
+        for (unsigned int k = 0; k < inflow->disk.shapes.size(); ++k)
+          sum += g.amplitudes[k] * shapes[k];
+        at.induced += g.near * sum;
         if (annular == nullptr && external == nullptr)
           wind -= at.induced * at.thrust_axis;
       }
     at.air  = wind;
-    at.spin = g.frames.spin(station.N);
+    at.spin = along.spin;
     if (inflow != nullptr && inflow->corrections.has_tip_loss)
       at.kept = inflow->corrections.tip_factor(at.on_disk(0),
                                                at.on_disk(1),
                                                Number(g.disk(2) + g.disk(3)),
                                                dot(at.spin, at.thrust_axis));
-    at.relative             = at.air - g.frames.velocity(station.N, station.three_quarters);
+    at.relative             = at.air - (along.v + along.W * station.three_quarters);
     at.V                    = at.axes.components(at.relative);
     const Number *const lag = g.lags.data() + station.first_lag;
     at.upwash               = unsteady == Unsteady::quasi_steady ? at.V(2) : lags::effective_upwash(at.V(2), lag);
     if (unsteady == Unsteady::dynamic_stall)
       at.separated = lag[3];
-    at.flow       = section_flow(station.section, *air, at.V, at.upwash, at.separated, at.kept);
-    const auto &l = at.flow.loads;
-    at.force      = l(0) * at.axes.e1 + l(1) * at.axes.e2 + l(2) * at.axes.e3;
-    at.moment     = l(3) * at.axes.e1;
+    const Vec3<Number> w = at.axes.components(at.spin);
+    at.turning           = 0.5 * station.section.chord * w(0);
+    at.flow              = section_flow(station.section, *air, at.V, at.upwash, at.separated, at.kept, at.turning);
+    const auto &l        = at.flow.loads;
+    at.force             = l(0) * at.axes.e1 + l(1) * at.axes.e2 + l(2) * at.axes.e3;
+    at.moment            = l(3) * at.axes.e1;
     // (ω × e₃)·u = Ω₂ u₁ − Ω₁ u₂
-    const Vec3<Number> u = at.axes.components(at.air), w = at.axes.components(at.spin);
+    const Vec3<Number> u = at.axes.components(at.air);
     const double       m = station.virtual_mass;
     at.middle_force      = m * (w(1) * u(0) - w(0) * u(1)) * at.axes.e3;
     at.moment += 0.25 * m * station.section.chord * at.V(1) * w(0) * at.axes.e1;
@@ -109,22 +119,118 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Number by number; what is not a number is equal to nothing. */
+    template <typename Vectors>
+    bool
+    are_equal(const Vectors &a, const Vectors &b)
+    {
+      if (a.size() != b.size())
+        return false;
+      for (unsigned int i = 0; i < a.size(); ++i)
+        if (!(a[i] == b[i]))
+          return false;
+      return true;
+    }
+  } // namespace
+
+
+
+  template <typename Number>
+  Surface::AtElement<Number> &
+  Surface::at_element(const Element &element, const Point<Number> &point) const
+  {
+    thread_local Gathered<Number> g;
+    gather(element, point, g);
+    constexpr bool is_real = std::is_same_v<Number, double>;
+    const auto     kept    = [&]() -> AtElement<Number>        &{
+      thread_local AtElement<Number> other;
+      if constexpr (is_real)
+        return element.last;
+      else
+        return other;
+    };
+    AtElement<Number> &at = kept();
+    if (is_real && at.stations.size() == element.stations.size() && at.time == point.time &&
+        at.factor == point.factor && are_equal(at.g.frames.x, g.frames.x) && are_equal(at.g.frames.D, g.frames.D) &&
+        are_equal(at.g.frames.y, g.frames.y) && are_equal(at.g.lags, g.lags) &&
+        are_equal(at.g.amplitudes, g.amplitudes))
+      return at;
+    std::swap(at.g, g);
+    at.time   = point.time;
+    at.factor = point.factor;
+    at.K.resize(0, 0);
+    at.C.resize(0, 0);
+    const unsigned int n = at.g.amplitudes.size();
+    at.shapes.resize(n * element.stations.size());
+    at.stations.clear();
+    for (unsigned int i = 0; i < element.stations.size(); ++i)
+      at.stations.push_back(evaluate(element.stations[i], at.g, point.time, at.shapes.data() + i * n));
+    return at;
+  }
+
+
+
+  template <typename Number>
+  void
+  Surface::add_rates(const Station           &station,
+                     const Gathered<Number>  &g,
+                     const AtStation<Number> &at,
+                     Rows<Number>            &local) const
+  {
+    const unsigned int first_lag = 6 * g.frames.D.size(), first_inflow = first_lag + g.lags.size();
+    const Number       speed = 2 / station.section.chord * lags::speed(at.V, *air);
+    for (unsigned int i = 0; i < lags::n && unsteady != Unsteady::quasi_steady; ++i)
+      {
+        const unsigned int k = station.first_lag + i;
+        local(first_lag + k) -= lags::b[i] * speed * (at.V(2) - g.lags[k]);
+      }
+    if (unsteady == Unsteady::dynamic_stall)
+      {
+        const unsigned int k     = station.first_lag + lags::n;
+        const Number       angle = g.lags[k], lack = lags::angle_between(angle, at.flow.alpha);
+        const auto         v = station.section.separation->at(std::real(angle));
+        const Number       f = internal::continued(v.place, v.place_alpha, 0., angle, Number(0));
+        local(first_lag + k) -= speed / lags::T_p * lack;
+        local(first_lag + k + 1) -= speed / lags::T_f * (f - g.lags[k + 1]);
+      }
+    if (annular != nullptr)
+      {
+        const Mat3<Number> &H    = g.frames.D.back();
+        const auto          rate = annular->theory.rates(in_annulus(station, g, at),
+                                                Vec3<Number>(H.transpose() * at.relative),
+                                                Vec3<Number>(H.transpose() * at.force),
+                                                station.width);
+        for (unsigned int i = 0; i < AnnularMomentum::n_states; ++i)
+          local(first_lag + station.first_flow + i) -= rate[i];
+      }
+    if (inflow == nullptr || inflow->states.empty())
+      return;
+    const Number thrust = station.weight * dot(at.force, at.thrust_axis);
+    for (unsigned int k = 0; k < inflow->load_weights.size(); ++k)
+      local(first_inflow + k) -= inflow->load_weights[k] * thrust * at.shapes[k];
+  }
+
+
+
   template <typename Number>
   void
   Surface::Loads::residual_at(const Point<Number> &point, Number *r) const
   {
+    thread_local Rows<Number> local;
     for (const auto &element : surface->elements)
       {
-        const auto                               g = surface->gather(element, point);
-        Eigen::Matrix<Number, Eigen::Dynamic, 1> local =
-          Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(element.block.size());
-        for (const auto &station : element.stations)
+        const auto &all = surface->at_element(element, point);
+        local.setZero(element.block.size());
+        for (unsigned int i = 0; i < element.stations.size(); ++i)
           {
-            const auto   at     = surface->evaluate(station, g, point.time);
-            const double weight = -point.factor * station.weight;
+            const Station &station = element.stations[i];
+            const auto    &at      = all.stations[i];
+            const double   weight  = -point.factor * station.weight;
             for (unsigned int a = 0; a < station.N.size(); ++a)
               {
-                const Mat3<Number> &D = g.frames.D[a];
+                const Mat3<Number> &D = all.g.frames.D[a];
                 const Vec3<Number>  f = seen(D, at.force), m = seen(D, at.moment), h = seen(D, at.middle_force);
                 local.template segment<3>(6 * a) += weight * station.N[a] * (f + h);
                 local.template segment<3>(6 * a + 3) +=
@@ -133,7 +239,8 @@ namespace samara
           }
         // what the equations of motion would say of the mass of the air beyond M ẏ
         for (unsigned int a = 0; a < element.virtual_mass.size(); ++a)
-          local.template segment<6>(6 * a) += ad_star<Number>(g.frames.y[a], element.virtual_mass[a] * g.frames.y[a]);
+          local.template segment<6>(6 * a) +=
+            ad_star<Number>(all.g.frames.y[a], element.virtual_mass[a] * all.g.frames.y[a]);
         element.block.add(local, r);
       }
   }
@@ -144,46 +251,13 @@ namespace samara
   void
   Surface::Rates::residual_at(const Point<Number> &point, Number *r) const
   {
-    const Inflow *const inflow = surface->inflow;
+    thread_local Rows<Number> local;
     for (const auto &element : surface->elements)
       {
-        const auto                               g = surface->gather(element, point);
-        Eigen::Matrix<Number, Eigen::Dynamic, 1> local =
-          Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(element.block.size());
-        const unsigned int first_lag = 6 * g.frames.D.size(), first_inflow = first_lag + element.lags.size();
-        for (const auto &station : element.stations)
-          {
-            const auto   at    = surface->evaluate(station, g, point.time);
-            const Number speed = 2 / station.section.chord * lags::speed(at.V, *surface->air);
-            for (unsigned int i = 0; i < lags::n && surface->unsteady != Unsteady::quasi_steady; ++i)
-              {
-                const unsigned int k = station.first_lag + i;
-                local(first_lag + k) -= lags::b[i] * speed * (at.V(2) - g.lags[k]);
-              }
-            if (surface->unsteady == Unsteady::dynamic_stall)
-              {
-                const unsigned int k     = station.first_lag + lags::n;
-                const Number       angle = g.lags[k], lack = lags::angle_between(angle, at.flow.alpha);
-                const auto         v = station.section.separation->at(std::real(angle));
-                const Number       f = internal::continued(v.place, v.place_alpha, 0., angle, Number(0));
-                local(first_lag + k) -= speed / lags::T_p * lack;
-                local(first_lag + k + 1) -= speed / lags::T_f * (f - g.lags[k + 1]);
-              }
-            if (surface->annular != nullptr)
-              {
-                const Mat3<Number> &H    = g.frames.D.back();
-                const auto          rate = surface->annular->theory.rates(in_annulus(station, g, at),
-                                                                 Vec3<Number>(H.transpose() * at.relative),
-                                                                 Vec3<Number>(H.transpose() * at.force),
-                                                                 station.width);
-                for (unsigned int i = 0; i < AnnularMomentum::n_states; ++i)
-                  local(first_lag + station.first_flow + i) -= rate[i];
-              }
-            if (inflow != nullptr && !inflow->states.empty())
-              for (unsigned int k = 0; k < at.shapes.size(); ++k)
-                local(first_inflow + k) -=
-                  station.weight * inflow->load_weights[k] * dot(at.force, at.thrust_axis) * at.shapes[k];
-          }
+        const auto &all = surface->at_element(element, point);
+        local.setZero(element.block.size());
+        for (unsigned int i = 0; i < element.stations.size(); ++i)
+          surface->add_rates(element.stations[i], all.g, all.stations[i], local);
         element.block.add(local, r);
       }
   }
@@ -221,11 +295,13 @@ namespace samara
     AirLoads sum;
     for (const auto &element : elements)
       {
-        const auto g = gather(element, state.point());
-        for (const auto &station : element.stations)
+        const auto &all = at_element(element, state.point());
+        for (unsigned int i = 0; i < element.stations.size(); ++i)
           {
-            const auto    at = evaluate(station, g, state.time);
-            const Vector3 f = station.weight * at.force, m = station.weight * at.moment,
+            const Station &station = element.stations[i];
+            const auto    &at      = all.stations[i];
+            const auto    &g       = all.g;
+            const Vector3  f = station.weight * at.force, m = station.weight * at.moment,
                           h = station.weight * at.middle_force, middle = g.frames.position(station.N, station.middle());
             sum.force += f + h;
             sum.moment += (at.place - centre).cross(f) + (middle - centre).cross(h) + m;
@@ -240,6 +316,5 @@ namespace samara
 
   template class Evaluated<Surface::Loads, Force>;
   template class Evaluated<Surface::Rates, StateEquation>;
-  template Surface::Gathered<double>  Surface::gather(const Element &, const Point<double> &) const;
-  template Surface::AtStation<double> Surface::evaluate(const Station &, const Gathered<double> &, double) const;
+  template Surface::AtElement<double> &Surface::at_element(const Element &, const Point<double> &) const;
 } // namespace samara

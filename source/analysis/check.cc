@@ -119,6 +119,8 @@ namespace samara
         << "  inertia about it  " << mass.inertia.format(rows) << " kg m^2\n"
         << "  free motions      " << n_free_motions;
     out << list_of(free_motions, "\n                    ");
+    if (!massless.empty())
+      out << "\n  without inertia   " << massless.size() << list_of(massless, "\n                    ");
     out << "\n  redundant         " << redundant_multipliers.size();
     for (const auto &constraint : redundant)
       out << "\n                    " << constraint;
@@ -133,6 +135,18 @@ namespace samara
     return "In the reference configuration " + std::to_string(n_free_motions) +
            (n_free_motions == 1 ? " motion is" : " motions are") +
            " free, those of steady rotations among them:" + list_of(free_motions, "\n    ");
+  }
+
+
+
+  std::string
+  ModelCheck::massless_text() const
+  {
+    if (massless.empty())
+      return "";
+    return "Nothing determines how this moves, for it is free and has neither inertia nor damping:" +
+           list_of(massless, "\n    ") +
+           "\n    Give it an inertia (that of a section about its axis is <I2> + <I3>), or hold it";
   }
 
 

@@ -30,6 +30,33 @@ namespace samara
   DynamicAnalysis::add_parameters(Parameters &prm)
   {
     using namespace dealii::Patterns;
+    add_step_parameters(prm);
+    add_integrator_parameters(prm);
+    prm.add(
+      "Inconsistent velocities",
+      inconsistent,
+      "Velocities at the start that the constraints do not allow: project them on those that are allowed, nearest in "
+      "kinetic energy, and say so; or refuse them.",
+      Selection("project|refuse"));
+    prm.add("Output every", output_every, "Steps from one row of the histories to the next.", Integer(1));
+    prm.add("Pictures", n_pictures, "Number of pictures of the moving model, at equal times.", Integer(0));
+    prm.add(
+      "Second estimate",
+      second_estimate,
+      "Repeat each step by two half ones and write how far they are apart: an independent estimate of the error, at "
+      "three times the cost.");
+    prm.add("Checkpoint interval",
+            seconds_between_checkpoints,
+            "Seconds of computing between two checkpoints for --restart [s].",
+            Double(0));
+  }
+
+
+
+  void
+  DynamicAnalysis::add_step_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
     prm.add("Start time", start_time, "Time at the start [s].");
     prm.add("End time", end_time, "Time at the end [s].");
     prm.add("Step", step, "Time step; of adaptive steps the first one [s].", Double(0));
@@ -57,6 +84,14 @@ namespace samara
       Double(0));
     prm.add("Smallest step", smallest_step, "Step below which the run is given up [s].", Double(0));
     prm.add("Largest step", largest_step, "Of adaptive steps; 0: a tenth of the whole time [s].", Double(0));
+  }
+
+
+
+  void
+  DynamicAnalysis::add_integrator_parameters(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
     prm.add("Integrator",
             integrator,
             integrators->what_they_are() + ". All but the family are here for comparison, with fixed steps.",
@@ -83,23 +118,6 @@ namespace samara
       "are written, with exit code 3; or warn.",
       Selection("refuse|warn"));
     prm.add("Iterations", max_iterations, "Most Newton iterations with one factorisation.", Integer(2));
-    prm.add(
-      "Inconsistent velocities",
-      inconsistent,
-      "Velocities at the start that the constraints do not allow: project them on those that are allowed, nearest in "
-      "kinetic energy, and say so; or refuse them.",
-      Selection("project|refuse"));
-    prm.add("Output every", output_every, "Steps from one row of the histories to the next.", Integer(1));
-    prm.add("Pictures", n_pictures, "Number of pictures of the moving model, at equal times.", Integer(0));
-    prm.add(
-      "Second estimate",
-      second_estimate,
-      "Repeat each step by two half ones and write how far they are apart: an independent estimate of the error, at "
-      "three times the cost.");
-    prm.add("Checkpoint interval",
-            seconds_between_checkpoints,
-            "Seconds of computing between two checkpoints for --restart [s].",
-            Double(0));
   }
 
 

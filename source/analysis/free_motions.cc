@@ -2,6 +2,7 @@
 // six unknowns, however fine its mesh.
 
 #include <samara/analysis/check.h>
+#include <samara/base/text.h>
 #include <samara/solvers/from_eigen.h>
 #include <samara/solvers/linear.h>
 #include <samara/solvers/newton.h>
@@ -221,6 +222,35 @@ namespace samara
 
 
 
+    /** "turning about (1, 0, 0)" or "along (0, 0, 1)": what the node does that moves most. */
+    std::string
+    direction(const System &system, const Eigen::VectorXd &z)
+    {
+      const double length  = model_length(system.model);
+      Vector3      turn    = Vector3::Zero();
+      Vector3      advance = Vector3::Zero();
+      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+        {
+          const Matrix3 D = system.model.nodes[node].D;
+          const Vector3 v = D * z.segment<3>(system.layout.of_node(node)),
+                        w = D * z.segment<3>(system.layout.of_node(node) + 3);
+          advance         = v.norm() > advance.norm() ? v : advance;
+          turn            = w.norm() > turn.norm() ? w : turn;
+        }
+      const bool turns = turn.norm() * length > advance.norm();
+      Vector3    unit  = (turns ? turn : advance).normalized();
+      // a line has no sense: its largest component shall be positive
+      Eigen::Index largest;
+      unit.cwiseAbs().maxCoeff(&largest);
+      unit *= unit(largest) < 0 ? -1. : 1.;
+      for (int i = 0; i < 3; ++i)
+        unit(i) = std::abs(unit(i)) < 5e-4 ? 0. : std::round(1000 * unit(i)) / 1000;
+      return std::string(turns ? ", turning about " : ", along ") + "(" + short_text(unit(0)) + ", " +
+             short_text(unit(1)) + ", " + short_text(unit(2)) + ")";
+    }
+
+
+
     /** A basis of the same motions, each of which moves as little as possible. */
     Eigen::MatrixXd
     simplest_basis(const Eigen::MatrixXd &Z)
@@ -339,6 +369,54 @@ namespace samara
           zero.push_back(j);
       return Z(Eigen::all, zero);
     }
+
+
+
+    /** Zᵀ A Z of a matrix @p A of the system. */
+    Eigen::MatrixXd
+    projected(const SparseMatrix &A, const Eigen::MatrixXd &Z)
+    {
+      Eigen::MatrixXd     AZ(Z.rows(), Z.cols());
+      std::vector<double> x(A.pattern->size()), y(x.size());
+      for (int j = 0; j < Z.cols(); ++j)
+        {
+          std::copy(Z.col(j).data(), Z.col(j).data() + Z.rows(), x.begin());
+          A.multiply(x.data(), y.data());
+          AZ.col(j) = Eigen::Map<Eigen::VectorXd>(y.data(), Z.rows());
+        }
+      return Z.transpose() * AZ;
+    }
+
+
+
+    /**
+     * Combinations of the free motions @p Z without inertia or damping: no equation says how they move. Measured by
+     * what the whole mass would have, moving with the model's length.
+     */
+    Eigen::MatrixXd
+    massless_motions(const System &system, const double mass, const Eigen::MatrixXd &Z)
+    {
+      constexpr double none =
+        1e-16; // of a wire, a radius of gyration of 1e-8 lengths: below are motions known to round-off
+      const double length = model_length(system.model);
+      SparseMatrix M(system.layout.pattern), C(system.layout.pattern);
+      system.mass(M);
+      State state  = system.reference();
+      state.factor = 1;
+      system.damping(state, C);
+      Eigen::VectorXd metric = Eigen::VectorXd::Ones(Z.rows());
+      for (int i = 0; i < Z.rows(); ++i)
+        if (i < system.layout.of_state(0) && !system.layout.is_length(i))
+          metric(i) = length * length;
+      metric *= mass / std::max(1u, system.layout.n_nodes - 1);
+      const Eigen::MatrixXd whole = Z.transpose() * metric.asDiagonal() * Z, damping = projected(C, Z);
+      Eigen::MatrixXd       held = projected(M, Z);
+      // there is no common measure of both: any damping counts
+      if (const double most = damping.cwiseAbs().maxCoeff(); most > 0)
+        held += whole.trace() / (most * most) * damping.transpose() * damping;
+      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(held, whole);
+      return Z * ritz.eigenvectors().leftCols((ritz.eigenvalues().array() < none).count());
+    }
   } // namespace
 
 
@@ -367,5 +445,15 @@ namespace samara
       check.free_motions.push_back(description(system, pieces.velocities(simple.col(j))));
     if (motions.cols() == block && block < n)
       check.free_motions.push_back("others, which are not counted");
+
+    // a model for statics alone needs no mass
+    if (!(check.mass.mass > 0))
+      return;
+    Eigen::MatrixXd Z(system.layout.of_multiplier(0), simple.cols());
+    for (int j = 0; j < simple.cols(); ++j)
+      Z.col(j) = pieces.velocities(simple.col(j));
+    const Eigen::MatrixXd massless = massless_motions(system, check.mass.mass, Z);
+    for (int j = 0; j < massless.cols(); ++j)
+      check.massless.push_back(description(system, massless.col(j)) + direction(system, massless.col(j)));
   }
 } // namespace samara

@@ -181,21 +181,7 @@ namespace samara
   void
   RepeatedParts::apply(double *x) const
   {
-    if (n_parts == 1)
-      return;
-    const Layout             &layout = system.layout;
-    const std::vector<double> before(x, x + size_of_increment(layout));
-    for (const int velocities : {0, layout.of_multiplier(0)})
-      {
-        for (unsigned int node = 1; node < layout.n_nodes; ++node)
-          for (const int part : {0, 3})
-            Eigen::Map<Vector3>(x + velocities + layout.of_node(node_becomes[node]) + part).noalias() =
-              axes[node] * Eigen::Map<const Vector3>(&before[velocities + layout.of_node(node) + part]);
-        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-          x[velocities + layout.of_coordinate(coordinate_becomes[i])] = before[velocities + layout.of_coordinate(i)];
-      }
-    for (unsigned int i = 0; i < layout.n_states; ++i)
-      x[layout.of_state(state_becomes[i])] = before[layout.of_state(i)];
+    exchange(x, true);
   }
 
 
@@ -203,22 +189,42 @@ namespace samara
   void
   RepeatedParts::apply_inverse(double *x) const
   {
+    exchange(x, false);
+  }
+
+
+
+  void
+  RepeatedParts::exchange(double *x, const bool forward) const
+  {
     if (n_parts == 1)
       return;
     const Layout             &layout = system.layout;
     const std::vector<double> before(x, x + size_of_increment(layout));
+    const auto                ends = [&](const unsigned int i, const std::vector<unsigned int> &becomes) {
+      return forward ? std::make_pair(i, becomes[i]) : std::make_pair(becomes[i], i);
+    };
     for (const int velocities : {0, layout.of_multiplier(0)})
       {
         for (unsigned int node = 1; node < layout.n_nodes; ++node)
-          for (const int part : {0, 3})
-            Eigen::Map<Vector3>(x + velocities + layout.of_node(node) + part).noalias() =
-              axes[node].transpose() *
-              Eigen::Map<const Vector3>(&before[velocities + layout.of_node(node_becomes[node]) + part]);
+          {
+            const auto [from, to] = ends(node, node_becomes);
+            const Matrix3 R       = forward ? axes[node] : Matrix3(axes[node].transpose());
+            for (const int part : {0, 3})
+              Eigen::Map<Vector3>(x + velocities + layout.of_node(to) + part).noalias() =
+                R * Eigen::Map<const Vector3>(&before[velocities + layout.of_node(from) + part]);
+          }
         for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-          x[velocities + layout.of_coordinate(i)] = before[velocities + layout.of_coordinate(coordinate_becomes[i])];
+          {
+            const auto [from, to]                    = ends(i, coordinate_becomes);
+            x[velocities + layout.of_coordinate(to)] = before[velocities + layout.of_coordinate(from)];
+          }
       }
     for (unsigned int i = 0; i < layout.n_states; ++i)
-      x[layout.of_state(i)] = before[layout.of_state(state_becomes[i])];
+      {
+        const auto [from, to]  = ends(i, state_becomes);
+        x[layout.of_state(to)] = before[layout.of_state(from)];
+      }
   }
 
 

@@ -279,8 +279,15 @@ namespace samara
   Eigen::MatrixXd
   SectionMap::basis()
   {
+    return basis_at(map.states().front());
+  }
+
+
+
+  Eigen::MatrixXd
+  SectionMap::basis_at(const State &start)
+  {
     const Layout       &layout      = system.layout;
-    const State        &start       = map.states().front();
     const unsigned int  n_positions = layout.of_multiplier(0), n_velocities = layout.n_kinematic();
     SparseMatrix        K(layout.pattern);
     std::vector<double> no_multipliers(layout.n_multipliers, 0.);

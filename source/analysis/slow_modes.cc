@@ -28,6 +28,9 @@ namespace samara
     constexpr double least_share = 0.5, too_fast = 3;
     /** @} */
 
+    /** Multipliers from here on do not decay. */
+    constexpr double no_decay = 1 - 1e-6;
+
     /** Parts of vectors that are left outside of a space, over their norm, below which they are round-off. */
     constexpr double round_off_of_bases = 1e-10;
 
@@ -247,7 +250,11 @@ namespace samara
         }
       };
 
-      /** Of pairs the one with Im σ ≥ 0: the @p n_wanted with the largest share in the first @p n_first columns. */
+      /**
+       * Of pairs the one with Im σ ≥ 0: the @p n_wanted with the largest share in the first @p n_first columns, and all
+       * others that have a share and do not decay. Where coefficients change much, as in parametric resonance, modes
+       * are not as many as at the start, and the one that grows must not be the one that is left out.
+       */
       std::vector<Pair>
       pairs(const unsigned int n_first, const unsigned int n_wanted, const double highest) const
       {
@@ -267,7 +274,10 @@ namespace samara
           }
         std::stable_sort(result.begin(), result.end(), [](const Pair &a, const Pair &b) { return a.share > b.share; });
         if (result.size() > n_wanted)
-          result.erase(result.begin() + n_wanted, result.end());
+          result.erase(std::remove_if(result.begin() + n_wanted,
+                                      result.end(),
+                                      [](const Pair &p) { return std::abs(p.value) < no_decay; }),
+                       result.end());
         return result;
       }
 

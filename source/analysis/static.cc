@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/integrating_states.h>
+#include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/text.h>
@@ -131,6 +132,27 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * Whether a large model is stable at @p start, or free to move, without a look at its matrix, which costs as much
+     * as all else: free of stress, with nothing but elastic strains and constraints that could push. The sign of the
+     * determinant is then that of as many factors −1 as there are constraints.
+     */
+    bool
+    is_stable_as_drawn(const Context &context, const State &start)
+    {
+      const Layout &layout = context.system.layout;
+      return context.system.size() > 20000 && !context.is_equilibrium && layout.n_states == 0 && layout.stops.empty() &&
+             layout.frictions.empty() && layout.nonlinear_springs.empty() && layout.contact_groups.empty() &&
+             layout.nonholonomic.empty() &&
+             std::all_of(start.stress.begin(), start.stress.end(), [](const double s) { return s == 0.; }) &&
+             std::all_of(start.multipliers.begin(), start.multipliers.end(), [](const double l) { return l == 0.; });
+    }
+  } // namespace
+
+
+
   bool
   StaticAnalysis::is_beyond_limit(const Context      &context,
                                   const State        &start,
@@ -143,6 +165,9 @@ namespace samara
       {
         // without constraints the unloaded model is stable, all eigenvalues positive, or free to move
         if (!context.is_equilibrium && context.system.layout.n_multipliers == 0 && sign > 0)
+          return false;
+        const unsigned int n_rows = context.system.layout.n_multipliers - found.left_out.size();
+        if (sign == (n_rows % 2 == 0 ? 1 : -1) && is_stable_as_drawn(context, start))
           return false;
         sign_at_start = stability_sign(context, start);
         stability_sign(context, found); // the solver keeps the matrix of the equilibrium
@@ -192,7 +217,10 @@ namespace samara
                             why_not_steady(context.system, turning, context.speeds, motion) +
                             "; this is the equilibrium of one moment, as if speeds stayed what they are");
     else
-      tell_loads(context);
+      {
+        tell_loads(context);
+        tell_prescribed(context, turning);
+      }
     if (!motion.shared.empty())
       {
         std::string names;
@@ -221,197 +249,23 @@ namespace samara
 
 
 
-  namespace
-  {
-    /** What turns further in a load step may have gone to another equilibrium than the load leads to [rad]. */
-    constexpr double largest_turn = 1;
-    /** The same of what turns against the sense of the path at an end of the step [rad]. */
-    constexpr double largest_turn_back = 0.1;
-    /** Fraction of the load in which a path turns by as much only if it has an end there [1]. */
-    constexpr double step_of_jumps = 1e-12;
-    /** Beyond a stability limit, what is farther than this is another branch, not the same one a little further on [1].
-     */
-    constexpr double distance_of_branches = 1e-3;
-
-    /** The largest change between two states, in parts of the model's size or rad, and the unknown that has it. */
-    std::pair<double, unsigned int>
-    largest_change(const System &system, const State &from, const State &to)
-    {
-      const double                    length = model_length(system.model);
-      std::pair<double, unsigned int> result = {0., 0};
-      const auto                      look   = [&](const double change, const unsigned int unknown) {
-        result = std::max(result, {std::abs(change), unknown});
-      };
-      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-        {
-          const Eigen::Map<const Vector3> x(&from.q[12 * node]), x_to(&to.q[12 * node]);
-          const Eigen::Map<const Matrix3> D(&from.q[12 * node + 3]), D_to(&to.q[12 * node + 3]);
-          look((x_to - x).norm() / length, system.layout.of_node(node));
-          look((D_to - D).norm() / M_SQRT2, system.layout.of_node(node) + 3);
-        }
-      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        look((to.coordinates[i] - from.coordinates[i]) / (system.model.coordinate_units[i] == "m" ? length : 1.),
-             system.layout.of_coordinate(i));
-      return result;
-    }
-
-    /** How the unknowns grow with the load at an equilibrium, but for a positive factor; nothing if they may move. */
-    std::vector<double>
-    growth_with_load(const System &system, const State &state, ArcLength &method)
-    {
-      PathPoint point;
-      point.state = state;
-      system.stresses(state, point.state.stress);
-      try
-        {
-          method.start(point);
-        }
-      catch (const SingularMatrix &)
-        {
-          return {};
-        }
-      return point.tangent;
-    }
-  } // namespace
-
-
-
-  int
-  StaticAnalysis::turned_too_far(const System &system, const State &from, const State &to, const bool by_load) const
-  {
-    std::vector<unsigned int> suspects;
-    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-      if (system.model.coordinate_units[i] == "rad" && system.model.prescribed.count(i) == 0)
-        {
-          const double turn = std::abs(to.coordinates[i] - from.coordinates[i]);
-          if (turn > largest_turn)
-            return i;
-          if (turn > largest_turn_back)
-            suspects.push_back(i);
-        }
-    if (suspects.empty() || !by_load)
-      return -1;
-    ArcLength method(system, *solver, load_weight, tolerance, max_iterations);
-    for (const State *const state : {&from, &to})
-      if (const auto growth = growth_with_load(system, *state, method); !growth.empty())
-        for (const unsigned int i : suspects)
-          if (growth[system.layout.of_coordinate(i)] * (to.coordinates[i] - from.coordinates[i]) < 0)
-            return i;
-    return -1;
-  }
-
-
-
   void
-  StaticAnalysis::follow_load(Context &context)
+  StaticAnalysis::tell_prescribed(const Context &context, const State &turning)
   {
-    const System             &system = context.system;
-    Newton                    newton(system, *solver, tolerance, max_iterations);
-    const std::vector<double> speeds       = context.speeds;
-    const double              start_factor = context.is_equilibrium ? context.state.factor : 0.;
-    // an analysis that no file has asked for has no entries
-    const bool                is_given = parameters.has("Load factor") && parameters.is_set("Load factor");
-    std::vector<double>       start_speeds(speeds.size(), 0.);
-    if (is_given && std::any_of(speeds.begin(), speeds.end(), [](const double w) { return w != 0.; }))
-      throw InputError(parameters.where("Load factor") +
-                       ": with a steady rotation loads and speeds grow together; leave out the <Load factor>");
-    if (context.is_equilibrium && !context.sweep.empty())
-      {
-        const auto here = std::find(context.sweep.begin(), context.sweep.end(), speeds.empty() ? 0. : speeds[0]);
-        start_speeds    = here == context.sweep.begin() ? start_speeds : context.speeds_at(*(here - 1));
-      }
-
-    const auto attempt = [&](const State &from, const double fraction, State &trial) {
-      trial        = from;
-      trial.time   = time;
-      trial.held   = true;
-      trial.factor = is_given ? load_factor(fraction) : start_factor + fraction * (1. - start_factor);
-      std::vector<double> trial_speeds(speeds.size());
-      for (unsigned int i = 0; i < speeds.size(); ++i)
-        trial_speeds[i] = start_speeds[i] + fraction * (speeds[i] - start_speeds[i]);
-      const NewtonResult result = equilibrium(context, newton, trial, trial_speeds);
-      n_iterations += result.iterations;
-      return result;
-    };
-
-    std::optional<int> sign_at_start;
-    State              start = context.state;
-    start.factor             = start_factor;
-
-    // between two speeds there may be no path; and nothing holds a start to what is unstressed elsewhere
-    const bool is_between_speeds = context.is_equilibrium && !context.sweep.empty();
-    const bool at_rest           = std::all_of(speeds.begin(), speeds.end(), [](const double w) { return w == 0.; });
-    const bool may_jump          = stability_limits == "pass" || !at_rest;
-
-    double fraction = 0, step = 1. / initial_steps, least_step = smallest_step;
-    bool   has_looked_at_start = false;
-    while (fraction < 1.)
-      {
-        const double end  = is_given ? std::min(1., load_factor.next_corner(fraction, 1.)) : 1.;
-        const double next = fraction + 1.000001 * step > end ? end : fraction + step;
-        State        trial;
-        NewtonResult result = attempt(context.state, next, trial);
-        // between two speeds of a sweep there may be a critical one, where no path leads through: start afresh beyond
-        // it
-        if (!result.converged && next == 1. && start_speeds != speeds && start_factor == 1.)
-          result = attempt(system.reference(), next, trial);
-        if (result.converged && stability_limits == "stop" && is_beyond_limit(context, start, sign_at_start, trial))
-          {
-            const auto [change, unknown] = largest_change(system, context.state, trial);
-            const bool is_far            = change > distance_of_branches;
-            result.fail(Failure::stability_limit,
-                        "a stability limit (limit point or bifurcation) is passed" +
-                          (is_far ? ", <" + system.layout.name_of(unknown) + "> is on another branch" : std::string()));
-            // one that the path may pass by closely: it is not given up before it has been followed
-            if (is_far)
-              least_step = 0.5 * step_of_jumps;
-          }
-        const bool by_load = at_rest && start_factor < 1 && !is_given;
-        const int  turned  = result.converged && !is_between_speeds ?
-                               turned_too_far(system, context.state, trial, by_load) :
-                               -1;
-        if (turned >= 0 && fraction == 0 && !has_looked_at_start)
-          {
-            // what does not grow with the load, as a spring away from its rest, moves at once: from there on it is followed
-            has_looked_at_start = true;
-            State released;
-            const NewtonResult at_start = attempt(context.state, step_of_jumps, released);
-            if (at_start.converged && turned_too_far(system, context.state, released, by_load) >= 0)
-              {
-                ++n_steps;
-                fraction      = step_of_jumps;
-                context.state = released;
-                record(context, released, fraction, at_start);
-                continue;
-              }
-          }
-        if (turned >= 0 && (next - fraction > step_of_jumps || (fraction > 0 && !may_jump)))
-          {
-            const bool jumps = next - fraction <= step_of_jumps;
-            result.fail(jumps ? Failure::stability_limit : Failure::other,
-                        "<" + system.model.coordinates[turned] + "> turns by " +
-                          short_text(trial.coordinates[turned] - context.state.coordinates[turned]) + " rad" +
-                          (jumps ? " at once, past a stability limit (limit point or bifurcation)" : ""));
-            least_step = 0.5 * step_of_jumps;
-          }
-        if (result.failure == Failure::not_finite)
-          give_up(context, result, fraction); // no other step helps
-        if (!result.converged)
-          {
-            step = (next - fraction) / 2;
-            context.log.line("  load step to " + short_text(next) + ": " + result.reason + "; trying " +
-                             short_text(fraction + step));
-            if (step < least_step)
-              give_up(context, result, fraction);
-            continue;
-          }
-        ++n_steps;
-        fraction      = next;
-        context.state = trial;
-        record(context, trial, fraction, result);
-        if (result.iterations <= 8)
-          step = is_given ? std::min(2 * step, 1. / initial_steps) : 2 * step;
-      }
+    double fastest = 0;
+    for (const double speed : context.speeds)
+      fastest = std::max(fastest, std::abs(speed));
+    if (fastest == 0)
+      return;
+    const PrescribedMotion other =
+      prescribed_beside(context.system, turning, {0., 0.1 / fastest, 1 / fastest, 2.4 / fastest});
+    if (!(other.rate > 1e-9 * fastest))
+      return;
+    has_told_motion = true;
+    context.log.warning("static",
+                        "<" + other.name + "> is prescribed to move, with up to " + short_text(other.rate) +
+                          " rad/s or lengths of the model per second, beside the steady rotation; this is the "
+                          "equilibrium of one moment, as if it kept still there");
   }
 
 
@@ -466,9 +320,11 @@ namespace samara
     else
       {
         if (result.residual > 0)
-          text += "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n";
-        text += "  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
-                "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
+          text +=
+            "  The largest unbalanced force, " + short_text(result.residual) + " (N or N m), is at: " + place + ".\n";
+        text +=
+          "  Try more <Load steps>, a finer mesh there, or check units and stiffnesses of what is attached; near a "
+          "limit point of the load no equilibrium exists beyond it (Path = arc length passes it).";
       }
     throw NotConverged(text);
   }

@@ -77,12 +77,48 @@ namespace samara
 
 
 
+  bool
+  StaticAnalysis::is_too_long(const Context &context, const double factor) const
+  {
+    if (n_steps < most_steps && std::abs(factor) <= largest_factor)
+      return false;
+    context.log.warning("static",
+                        "the path has not come to load factor " + short_text(end_factor) + " but ends at " +
+                          short_text(factor) + " after " + std::to_string(n_steps) +
+                          " steps; what follows starts from there");
+    return true;
+  }
+
+
+
+  NewtonResult
+  StaticAnalysis::step_along(ArcLength     &method,
+                             RedundantRows &redundant,
+                             PathPoint     &here,
+                             const double   step,
+                             PathPoint     &next) const
+  {
+    redundant.choose(here.state);
+    NewtonResult result = method.step(here, step, next);
+    if (result.converged && !next.state.left_out.empty())
+      if (const auto objection = redundant.objection(next.state, redundant.gaps(next.state)); !objection.empty())
+        result.fail(Failure::rows_left_out, objection);
+    if (result.converged && next.cosine < smallest_cosine)
+      result.fail(Failure::other, "the path turns too much, or this is another one");
+    // a limit point alone changes both signs; a bifurcation together with it hides in the determinant
+    if (result.converged && next.slope * here.slope < 0 && next.sign == here.sign &&
+        step > 100 * smallest_step * largest_arc)
+      result.fail(Failure::other, "a limit point and a bifurcation are close together");
+    return result;
+  }
+
+
+
   void
   StaticAnalysis::follow_path(Context &context)
   {
     ArcLength     method(context.system, *solver, load_weight, tolerance, max_iterations);
-    PathPoint     here     = start_of_path(context, method), next;
-    const double  shortest = smallest_step * largest_arc;
+    PathPoint     here = start_of_path(context, method), next;
     double        step = std::min(largest_arc, 1. / (initial_steps * std::abs(here.slope))), arc = 0;
     unsigned int  n_passed = 0;
     RedundantRows redundant(context.system);
@@ -96,32 +132,15 @@ namespace samara
       }
 
     bool is_end = false;
-    while (!is_end)
+    while (!is_end && !is_too_long(context, here.state.factor))
       {
-        if (n_steps == most_steps || std::abs(here.state.factor) > largest_factor)
-          {
-            context.log.warning("static",
-                                "the path has not come to load factor " + short_text(end_factor) + " but ends at " +
-                                  short_text(here.state.factor) + " after " + std::to_string(n_steps) +
-                                  " steps; what follows starts from there");
-            break;
-          }
-        redundant.choose(here.state);
-        NewtonResult result = method.step(here, step, next);
-        if (result.converged && !next.state.left_out.empty())
-          if (const auto objection = redundant.objection(next.state, redundant.gaps(next.state)); !objection.empty())
-            result.fail(Failure::rows_left_out, objection);
-        if (result.converged && next.cosine < smallest_cosine)
-          result.fail(Failure::other, "the path turns too much, or this is another one");
-        // a limit point alone changes both signs; a bifurcation together with it hides in the determinant
-        if (result.converged && next.slope * here.slope < 0 && next.sign == here.sign && step > 100 * shortest)
-          result.fail(Failure::other, "a limit point and a bifurcation are close together");
+        NewtonResult result = step_along(method, redundant, here, step, next);
         if (!result.converged)
           {
             step /= 2;
             context.log.line("  arc of " + short_text(2 * step) + ": " + result.reason + "; trying " +
                              short_text(step));
-            if (step < shortest)
+            if (step < smallest_step * largest_arc)
               give_up(context, result, here.state.factor);
             continue;
           }

@@ -1,6 +1,7 @@
 // A search for trim: what the controls and targets are, where the motion starts, and what is said in the end.
 
 #include <samara/analysis/start_of_motion.h>
+#include <samara/analysis/trim_path.h>
 #include <samara/analysis/trim_run.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
@@ -304,6 +305,27 @@ namespace samara
   TrimAnalysis::Run::go()
   {
     start();
+    search();
+  }
+
+
+
+  void
+  TrimAnalysis::Run::go_on(const State &near)
+  {
+    state     = near;
+    VectorX u = controls_of(state);
+    for (unsigned int j = 0; j < controls.size(); ++j)
+      u(j) = std::clamp(u(j), controls[j].lower, controls[j].upper);
+    set_controls(state, u);
+    search();
+  }
+
+
+
+  void
+  TrimAnalysis::Run::search()
+  {
     Look now = look(state);
     tell(now);
     Look found = trim.method == "Newton-Krylov" ? newton_krylov(now) :
@@ -334,6 +356,16 @@ namespace samara
     check(context.sweep, complaints);
     complaints.throw_if_any();
     report = {};
-    Run(*this, context).go();
+    try
+      {
+        Run(*this, context).go();
+      }
+    catch (const NotConverged &problem)
+      {
+        if (continuation.empty() || !variant)
+          throw;
+        context.log.line(problem.what());
+        Path(*this, context).go();
+      }
   }
 } // namespace samara

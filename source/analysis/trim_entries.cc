@@ -136,6 +136,49 @@ namespace samara
 
 
 
+  TrimContinuation
+  Value<TrimContinuation>::read(const std::string &text, const std::string &, const Quantities &quantities)
+  {
+    const std::string from = " from ";
+    const auto        at   = text.find(from);
+    if (at == std::string::npos)
+      throw std::invalid_argument("<" + text + ">: a continuation is written <constant from value>, mu from 0.1");
+    TrimContinuation  result;
+    const std::string first = trim(text.substr(at + from.size()));
+    result.constant         = trim(text.substr(0, at));
+    if (result.constant.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789") !=
+        std::string::npos)
+      throw std::invalid_argument("<" + result.constant + "> is not the name of a constant");
+    result.last  = quantities.number(result.constant, "");
+    result.first = quantities.number(first, "");
+    // both must have one dimension
+    quantities.number("(" + result.constant + ") + (" + first + ")", "");
+    if (result.last == 0)
+      throw std::invalid_argument("the constant <" + result.constant +
+                                  "> is zero: values on the way there are parts of it; give it a small one");
+    if (result.first == result.last)
+      throw std::invalid_argument("the constant <" + result.constant + "> has this value already");
+    return result;
+  }
+
+
+
+  std::string
+  Value<TrimContinuation>::write(const TrimContinuation &)
+  {
+    return "";
+  }
+
+
+
+  PatternPointer
+  Value<TrimContinuation>::pattern()
+  {
+    return std::make_unique<dealii::Patterns::Anything>();
+  }
+
+
+
   void
   TrimAnalysis::add_parameters(Parameters &prm)
   {
@@ -154,6 +197,11 @@ namespace samara
       scales,
       "One for each target: what the tolerance is a part of. Not given: the values wanted, none of which may be zero "
       "then.");
+    prm.add(
+      "Continue",
+      continuation,
+      "Constants of the model, and the values from which they are led to their own, together, if the search fails at "
+      "once: mu from 0.1, with everything that depends on mu. Each step begins with the motions of those before it.");
     prm.add("Period", period, "Of the motion: 2*pi/Omega for a rotor [s].");
     prm.add("Steps", n_steps, "Time steps a period.", Integer(4));
     prm.add("Method",

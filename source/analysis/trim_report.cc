@@ -69,6 +69,47 @@ namespace samara
 
 
   std::string
+  TrimAnalysis::Run::weakness(const State &orbit)
+  {
+    const Look            now = look(orbit);
+    const Eigen::MatrixXd J   = control_matrix(now);
+    if (const std::string fault = fault_of(J); !fault.empty())
+      return fault;
+    const unsigned int n      = controls.size();
+    Eigen::MatrixXd    scaled = J;
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int j = 0; j < n; ++j)
+        scaled(k, j) *= controls[j].scale / targets[k].scale;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const auto                              list = [&](const VectorX &v, const auto &all) {
+      std::vector<std::string> parts;
+      for (unsigned int i = 0; i < n; ++i)
+        if (std::abs(v(i)) > 0.1 * v.cwiseAbs().maxCoeff())
+          parts.push_back(number_to_text("%.2f", v(i)) + " <" + all[i].name + ">");
+      return join(parts, ", ");
+    };
+    const auto &s    = svd.singularValues();
+    std::string text = "hardest to move are, in scales, the targets " + list(svd.matrixU().col(n - 1), targets) +
+                       ", which the controls " + list(svd.matrixV().col(n - 1), controls) + " move by " +
+                       number_to_text("%.2g", s(n - 1)) + "; the easiest are moved by " + number_to_text("%.2g", s(0));
+    const std::string limits = at_limits(controls_of(orbit));
+    return text + (limits.empty() ? "" : "; " + limits);
+  }
+
+
+
+  std::vector<TrimAnalysis::Run::Limit>
+  TrimAnalysis::Run::limits(const State &now) const
+  {
+    std::vector<Limit> result;
+    for (const auto &control : controls)
+      result.push_back({control.name, now.states[control.state], control.lower, control.upper});
+    return result;
+  }
+
+
+
+  std::string
   TrimAnalysis::Run::at_limits(const VectorX &u) const
   {
     std::string text;

@@ -2,6 +2,7 @@
 #include <samara/analysis/verification.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/strain_products.h>
 #include <samara/solvers/newton.h>
 
 #include <algorithm>
@@ -67,6 +68,9 @@ namespace samara
           for (unsigned int i = 0; i < sum.size(); ++i)
             sum[i] += weights[k] * e[i];
         }
+      // products of quadratic strains are integrated as such
+      for (const auto &product : strain_products(system.model))
+        sum[product.result] = 0;
       return sum;
     }
 

@@ -101,6 +101,133 @@ namespace samara
         result = {{-1, 0, 1, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}}; // sign() and comparisons
       return result;
     }
+
+    /** The lines of @p a with the other sign. */
+    Lines
+    opposite(const Lines &a)
+    {
+      return smooth_result("*", {a, {{-1, 0, 1, 0}}});
+    }
+
+    Lines
+    number(const double value)
+    {
+      return {{value, 0, std::abs(value), 0}};
+    }
+
+
+    /** Runs a program with lines in place of numbers and collects where arguments of what switches are equal. */
+    template <typename Instruction, typename Interval>
+    class SwitchFinder
+    {
+    public:
+      SwitchFinder(const std::vector<Instruction> &program, std::vector<Interval> &places)
+        : program(program)
+        , places(places)
+      {}
+
+      bool are_known = true; ///< nothing switches outside of the places
+
+      void
+      run()
+      {
+        for (std::size_t i = 0; i < program.size(); ++i)
+          {
+            const Instruction &instruction = program[i];
+            for (; !first_branches.empty() && first_branches.back().first == i; first_branches.pop_back())
+              stack.back() = either(stack.back(), first_branches.back().second);
+            if (instruction.kind == Instruction::number)
+              stack.push_back(number(instruction.value));
+            else if (instruction.kind == Instruction::variable && instruction.index == 0)
+              stack.push_back({{0, 1, 0, 1}});
+            else if (instruction.kind == Instruction::variable)
+              stack.push_back({}); // of another variable: anything
+            else if (instruction.kind == Instruction::skip_if_zero)
+              stack.pop_back();
+            else if (instruction.kind == Instruction::skip)
+              {
+                first_branches.emplace_back(i + instruction.n_skipped + 1, stack.back());
+                stack.pop_back();
+              }
+            else
+              {
+                const std::vector<Lines> arguments(stack.end() - instruction.n_arguments, stack.end());
+                stack.resize(stack.size() - instruction.n_arguments);
+                stack.push_back(result_of(instruction, arguments));
+              }
+          }
+      }
+
+    private:
+      const std::vector<Instruction>            &program;
+      std::vector<Interval>                     &places;
+      std::vector<Lines>                         stack;
+      std::vector<std::pair<std::size_t, Lines>> first_branches; ///< and where the second ones end
+
+      static std::string
+      name_of(const Instruction &i)
+      {
+        for (const auto *list : {&jet_operators(), &jet_functions()})
+          for (const auto &operation : *list)
+            if (operation.apply == i.apply && operation.piece == i.piece)
+              return operation.name;
+        return i.apply == jet_negative ? "negative" : "";
+      }
+
+      void
+      add_places(const Lines &a, const Lines &b)
+      {
+        are_known = are_known && !a.empty() && !b.empty();
+        for (const auto &x : a)
+          for (const auto &y : b)
+            if (const Line d = sum(x, scaled(y, -1)); d.slope_size != 0)
+              {
+                const double place  = -d.value / d.slope,
+                             margin = 1e-12 * (d.value_size + d.slope_size * std::abs(place)) / std::abs(d.slope);
+                are_known           = are_known && std::isfinite(place) && std::isfinite(margin);
+                places.push_back({place - margin, place + margin});
+              }
+      }
+
+      Lines
+      result_of(const Instruction &instruction, const std::vector<Lines> &arguments)
+      {
+        const std::string name = name_of(instruction);
+        if (instruction.table)
+          {
+            for (unsigned int j = 0; j < arguments.size(); ++j)
+              for (const double corner : instruction.table->corners(j))
+                add_places(arguments[j], number(corner));
+            return {};
+          }
+        if (name == "negative")
+          return opposite(arguments[0]);
+        if (instruction.piece == nullptr)
+          return smooth_result(name, arguments);
+        add_places_of_pieces(name, arguments);
+        return result_by_pieces(name, arguments);
+      }
+
+      void
+      add_places_of_pieces(const std::string &name, const std::vector<Lines> &arguments)
+      {
+        if (name == "abs" || name == "sign")
+          add_places(arguments[0], {Line()});
+        else if (name == "saturate" || name == "deadband")
+          {
+            add_places(arguments[0], arguments[1]);
+            add_places(arguments[0], name == "saturate" ? arguments[2] : opposite(arguments[1]));
+          }
+        else if (name.find_first_of("<>=!") == 0 || name == "min" || name == "max")
+          {
+            for (std::size_t j = 1; j < arguments.size(); ++j)
+              for (std::size_t k = 0; k < j; ++k)
+                add_places(arguments[k], arguments[j]);
+          }
+        else
+          are_known = false; // floor() and the like switch again and again
+      }
+    };
   } // namespace
 
 
@@ -108,90 +235,12 @@ namespace samara
   void
   Formula::find_switches()
   {
-    has_pieces   = std::any_of(program.begin(), program.end(), [](const Instruction &i) { return i.has_pieces(); });
-    places_known = has_pieces;
+    has_pieces = std::any_of(program.begin(), program.end(), [](const Instruction &i) { return i.has_pieces(); });
     if (!has_pieces)
       return;
-
-    const auto add_places = [&](const Lines &a, const Lines &b) {
-      places_known = places_known && !a.empty() && !b.empty();
-      for (const auto &x : a)
-        for (const auto &y : b)
-          if (const Line d = sum(x, scaled(y, -1)); d.slope_size != 0)
-            {
-              const double place  = -d.value / d.slope,
-                           margin = 1e-12 * (d.value_size + d.slope_size * std::abs(place)) / std::abs(d.slope);
-              places_known        = places_known && std::isfinite(place) && std::isfinite(margin);
-              places.push_back({place - margin, place + margin});
-            }
-    };
-    const auto name_of = [](const Instruction &i) {
-      for (const auto *list : {&jet_operators(), &jet_functions()})
-        for (const auto &operation : *list)
-          if (operation.apply == i.apply && operation.piece == i.piece)
-            return operation.name;
-      return std::string(i.apply == jet_negative ? "negative" : "");
-    };
-    const auto is_comparison = [](const std::string &name) { return name.find_first_of("<>=!") == 0; };
-
-    std::vector<Lines>                         stack;
-    std::vector<std::pair<std::size_t, Lines>> first_branches; // and where the second ones end
-    for (std::size_t i = 0; i < program.size(); ++i)
-      {
-        const Instruction &instruction = program[i];
-        for (; !first_branches.empty() && first_branches.back().first == i; first_branches.pop_back())
-          stack.back() = either(stack.back(), first_branches.back().second);
-        if (instruction.kind == Instruction::number)
-          stack.push_back({{instruction.value, 0, std::abs(instruction.value), 0}});
-        else if (instruction.kind == Instruction::variable && instruction.index == 0)
-          stack.push_back({{0, 1, 0, 1}});
-        else if (instruction.kind == Instruction::variable)
-          stack.push_back({}); // of another variable: anything
-        else if (instruction.kind == Instruction::skip_if_zero)
-          stack.pop_back();
-        else if (instruction.kind == Instruction::skip)
-          {
-            first_branches.emplace_back(i + instruction.n_skipped + 1, stack.back());
-            stack.pop_back();
-          }
-        else
-          {
-            const std::vector<Lines> arguments(stack.end() - instruction.n_arguments, stack.end());
-            const std::string        name = name_of(instruction);
-            stack.resize(stack.size() - instruction.n_arguments);
-            if (instruction.table)
-              {
-                for (unsigned int j = 0; j < arguments.size(); ++j)
-                  for (const double corner : instruction.table->corners(j))
-                    add_places(arguments[j], {{corner, 0, std::abs(corner), 0}});
-                stack.push_back({});
-              }
-            else if (name == "negative")
-              stack.push_back(smooth_result("*", {arguments[0], {{-1, 0, 1, 0}}}));
-            else if (instruction.piece == nullptr)
-              stack.push_back(smooth_result(name, arguments));
-            else
-              {
-                if (name == "abs" || name == "sign")
-                  add_places(arguments[0], {Line()});
-                else if (name == "saturate" || name == "deadband")
-                  {
-                    add_places(arguments[0], arguments[1]);
-                    add_places(arguments[0],
-                               name == "saturate" ? arguments[2] : smooth_result("*", {arguments[1], {{-1, 0, 1, 0}}}));
-                  }
-                else if (is_comparison(name) || name == "min" || name == "max")
-                  {
-                    for (std::size_t j = 1; j < arguments.size(); ++j)
-                      for (std::size_t k = 0; k < j; ++k)
-                        add_places(arguments[k], arguments[j]);
-                  }
-                else
-                  places_known = false; // floor() and the like switch again and again
-                stack.push_back(result_by_pieces(name, arguments));
-              }
-          }
-      }
+    SwitchFinder<Instruction, Interval> finder(program, places);
+    finder.run();
+    places_known = finder.are_known;
     if (!places_known)
       places.clear();
     std::sort(places.begin(), places.end(), [](const Interval &a, const Interval &b) { return a.end < b.end; });

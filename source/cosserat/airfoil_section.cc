@@ -1,7 +1,9 @@
+#include <samara/base/refused_pictures.h>
 #include <samara/base/text.h>
 #include <samara/cosserat/airfoil_section.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 
 namespace samara
@@ -273,7 +275,11 @@ namespace samara
       {
         if (const auto *const fault = dynamic_cast<const AirfoilFault *>(&problem))
           picture = fault->picture;
-        std::string drawn = "section_";
+        const std::string folder = folder_of_refused_pictures();
+        std::error_code   is_no_folder;
+        if (!folder.empty())
+          std::filesystem::create_directories(folder, is_no_folder);
+        std::string drawn = folder.empty() ? "section_" : folder + "/section_";
         for (const char c : name)
           drawn += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
         drawn += ".svg";

@@ -130,6 +130,9 @@ namespace samara
       curvature_of,
       "What twist and curvature of the reference line the analysis takes into account: those of the beam, or none.",
       Selection("beam|none"));
+    prm.add("Trapeze effect",
+            has_trapeze,
+            "Whether tension stiffens torsion, as fibres away from the shear centre are longer in a twisted beam.");
   }
 
 
@@ -145,7 +148,7 @@ namespace samara
           if (model.complaints.count() != before)
             return;
           place_shape();
-          content = content_of(shape, degree);
+          content = content_of(shape, degree) + (has_trapeze ? " trapeze" : "");
         }
       catch (const std::invalid_argument &problem)
         {
@@ -245,8 +248,10 @@ namespace samara
           return values;
         }
     }
-    const auto                        analysis = analyse(k);
-    SectionValues                     values{analysis->section.stiffness, analysis->section.inertia, shape.outline};
+    const auto    analysis = analyse(k);
+    SectionValues values{analysis->section.stiffness, analysis->section.inertia, shape.outline};
+    if (has_trapeze)
+      values.trapeze = trapeze_of(analysis->section);
     const std::lock_guard<std::mutex> guard(known.mutex);
     known.values[{content, {{k(0), k(1), k(2)}}}] = values;
     return values;

@@ -249,12 +249,26 @@ namespace samara
   Beam::connect(Layout &layout)
   {
     Cosserat<1>::connect(layout);
+    if (n_elements() > 0 && has_trapeze())
+      {
+        tension_torsion = std::make_unique<TensionTorsion>(*this, trapezes);
+        layout.add(*this, *tension_torsion);
+      }
     for (auto &frame : node_frames)
       frame = model->resolved(frame);
     if (node_frames.empty())
       return;
     initial_velocity.check(node_frames, *this, model->complaints);
     initial_fields.check(node_frames, node_abscissae, *this, model->complaints);
+  }
+
+
+
+  void
+  Beam::add_strain_products(std::vector<StrainProduct> &products) const
+  {
+    if (tension_torsion != nullptr)
+      tension_torsion->add_products(products);
   }
 
 

@@ -25,11 +25,13 @@ namespace samara
 
 
   Beam::Material
-  Beam::material_of(const Matrix6 &stiffness) const
+  Beam::material_of(const Matrix6 &stiffness, const Trapeze &trapeze) const
   {
     // symmetric and positive semidefinite also when the six times differ
     const Matrix6 root = relaxation_times().cwiseSqrt().asDiagonal();
-    return {stiffness, root * stiffness * root};
+    if (!trapeze.is_there())
+      return {stiffness, root * stiffness * root};
+    return {stiffness - trapeze.coupling * trapeze.coupling.transpose() / trapeze.stiffness, root * stiffness * root};
   }
 
 
@@ -84,7 +86,7 @@ namespace samara
     {
       // entries have different units: against the diagonal, c_ij²/(c_ii c_jj)
       const auto difference = [](const Matrix6 &x, const Matrix6 &y) {
-        const Vector6 scale = y.diagonal().cwiseAbs().cwiseMax(x.diagonal().cwiseAbs()).cwiseSqrt();
+        const Vector6 scale  = y.diagonal().cwiseAbs().cwiseMax(x.diagonal().cwiseAbs()).cwiseSqrt();
         double        result = 0;
         for (int i = 0; i < 6; ++i)
           for (int j = 0; j < 6; ++j)
@@ -172,6 +174,19 @@ namespace samara
 
 
 
+  std::vector<Trapeze>
+  Beam::trapezes_of(const Cell &cell, const std::vector<Matrix6> &stiffnesses) const
+  {
+    // as they are at the points, also where stiffnesses are means over an element with kinks inside
+    std::vector<Trapeze> result;
+    for (unsigned int g = 0; g < stiffnesses.size(); ++g)
+      result.push_back(with_margin(section_at(cell, cell.start + table->points[g][0] * (cell.end - cell.start)).trapeze,
+                                   stiffnesses[g]));
+    return result;
+  }
+
+
+
   std::vector<Matrix6>
   Beam::inertias_of(const Cell &cell) const
   {
@@ -216,10 +231,17 @@ namespace samara
     if (!materials.empty() && !varies)
       return indices;
     const auto stiffnesses = stiffnesses_of(cell);
+    const auto trapezes_at = trapezes_of(cell, stiffnesses);
     for (unsigned int g = 0; g < (varies ? table->n_points : 1); ++g)
       {
-        if (materials.empty() || stiffnesses[g] != last_stiffness)
-          materials.push_back(material_of(stiffnesses[g]));
+        const auto is_last = [&](const Trapeze &last) {
+          return last.coupling == trapezes_at[g].coupling && last.stiffness == trapezes_at[g].stiffness;
+        };
+        if (materials.empty() || stiffnesses[g] != last_stiffness || !is_last(trapezes.back()))
+          {
+            materials.push_back(material_of(stiffnesses[g], trapezes_at[g]));
+            trapezes.push_back(trapezes_at[g]);
+          }
         last_stiffness = stiffnesses[g];
         indices[g]     = materials.size() - 1;
       }

@@ -73,7 +73,12 @@ namespace samara
           if (k != g)
             L *= (xi[0] - t.points[k][0]) / (t.points[g][0] - t.points[k][0]);
         result.strain += L * Eigen::Map<const Vector6>(e + 6 * g);
-        result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + 6 * (elements[i].first_point + g)]);
+        const unsigned int number = elements[i].first_point + g;
+        result.stress += L * Eigen::Map<const Vector6>(&state.stress[first_strain + 6 * number]);
+        if (tension_torsion == nullptr)
+          continue;
+        result.stress += L * tension_torsion->section_forces(number, state.stress.data());
+        result.helical += L * tension_torsion->helical_forces(number, state.stress.data(), e[6 * g + 3]);
       }
     return result;
   }
@@ -135,6 +140,14 @@ namespace samara
 
 
 
+  double
+  Beam::helix_of(const Local &here) const
+  {
+    return tension_torsion == nullptr ? 0. : 0.5 * here.strain(3) * here.strain(3);
+  }
+
+
+
   std::optional<Probe>
   Beam::stress_probe(const std::string &path, const std::string &quantity, const double s) const
   {
@@ -160,7 +173,8 @@ namespace samara
     if (value(stresses->extremes(Vector6::Zero())) < 0)
       throw std::invalid_argument("<" + path + "> needs more strengths of a material of section <" + there->name + ">");
     return Probe{path, stress != stress_names.end() ? "Pa" : "1", [=](const State &state) {
-                   return value(stresses->extremes(local(state, s).stress));
+                   const Local here = local(state, s);
+                   return value(stresses->extremes(here.stress - here.helical, helix_of(here)));
                  }};
   }
 
@@ -174,7 +188,7 @@ namespace samara
       throw std::invalid_argument("beam <" + name + "> has no point <" + point + ">" + did_you_mean(point, points()));
     const auto [there, curvature] = analysed_at(*s);
     const Local here              = local(state, *s);
-    return {there, curvature, here.stress, here.sample.x, here.sample.D};
+    return {there, curvature, here.stress, here.stress - here.helical, helix_of(here), here.sample.x, here.sample.D};
   }
 
 
@@ -206,6 +220,12 @@ namespace samara
     std::vector<Sample>                       axis;
     std::vector<Local>                        known;
     std::vector<std::vector<Eigen::Vector2d>> outlines;
+    std::size_t                               n_samples = 1;
+    for (const auto &cell : cells)
+      n_samples += 2 * cell.degree;
+    axis.reserve(n_samples);
+    known.reserve(n_samples);
+    outlines.reserve(n_samples);
     for (const auto &cell : cells)
       for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= 2 * cell.degree; ++k)
         {

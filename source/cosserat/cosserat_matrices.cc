@@ -93,9 +93,20 @@ namespace samara
 
 
 
-  /** B of all elements, four of them side by side. */ template <int dim>
+  template <int dim>
   void
   Cosserat<dim>::add_material(const unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const
+  {
+    add_stiffness(
+      element, [&](const unsigned int g) -> const MatrixN & { return materials[points[g].material].*which; }, K);
+  }
+
+
+
+  template <int dim>
+  template <typename Stiffness>
+  void
+  Cosserat<dim>::add_stiffness(const unsigned int element, const Stiffness &stiffness, Eigen::MatrixXd &K) const
   {
     const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
@@ -104,10 +115,10 @@ namespace samara
     strain_matrix(element, s.B);
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
-        const IntegrationPoint &point = points[elements[element].first_point + g];
-        const MatrixN           C     = point.weight * (materials[point.material].*which);
-        auto                    CB    = s.CB.template middleRows<n>(n * g);
-        CB.noalias()                  = C.lazyProduct(s.B.template middleRows<n>(n * g));
+        const unsigned int number = elements[element].first_point + g;
+        const MatrixN      C      = points[number].weight * stiffness(number);
+        auto               CB     = s.CB.template middleRows<n>(n * g);
+        CB.noalias()              = C.lazyProduct(s.B.template middleRows<n>(n * g));
       }
     add_transpose_product(s.B, s.CB, K);
   }
@@ -206,6 +217,28 @@ namespace samara
 
   template <int dim>
   void
+  Cosserat<dim>::add_tangent(const Point<double> &point,
+                             const MatrixN *const C,
+                             const double *const  forces,
+                             SparseMatrix        &K) const
+  {
+    add_matrices(
+      K,
+      [&](const unsigned int i, Eigen::MatrixXd &K_element) {
+        Scratch &s = scratch();
+        to_tying(i, forces + n * elements[i].first_point, s.tied.data());
+        if (C != nullptr)
+          add_stiffness(
+            i, [&](const unsigned int g) -> const MatrixN & { return C[g]; }, K_element);
+        add_geometric(i, s.tied.data(), K_element);
+      },
+      point);
+  }
+
+
+
+  template <int dim>
+  void
   Cosserat<dim>::damping(const Point<double> &point, SparseMatrix &C) const
   {
     if (!is_viscous() || !point.material)
@@ -222,30 +255,16 @@ namespace samara
   void
   Cosserat<dim>::strain_rows(const Point<double> &point, StrainRows &rows) const
   {
-    RowMajor &B = scratch().B;
-    for (unsigned int i = 0; i < n_elements(); ++i)
-      {
-        const Element &element = elements[i];
-        interpolate_element(i, point.q);
-        B.resize(n * element.table->n_points, 6 * element.table->n_nodes);
-        strain_matrix(i, B);
-        element.block.to_nodes(B);
-        for (unsigned int g = 0; g < element.table->n_points; ++g)
-          {
-            const IntegrationPoint &at       = points[element.first_point + g];
-            const Material         &material = materials[at.material];
-            rows.add_point(this->first_strain + n * (element.first_point + g),
-                           at.weight,
-                           material.stiffness,
-                           material.viscosity);
-            for (unsigned int row = 0; row < n; ++row)
-              {
-                rows.begin_row();
-                for (int j = 0; j < B.cols(); ++j)
-                  rows.add_entry(element.block.row(j), B(n * g + row, j));
-              }
-          }
-      }
+    for_strain_matrices(point, [&](const unsigned int g, const Block &block, const auto &B) {
+      const Material &material = materials[points[g].material];
+      rows.add_point(this->first_strain + n * g, points[g].weight, material.stiffness, material.viscosity);
+      for (unsigned int row = 0; row < n; ++row)
+        {
+          rows.begin_row();
+          for (int j = 0; j < B.cols(); ++j)
+            rows.add_entry(block.row(j), B(row, j));
+        }
+    });
   }
 
 
@@ -255,12 +274,14 @@ namespace samara
   template void Cosserat<1>::add_material(unsigned int, MatrixN Material::*, Eigen::MatrixXd &) const;
   template void Cosserat<1>::add_geometric(unsigned int, const Vec6<double> *, Eigen::MatrixXd &) const;
   template void Cosserat<1>::tangent(const Point<double> &, SparseMatrix &) const;
+  template void Cosserat<1>::add_tangent(const Point<double> &, const MatrixN *, const double *, SparseMatrix &) const;
   template void Cosserat<1>::damping(const Point<double> &, SparseMatrix &) const;
   template void Cosserat<1>::interpolate_element(unsigned int, const double *) const;
   template void Cosserat<1>::strain_matrix(unsigned int, RowMajor &) const;
   template void Cosserat<2>::add_material(unsigned int, MatrixN Material::*, Eigen::MatrixXd &) const;
   template void Cosserat<2>::add_geometric(unsigned int, const Vec6<double> *, Eigen::MatrixXd &) const;
   template void Cosserat<2>::tangent(const Point<double> &, SparseMatrix &) const;
+  template void Cosserat<2>::add_tangent(const Point<double> &, const MatrixN *, const double *, SparseMatrix &) const;
   template void Cosserat<2>::damping(const Point<double> &, SparseMatrix &) const;
   template void Cosserat<2>::interpolate_element(unsigned int, const double *) const;
   template void Cosserat<2>::strain_matrix(unsigned int, RowMajor &) const;

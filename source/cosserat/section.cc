@@ -35,7 +35,9 @@ namespace samara
   {
     return {(1 - w) * a.stiffness + w * b.stiffness,
             (1 - w) * a.inertia + w * b.inertia,
-            interpolate(a.outline, b.outline, w)};
+            interpolate(a.outline, b.outline, w),
+            {(1 - w) * a.trapeze.coupling + w * b.trapeze.coupling,
+             (1 - w) * a.trapeze.stiffness + w * b.trapeze.stiffness}};
   }
 
 
@@ -68,7 +70,7 @@ namespace samara
              "small enough";
     if (!(Eigen::SelfAdjointEigenSolver<Matrix6>(values.inertia).eigenvalues()(0) >= -1e-12 * values.inertia.norm()))
       return "the inertia of " + what + " is not positive semidefinite";
-    return "";
+    return fault_of(values.trapeze, values.stiffness, what);
   }
 
 
@@ -93,7 +95,18 @@ namespace samara
     prm.add("I2", I2, "Mass moment of inertia per length about axis 2 through the mass centre [kg*m].", Double(0));
     prm.add("I3", I3, "Mass moment of inertia per length about axis 3 through the mass centre [kg*m].", Double(0));
     prm.add("I23", I23, "Mass product of inertia per length, integral of density y2 y3 [kg*m].");
-    prm.add("Drawn radii", drawn_radii, "Half axes along 2 and 3 of the ellipse that is drawn; default: from EI/EA [m].");
+    prm.add("Drawn radii",
+            drawn_radii,
+            "Half axes along 2 and 3 of the ellipse that is drawn; default: from EI/EA [m].");
+    prm.add("Trapeze coupling",
+            trapeze_coupling,
+            "Integral of E r^2 over the section, r from the shear centre: tension stiffens torsion by that times the "
+            "strain of the tension centre [N*m^2].",
+            Double(0));
+    prm.add("Trapeze stiffness",
+            trapeze_stiffness,
+            "Integral of E r^4 over the section, which belongs to <Trapeze coupling> [N*m^4].",
+            Double(0));
   }
 
 
@@ -116,10 +129,11 @@ namespace samara
     J << I2 + I3, 0, 0, 0, I2, -I23, 0, -I23, I3;
     v.inertia.topLeftCorner<3, 3>()     = mass * Matrix3::Identity();
     v.inertia.bottomRightCorner<3, 3>() = J;
-    const Matrix6 T = twist_transfer({0, mass_centre[0], mass_centre[1]}, Matrix3::Identity());
-    v.inertia       = T.transpose() * v.inertia * T;
+    const Matrix6 T                     = twist_transfer({0, mass_centre[0], mass_centre[1]}, Matrix3::Identity());
+    v.inertia                           = T.transpose() * v.inertia * T;
 
     v.outline = drawn_outline(drawn_radii, v.stiffness);
+    v.trapeze = {trapeze_coupling * centres.row(0).transpose(), trapeze_stiffness};
     return v;
   }
 
@@ -144,15 +158,29 @@ namespace samara
   void
   MatrixSection::add_parameters(Parameters &prm)
   {
-    prm.add("Stiffness",
-            stiffness,
-            "6x6 matrix, SI units, order Gamma1 Gamma2 Gamma3 K1 K2 K3: 36 numbers by rows, 21 of the upper triangle by "
-            "rows, or 6 of the diagonal.");
+    prm.add(
+      "Stiffness",
+      stiffness,
+      "6x6 matrix, SI units, order Gamma1 Gamma2 Gamma3 K1 K2 K3: 36 numbers by rows, 21 of the upper triangle by "
+      "rows, or 6 of the diagonal.");
     prm.add("Compliance", compliance, "Its inverse, instead of the stiffness: 36, 21 or 6 numbers, SI units.");
-    prm.add("Inertia",
-            inertia,
-            "6x6 matrix per length about the reference line, rows (m I, -m c~) and (m c~, J), SI units: 36, 21 or 6 numbers.");
-    prm.add("Drawn radii", drawn_radii, "Half axes along 2 and 3 of the ellipse that is drawn; default: from EI/EA [m].");
+    prm.add(
+      "Inertia",
+      inertia,
+      "6x6 matrix per length about the reference line, rows (m I, -m c~) and (m c~, J), SI units: 36, 21 or 6 numbers.");
+    prm.add("Drawn radii",
+            drawn_radii,
+            "Half axes along 2 and 3 of the ellipse that is drawn; default: from EI/EA [m].");
+    prm.add(
+      "Trapeze coupling",
+      trapeze_coupling,
+      "Torsional stiffness that tension adds, per strain: six numbers for Gamma1 Gamma2 Gamma3 K1 K2 K3, the first "
+      "one being the integral of E r^2 over the section, SI units.",
+      dealii::Patterns::List(dealii::Patterns::Double(), 0, 6));
+    prm.add("Trapeze stiffness",
+            trapeze_stiffness,
+            "Integral of E r^4 over the section, which belongs to <Trapeze coupling> [N*m^4].",
+            dealii::Patterns::Double(0));
   }
 
 
@@ -160,7 +188,7 @@ namespace samara
   void
   MatrixSection::initialize(Model &model)
   {
-    const std::string given = compliance.empty() ? "Stiffness" : "Compliance";
+    std::string given = compliance.empty() ? "Stiffness" : "Compliance";
     try
       {
         if (stiffness.empty() == compliance.empty())
@@ -171,6 +199,13 @@ namespace samara
         values.outline = drawn_outline(drawn_radii, values.stiffness);
         if (!inertia.empty())
           values.inertia = symmetric_matrix(inertia);
+        given                    = "Trapeze coupling";
+        values.trapeze.stiffness = trapeze_stiffness;
+        if (trapeze_coupling.size() == 6)
+          values.trapeze.coupling = Eigen::Map<const Vector6>(trapeze_coupling.data());
+        else if (!trapeze_coupling.empty())
+          throw std::invalid_argument("<Trapeze coupling> has six numbers, not " +
+                                      std::to_string(trapeze_coupling.size()));
       }
     catch (const std::invalid_argument &problem)
       {

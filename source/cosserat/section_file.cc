@@ -13,7 +13,7 @@ namespace samara
   namespace
   {
     const std::string stiffness_block = "Stiffness", inertia_block = "Inertia", outline_block = "Outline",
-                      curvature_line = "Initial twist and curvature";
+                      curvature_line = "Initial twist and curvature", trapeze_line = "Trapeze";
 
     bool
     starts_with(const std::string &text, const std::string &beginning)
@@ -172,6 +172,15 @@ namespace samara
                 values.stiffness,
                 digits);
     write_block(out, inertia_block + " per length about the reference line [kg/m, kg, kg m]", values.inertia, digits);
+    if (values.trapeze.is_there())
+      {
+        out << '\n'
+            << trapeze_line
+            << " effect, coupling to Gamma1 Gamma2 Gamma3 K1 K2 K3, then stiffness [N m^2, N m^3, N m^4]:";
+        for (int i = 0; i < 6; ++i)
+          out << ' ' << values.trapeze.coupling(i);
+        out << ' ' << values.trapeze.stiffness << '\n';
+      }
     if (!values.outline.empty())
       {
         Eigen::MatrixXd corners(values.outline.size(), 2);
@@ -221,6 +230,13 @@ namespace samara
             if (numbers.size() != 3)
               lines.wrong(i, "here should be three numbers behind a colon");
             result.curvature = Eigen::Map<const Vector3>(numbers.data());
+          }
+        else if (starts_with(line, trapeze_line))
+          {
+            const auto numbers = lines.numbers(i, std::min(line.find(':'), line.size() - 1) + 1);
+            if (numbers.size() != 7)
+              lines.wrong(i, "here should be seven numbers behind a colon");
+            result.values.trapeze = {Eigen::Map<const Vector6>(numbers.data()), numbers[6]};
           }
         else if (starts_with(line, "Section "))
           result.name = trim(line.substr(8));

@@ -104,13 +104,19 @@ namespace samara
 
     EngineeringConstants c;
     c.EA  = E * A;
-    c.GA2 = c.GA3   = shear_factor * G * A;
-    c.GJ            = G * J;
-    c.EI2           = E * width_2 * std::pow(width_3, 3) / 12;
-    c.EI3           = E * width_3 * std::pow(width_2, 3) / 12;
-    c.mass          = density * A;
-    c.I2            = density * width_2 * std::pow(width_3, 3) / 12;
-    c.I3            = density * width_3 * std::pow(width_2, 3) / 12;
+    c.GA2 = c.GA3 = shear_factor * G * A;
+    c.GJ          = G * J;
+    c.EI2         = E * width_2 * std::pow(width_3, 3) / 12;
+    c.EI3         = E * width_3 * std::pow(width_2, 3) / 12;
+    c.mass        = density * A;
+    c.I2          = density * width_2 * std::pow(width_3, 3) / 12;
+    c.I3          = density * width_3 * std::pow(width_2, 3) / 12;
+    if (has_trapeze)
+      {
+        c.trapeze_coupling = c.EI2 + c.EI3;
+        c.trapeze_stiffness =
+          E * A * (std::pow(width_2, 4) / 80 + std::pow(width_2 * width_3, 2) / 72 + std::pow(width_3, 4) / 80);
+      }
     SectionValues v = c.values();
     v.outline       = rectangle_outline(width_2, width_3);
     return v;
@@ -199,8 +205,14 @@ namespace samara
     c.GJ          = 2 * G * I;
     c.EI2 = c.EI3 = E * I;
     c.mass        = density * A;
-    c.I2 = c.I3     = density * I;
+    c.I2 = c.I3 = density * I;
+    if (has_trapeze)
+      {
+        c.trapeze_coupling  = 2 * c.EI2;
+        c.trapeze_stiffness = E * M_PI / 3 * (std::pow(outer, 6) - std::pow(inner, 6));
+      }
     SectionValues v = c.values();
+    v.trapeze       = with_margin(v.trapeze, v.stiffness); // a thin wall is all at one distance
     v.outline       = ellipse_outline(outer, outer);
     return v;
   }

@@ -45,6 +45,7 @@ namespace samara
     void   pieces(const Point<double> &point, std::vector<double> &result) const override;
 
   private:
+    class Tangent;
     const Joint &joint;
 
     /** The residual, or only those of its rows that hold constraints. */
@@ -310,78 +311,129 @@ namespace samara
 
 
 
+  /** The tangent of the constraints at one point: rows and columns of multipliers, and Gᵀλ by the twists. */
+  class Joint::Constraints::Tangent
+  {
+  public:
+    Tangent(const Joint &joint, const Point<double> &point, SparseMatrix &K)
+      : joint(joint)
+      , point(point)
+      , K(K)
+      , pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b)
+      , twists(pair)
+      , lambda(point.multipliers + joint.first_multiplier)
+      , row(12 + joint.used.size())
+    {}
+
+    void
+    add()
+    {
+      const double *const first = lambda;
+      for (const auto &l : joint.locked)
+        add_locked(l);
+      for (unsigned int i = 0; i < joint.used.size(); ++i)
+        add_coordinate(i, *joint.used[i]);
+      for (unsigned int i = 0; i < joint.used.size(); ++i)
+        if (joint.used[i]->is_prescribed)
+          add_prescribed(i, *joint.used[i]);
+      if (joint.is_screw)
+        {
+          add_symmetric(12, 1.);
+          add_symmetric(13, -joint.pitch);
+          next_row();
+        }
+      for (const auto &s : joint.no_slip)
+        {
+          Vector12 coefficients = Vector12::Zero();
+          s.velocity.add_coefficients(pair, 1., coefficients);
+          s.velocity.add_derivative(pair, *lambda, H);
+          joint.block.add_border(row, coefficients, K);
+          next_row();
+        }
+      // without forces the constraints alone are wanted
+      if (std::all_of(first, first + joint.rows.size(), [](const double l) { return l == 0.; }))
+        return;
+      twists.add_to(H);
+      joint.block.add_twists(H, K);
+    }
+
+  private:
+    const Joint             &joint;
+    const Point<double>     &point;
+    SparseMatrix            &K;
+    const PairValues<double> pair;
+    PairTangent              twists;
+    Matrix12                 H = Matrix12::Zero();
+    const double            *lambda; ///< of the row that is being added
+    unsigned int             row;
+
+    void
+    next_row()
+    {
+      ++lambda;
+      ++row;
+    }
+
+    /** The derivative of this row by the coordinate @p i of the block. */
+    void
+    add_symmetric(const unsigned int i, const double value)
+    {
+      joint.block.add_entry(i, row, value, K);
+      joint.block.add_entry(row, i, value, K);
+    }
+
+    void
+    add_locked(const Locked &l)
+    {
+      Vector12 g = gradient(l.function, pair);
+      if (l.less)
+        {
+          g -= gradient(*l.less, pair);
+          twists.add(*l.less, -*lambda);
+        }
+      twists.add(l.function, *lambda);
+      joint.block.add_border(row, g, K);
+      next_row();
+    }
+
+    /** The row that tells what the joint coordinate @p i is. */
+    void
+    add_coordinate(const unsigned int i, const FreeMotion &m)
+    {
+      const auto     of    = m.derivatives(pair, point.coordinates[m.coordinate]);
+      const Vector12 first = gradient(m.first, pair);
+      Vector12       g     = of.first * first;
+      joint.block.add_entry(12 + i, 12 + i, *lambda * of.curvature, K);
+      add_symmetric(12 + i, of.slope);
+      twists.add(m.first, *lambda * of.first);
+      if (m.is_angle())
+        {
+          const Vector12 second = gradient(m.second, pair);
+          g += of.second * second;
+          twists.add(m.second, *lambda * of.second);
+          H += first * (*lambda * (of.first_first * first + of.first_second * second)).transpose() +
+               second * (*lambda * (of.first_second * first + of.second_second * second)).transpose();
+        }
+      joint.block.add_border(row, g, K);
+      next_row();
+    }
+
+    void
+    add_prescribed(const unsigned int i, const FreeMotion &m)
+    {
+      if (m.drive)
+        m.drive->add_tangent(point, Eigen::VectorXd::Constant(1, -point.factor), K);
+      add_symmetric(12 + i, 1.);
+      next_row();
+    }
+  };
+
+
+
   void
   Joint::Constraints::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
-    PairTangent              twists(pair);
-    Matrix12                 H      = Matrix12::Zero();
-    const auto              &used   = joint.used;
-    const Block             &block  = joint.block;
-    const double            *lambda = point.multipliers + joint.first_multiplier;
-    const bool   has_forces = std::any_of(lambda, lambda + joint.rows.size(), [](const double l) { return l != 0.; });
-    unsigned int row        = 12 + used.size();
-    const auto   add_symmetric = [&](const unsigned int i, const unsigned int j, const double value) {
-      block.add_entry(i, j, value, K);
-      block.add_entry(j, i, value, K);
-    };
-
-    for (const auto &l : joint.locked)
-      {
-        Vector12 g = gradient(l.function, pair);
-        if (l.less)
-          {
-            g -= gradient(*l.less, pair);
-            twists.add(*l.less, -*lambda);
-          }
-        twists.add(l.function, *lambda++);
-        block.add_border(row++, g, K);
-      }
-    for (unsigned int i = 12; i < 12 + used.size(); ++i, ++lambda, ++row)
-      {
-        const FreeMotion &m     = *used[i - 12];
-        const auto        of    = m.derivatives(pair, point.coordinates[m.coordinate]);
-        const Vector12    first = gradient(m.first, pair);
-        Vector12          g     = of.first * first;
-        block.add_entry(i, i, *lambda * of.curvature, K);
-        add_symmetric(i, row, of.slope);
-        twists.add(m.first, *lambda * of.first);
-        if (m.is_angle())
-          {
-            const Vector12 second = gradient(m.second, pair);
-            g += of.second * second;
-            twists.add(m.second, *lambda * of.second);
-            H += first * (*lambda * (of.first_first * first + of.first_second * second)).transpose() +
-                 second * (*lambda * (of.first_second * first + of.second_second * second)).transpose();
-          }
-        block.add_border(row, g, K);
-      }
-    for (unsigned int i = 0; i < used.size(); ++i)
-      if (used[i]->is_prescribed)
-        {
-          if (used[i]->drive)
-            used[i]->drive->add_tangent(point, Eigen::VectorXd::Constant(1, -point.factor), K);
-          add_symmetric(12 + i, row++, 1.);
-          ++lambda;
-        }
-    if (joint.is_screw)
-      {
-        add_symmetric(12, row, 1.);
-        add_symmetric(13, row++, -joint.pitch);
-        ++lambda;
-      }
-    for (const auto &s : joint.no_slip)
-      {
-        Vector12 coefficients = Vector12::Zero();
-        s.velocity.add_coefficients(pair, 1., coefficients);
-        s.velocity.add_derivative(pair, *lambda++, H);
-        block.add_border(row++, coefficients, K);
-      }
-    // without forces the constraints alone are wanted
-    if (!has_forces)
-      return;
-    twists.add_to(H);
-    block.add_twists(H, K);
+    Tangent(joint, point, K).add();
   }
 
 

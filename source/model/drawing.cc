@@ -61,12 +61,27 @@ namespace samara
 
 
 
+    /** Room for @p more: of much, exactly so much; of little, what appending gets anyway. */
+    template <typename T>
+    void
+    reserve_more(std::vector<T> &list, const std::size_t more)
+    {
+      if (const std::size_t size = list.size() + more; size > list.capacity() && more > list.size())
+        list.reserve(size);
+    }
+
+
+
     /** A closed surface through rings that turn counter-clockwise for who looks against the way they are stacked. */
     void
     add_tube(Drawing &drawing, const std::vector<Sample> &samples, const std::vector<Ring> &rings)
     {
       const unsigned int        n = rings[0].size();
       std::vector<unsigned int> first;
+      first.reserve(rings.size());
+      reserve_more(drawing.samples, rings.size());
+      reserve_more(drawing.corners, rings.size() * n);
+      reserve_more(drawing.cells, rings.size() * n);
       for (unsigned int i = 0; i < rings.size(); ++i)
         first.push_back(add_corners(drawing, add_sample(drawing, samples[i]), rings[i]));
       for (unsigned int i = 0; i + 1 < rings.size(); ++i)
@@ -250,16 +265,18 @@ namespace samara
       sense += turning_sense(outline);
 
     std::vector<Ring> rings;
+    rings.reserve(axis.size());
     for (unsigned int i = 0; i < axis.size(); ++i)
       {
         Assert(outlines[i].size() == outlines[0].size() && outlines[i].size() >= 3,
                dealii::ExcMessage("All outlines of a tube have the same number of points, at least 3."));
         Ring ring;
+        ring.reserve(outlines[i].size());
         for (const Eigen::Vector2d &point : outlines[i])
           ring.push_back(axis[i].x + axis[i].D.col(1) * point(0) + axis[i].D.col(2) * point(1));
         if (sense < 0)
           std::reverse(ring.begin(), ring.end());
-        rings.push_back(ring);
+        rings.push_back(std::move(ring));
       }
     add_tube(*this, axis, rings);
     return place;

@@ -1,5 +1,6 @@
 #include <samara/section/cross_section.h>
 #include <samara/section/elasticity.h>
+#include <samara/section/trapeze.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -384,6 +385,7 @@ namespace samara
     Columns                                      X_cell(n, 6), XT_cell(n, 6);
     std::vector<dealii::types::global_dof_index> numbers(n);
     std::vector<StressPoint>                     result;
+    const Eigen::Vector2d                        centre = shear_centre(compliance);
     for (const auto &cell : dofs.active_cell_iterators())
       {
         values.reinit(cell);
@@ -397,11 +399,13 @@ namespace samara
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             StressPoint point;
-            point.cell     = index;
-            point.place    = values.quadrature_point(q);
-            point.weight   = values.JxW(q);
-            point.axes     = mesh.material_axes(index, point.place, jacobian(values, q));
-            point.C        = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
+            point.cell   = index;
+            point.place  = values.quadrature_point(q);
+            point.weight = values.JxW(q);
+            point.axes   = mesh.material_axes(index, point.place, jacobian(values, q));
+            point.C      = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
+            point.helix  = (Eigen::Vector2d(point.place[0], point.place[1]) - centre).squaredNorm() /
+                          point.C.ldlt().solve(Vector6::Unit(0))(0);
             const double g = root_g(k, point.place);
             at.fill(values, q, k, g);
             const auto Z = shift_to(point.place);
@@ -419,8 +423,8 @@ namespace samara
 
 
   Vector6
-  CrossSection::stress_in_material(const StressPoint &point, const Vector6 &forces)
+  CrossSection::stress_in_material(const StressPoint &point, const Vector6 &forces, const double helix)
   {
-    return elasticity::turn_of_stress(point.axes.transpose()) * stress(point, forces);
+    return elasticity::turn_of_stress(point.axes.transpose()) * stress(point, forces, helix);
   }
 } // namespace samara

@@ -121,8 +121,9 @@ namespace samara
     for (const auto &material : materials)
       strengths.push_back(material.strengths);
     for (const auto &point : section.points())
-      points.push_back(
-        {elasticity::turn_of_stress(point.axes.transpose()) * point.C * point.strain, mesh.ply(point.cell).material});
+      points.push_back({elasticity::turn_of_stress(point.axes.transpose()) * point.C * point.strain,
+                        elasticity::turn_of_stress(point.axes.transpose()).col(0) * point.helix,
+                        mesh.ply(point.cell).material});
   }
 
 
@@ -151,11 +152,11 @@ namespace samara
 
 
   SectionStresses::Extremes
-  SectionStresses::extremes(const Vector6 &forces) const
+  SectionStresses::extremes(const Vector6 &forces, const double helix) const
   {
     Extremes result;
     for (const Point &point : points)
-      result.add(strengths[point.material], point.stress * forces);
+      result.add(strengths[point.material], point.stress * forces + point.helix * helix);
     return result;
   }
 } // namespace samara

@@ -1,5 +1,7 @@
 #include <samara/solvers/arc_length.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -135,9 +137,75 @@ namespace samara
 
 
 
+  double
+  ArcLength::solve_for_increment(const PathPoint &from, const double s, const State &state)
+  {
+    find_load(state);
+    find_gradient(state, from.state, gradient);
+    factorize(state);
+    system.stresses(state, stress);
+    system.residual(state, stress, residual);
+    for (unsigned int i = 0; i < system.size(); ++i)
+      increment[i] = -residual[i];
+    solver.solve(increment.data());
+    solver.solve(load.data());
+
+    // half of the constraint, linearised: the load factor follows from it
+    const double df0  = state.factor - from.state.factor;
+    double       rest = 0.5 * (distance_squared(state, from.state) - s * s), rate = weight * weight * df0;
+    for (unsigned int i = 0; i < system.size(); ++i)
+      {
+        rest += gradient[i] * increment[i];
+        rate += gradient[i] * load[i];
+      }
+    const double df = -rest / rate;
+    for (unsigned int i = 0; i < system.size(); ++i)
+      increment[i] += df * load[i];
+    return df;
+  }
+
+
+
+  void
+  ArcLength::iterate(const PathPoint &from, const double s, PathPoint &to, NewtonResult &result)
+  {
+    double smallest = 1e300;
+    while (result.iterations < max_iterations)
+      {
+        const double df = solve_for_increment(from, s, to.state);
+        ++result.iterations;
+        ++n_iterations;
+        result.last_step = size_of_step(system, increment, length);
+        if (!std::isfinite(result.last_step) || result.last_step > 10. ||
+            (result.iterations > 8 && result.last_step > 1e3 * smallest))
+          {
+            result.fail(Failure::no_convergence, "the iterations diverge");
+            return;
+          }
+        smallest = std::min(smallest, result.last_step);
+        to.state.factor += df;
+        system.update(to.state, increment);
+        if (result.last_step < tolerance)
+          {
+            system.stresses(to.state, to.state.stress);
+            factorize(to.state);
+            find_tangent(to, &from);
+            to.iterations    = result.iterations;
+            result.converged = true;
+            refuse_negative_length(system, to.state, result);
+            return;
+          }
+      }
+    result.fail(Failure::no_convergence, "no convergence in " + std::to_string(max_iterations) + " iterations");
+  }
+
+
+
   NewtonResult
   ArcLength::step(const PathPoint &from, const double s, PathPoint &to)
   {
+    Assert(s > 0, dealii::ExcMessage("A step along a path goes forward."));
+    AssertDimension(from.tangent.size(), system.size());
     NewtonResult result;
     to.state = from.state;
     increment.resize(system.size());
@@ -145,59 +213,9 @@ namespace samara
       increment[i] = s * from.tangent[i];
     to.state.factor += s * from.slope;
     system.update(to.state, increment);
-
-    std::vector<double> step(system.size());
     try
       {
-        double smallest = 1e300;
-        while (result.iterations < max_iterations)
-          {
-            find_load(to.state);
-            find_gradient(to.state, from.state, gradient);
-            factorize(to.state);
-            system.stresses(to.state, stress);
-            system.residual(to.state, stress, residual);
-            ++result.iterations;
-            ++n_iterations;
-            for (unsigned int i = 0; i < system.size(); ++i)
-              step[i] = -residual[i];
-            solver.solve(step.data());
-            solver.solve(load.data());
-
-            // half of the constraint, linearised: the load factor follows from it
-            const double df0  = to.state.factor - from.state.factor;
-            double       rest = 0.5 * (distance_squared(to.state, from.state) - s * s), rate = weight * weight * df0;
-            for (unsigned int i = 0; i < system.size(); ++i)
-              {
-                rest += gradient[i] * step[i];
-                rate += gradient[i] * load[i];
-              }
-            const double df = -rest / rate;
-            for (unsigned int i = 0; i < system.size(); ++i)
-              step[i] += df * load[i];
-
-            result.last_step = size_of_step(system, step, length);
-            if (!std::isfinite(result.last_step) || result.last_step > 10. ||
-                (result.iterations > 8 && result.last_step > 1e3 * smallest))
-              {
-                result.fail(Failure::no_convergence, "the iterations diverge");
-                return result;
-              }
-            smallest = std::min(smallest, result.last_step);
-            to.state.factor += df;
-            system.update(to.state, step);
-            if (result.last_step < tolerance)
-              {
-                system.stresses(to.state, to.state.stress);
-                factorize(to.state);
-                find_tangent(to, &from);
-                to.iterations    = result.iterations;
-                result.converged = true;
-                refuse_negative_length(system, to.state, result);
-                return result;
-              }
-          }
-        result.fail(Failure::no_convergence, "no convergence in " + std::to_string(max_iterations) + " iterations");
+        iterate(from, s, to, result);
       }
     catch (const SingularMatrix &singular)
       {

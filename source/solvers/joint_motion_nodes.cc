@@ -3,6 +3,8 @@
 #include <samara/solvers/joint_motion.h>
 #include <samara/solvers/linear.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,18 +53,29 @@ namespace samara
 
 
 
-  void
-  JointMotion::solve_by_weights(const std::vector<double> &weight)
+  std::vector<double>
+  JointMotion::stiffness_against_others() const
   {
-    const Layout      &layout = system.layout;
-    const unsigned int n      = layout.of_multiplier(0);
-    // what moves against anything else is held by a small stiffness, and what moves at all by one far smaller
+    const unsigned int  n = system.layout.of_multiplier(0);
     std::vector<double> stiffness(n);
     double              largest = 0;
     for (unsigned int i = 0; i < n; ++i)
       largest = std::max(largest, stiffness[i] = K.values[K.pattern->position(i, i)]);
     for (auto &k : stiffness)
       k = k > 0 ? k : std::max(1e-6 * largest, 1.);
+    return stiffness;
+  }
+
+
+
+  void
+  JointMotion::solve_by_weights(const std::vector<double> &weight)
+  {
+    AssertDimension(weight.size(), rates.size());
+    const Layout             &layout    = system.layout;
+    const unsigned int        n         = layout.of_multiplier(0);
+    const std::vector<double> stiffness = stiffness_against_others();
+    // what moves against anything else is held by a small stiffness, and what moves at all by one far smaller
     SparseMatrix of_rates(layout.pattern), of_all(layout.pattern);
     for (unsigned int i = 0; i < n; ++i)
       of_all.values[K.pattern->position(i, i)] = below_rates * stiffness[i];
@@ -79,7 +92,18 @@ namespace samara
         if (squares > 0)
           add_square(layout, rates[r], below_strains * weight[r] * weight[r] * k / squares, of_rates);
       }
-    SparseMatrix A = K;
+    iterate_proximally(of_rates, of_all);
+    check_constraints();
+  }
+
+
+
+  void
+  JointMotion::iterate_proximally(const SparseMatrix &of_rates, const SparseMatrix &of_all)
+  {
+    const Layout      &layout = system.layout;
+    const unsigned int n      = layout.of_multiplier(0);
+    SparseMatrix       A      = K;
     A.add(1., of_rates);
     A.add(1., of_all);
     const auto solver = make_solver(layout.pattern);
@@ -92,14 +116,15 @@ namespace samara
         throw InputError("steady rotation: what turns is locked, or a constraint is there twice" +
                          (singular.unknown < 0 ? std::string() : ": " + layout.name_of(singular.unknown)));
       }
-    // proximal iterations take the smallest away first, then both
-    std::vector<double> y(system.size(), 0.), b(system.size(), 0.), from_rates(system.size(), 0.);
+    // the smallest of what holds is taken away first, then both
+    std::vector<double> b(system.size(), 0.), from_rates(system.size(), 0.);
+    velocities.assign(system.size(), 0.);
     for (const bool both : {false, true})
       for (unsigned int iteration = 0; iteration < 100; ++iteration)
         {
-          of_all.multiply(y.data(), b.data());
+          of_all.multiply(velocities.data(), b.data());
           if (both)
-            of_rates.multiply(y.data(), from_rates.data());
+            of_rates.multiply(velocities.data(), from_rates.data());
           for (unsigned int i = 0; i < n; ++i)
             b[i] += from_rates[i];
           for (unsigned int i = 0; i < layout.n_multipliers; ++i)
@@ -108,15 +133,13 @@ namespace samara
           double change = 0, size = 0;
           for (unsigned int i = 0; i < n; ++i)
             {
-              change = std::max(change, std::abs(b[i] - y[i]));
+              change = std::max(change, std::abs(b[i] - velocities[i]));
               size   = std::max(size, std::abs(b[i]));
             }
-          y = b;
+          velocities = b;
           if (change <= 1e-12 * size)
             break;
         }
-    velocities = y;
-    check_constraints();
   }
 
 

@@ -88,6 +88,8 @@ namespace samara
             common.ordering = 1; // COLAMD
             common.tol      = 1.;
           }
+        // with pivots on the diagonal it knows how much memory it needs, and gets more where it does not
+        common.initmem_amd = 1.02;
         // one block, so that A has no entries outside of those of L and U
         common.btf = 0;
         symbolic   = klu_analyze(pattern.size(),

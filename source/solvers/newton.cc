@@ -114,11 +114,22 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Unknowns from which on a factorisation costs so much more than the rest of an iteration that it is kept: */
+    constexpr unsigned int worth_keeping = 20000;
+    /** after a correction so small that the matrix hardly changes, as long as the next ones shrink so fast. */
+    constexpr double small_correction = 1e-2, fast = 0.1;
+  } // namespace
+
+
+
   NewtonResult
   Newton::solve(State &state)
   {
     NewtonResult result;
-    double       smallest = 1e300;
+    double       smallest = 1e300, last = 0;
+    bool         keeps_factors = false;
     if (!state.left_out.empty())
       {
         if (!redundant)
@@ -139,10 +150,13 @@ namespace samara
             result.worst = bad - residual.begin();
             return result;
           }
-        system.tangent(state, K);
         try
           {
-            solver.factorize(K);
+            if (!keeps_factors)
+              {
+                system.tangent(state, K);
+                solver.factorize(K);
+              }
           }
         catch (const SingularMatrix &singular)
           {
@@ -164,6 +178,9 @@ namespace samara
             find_worst(result);
             return result;
           }
+        keeps_factors = system.size() >= worth_keeping &&
+                        (keeps_factors ? result.last_step < fast * last : result.last_step < small_correction);
+        last = result.last_step;
         limit_rotations(system, step);
         system.update(state, step);
         smallest = std::min(smallest, result.last_step);

@@ -280,10 +280,13 @@ namespace samara
   PanelFactors<Number>::factorize_panel(const Panel &panel, const Number *values)
   {
     // pointers: compilers must expect that a vector's own members change with its elements
-    Number *const    columns = rows.data();
-    const int *const entries = structure.entries.data(), *const places = structure.places.data();
-    for (int k = panel.entries_begin; k < panel.entries_end; ++k)
-      columns[places[k]] = values[entries[k]];
+    Number *const columns = rows.data();
+    for (int k = panel.runs_begin; k < panel.runs_end; ++k)
+      {
+        const auto run = structure.runs[k];
+        for (int i = 0; i < run.length; ++i)
+          columns[run.place + i] = values[run.entry + i];
+      }
 
     auto       largest = Column<w, Number>::zero();
     const auto compare = [&](const int column) { largest.raise_to_magnitude(doubles(columns + column * w)); };

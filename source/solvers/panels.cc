@@ -132,7 +132,7 @@ namespace samara
         add(panel);
       }
     place_values();
-    place_entries(pattern, pivots);
+    find_runs(pattern, pivots);
   }
 
 
@@ -170,7 +170,7 @@ namespace samara
 
 
   void
-  PanelStructure::place_entries(const Pattern &pattern, const Pivots &pivots)
+  PanelStructure::find_runs(const Pattern &pattern, const Pivots &pivots)
   {
     const int        n = pattern.size();
     std::vector<int> new_row(n), new_column(n), next(panels.size() + 1, 0);
@@ -179,24 +179,26 @@ namespace samara
         new_row[pivots.row_order[i]]       = i;
         new_column[pivots.column_order[i]] = i;
       }
-    for (const int row : pattern.rows)
-      ++next[panel_of[new_row[row]] + 1];
+    const auto for_each = [&](const auto &f) {
+      for (int j = 0; j < n; ++j)
+        for (int k = pattern.column_start[j], length; k < pattern.column_start[j + 1]; k += length)
+          {
+            const int row = new_row[pattern.rows[k]], panel = panel_of[row];
+            length = 1;
+            while (k + length < pattern.column_start[j + 1] && new_row[pattern.rows[k + length]] == row + length &&
+                   panel_of[row + length] == panel)
+              ++length;
+            f(panel, Run{k, new_column[j] * panels[panel].width + row - panels[panel].first, length});
+          }
+    };
+    for_each([&](const int panel, const Run &) { ++next[panel + 1]; });
     for (unsigned int i = 0; i < panels.size(); ++i)
       {
         next[i + 1] += next[i];
-        panels[i].entries_begin = next[i];
-        panels[i].entries_end   = next[i + 1];
+        panels[i].runs_begin = next[i];
+        panels[i].runs_end   = next[i + 1];
       }
-    entries.resize(pattern.n_nonzeros());
-    places.resize(pattern.n_nonzeros());
-    for (int j = 0; j < n; ++j)
-      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        {
-          const int    row   = new_row[pattern.rows[k]];
-          const Panel &panel = panels[panel_of[row]];
-          const int    to    = next[panel_of[row]]++;
-          entries[to]        = k;
-          places[to]         = new_column[j] * panel.width + row - panel.first;
-        }
+    runs.resize(next.back());
+    for_each([&](const int panel, const Run &run) { runs[next[panel]++] = run; });
   }
 } // namespace samara

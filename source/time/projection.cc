@@ -83,13 +83,27 @@ namespace samara
         }
       return best;
     }
+
+
+
+    /** Of first order, that constraints depend on. */
+    std::vector<int>
+    states_of_constraints(const Layout &layout)
+    {
+      const Pattern   &pattern = *layout.pattern;
+      std::vector<int> states;
+      for (int j = layout.of_multiplier(0); j < pattern.size() && layout.n_states > 0; ++j)
+        for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+          if (const int i = pattern.rows[k]; i >= layout.of_state(0) && i < layout.of_multiplier(0))
+            states.push_back(i - layout.of_state(0));
+      return states;
+    }
   } // namespace
 
 
 
   Projection::Projection(const System &system)
     : system(system)
-    , K(system.layout.pattern)
     , no_multipliers(system.layout.n_multipliers, 0.)
   {
     sort_nodes();
@@ -199,17 +213,20 @@ namespace samara
   Projection::factorize_rows(const State &state)
   {
     make_solver_without();
+    if (unknowns.empty())
+      return;
     Point<double> point = state.point();
     point.held          = false;
     point.multipliers   = no_multipliers.data(); // the rows alone
+    if (!K)
+      K = std::make_unique<SparseMatrix>(system.layout.pattern);
     // the other columns are many, and never read
+    const auto &start = K->pattern->column_start;
     for (const int j : unknowns)
-      std::fill(K.values.begin() + K.pattern->column_start[j], K.values.begin() + K.pattern->column_start[j + 1], 0.);
-    system.add_constraint_tangent(point, K);
+      std::fill(K->values.begin() + start[j], K->values.begin() + start[j + 1], 0.);
+    system.add_constraint_tangent(point, *K);
     for (unsigned int k = 0; k < entries.size(); ++k)
-      saddle->values[k] = entries[k].is_mass ? entries[k].mass : K.values[entries[k].at];
-    if (unknowns.empty())
-      return;
+      saddle->values[k] = entries[k].is_mass ? entries[k].mass : K->values[entries[k].at];
     try
       {
         solver->factorize(*saddle);
@@ -331,12 +348,11 @@ namespace samara
     Point<double> moved = state.point();
     moved.q             = moved_q.data();
     moved.coordinates   = moved_coordinates.data();
-    if (system.layout.n_states > 0)
+    if (!moved_state_rates.empty()) // otherwise constraints do not know
       {
         moved_states = state.states;
         for (unsigned int i = 0; i < moved_states.size(); ++i)
           moved_states[i] += dt * state.state_rates[i];
-        moved_state_rates.resize(moved_states.size());
         moved.states = moved_states.data();
         system.state_rates(moved, moved_state_rates.data());
         moved.state_rates = moved_state_rates.data();
@@ -437,20 +453,39 @@ namespace samara
     const double dt = 1e-3 / fastest;
     if (system.layout.n_multipliers > 0)
       {
+        const auto later_at = [&](const double by) {
+          Point<double> point = state.point();
+          point.time += by;
+          if (moved_state_rates.empty())
+            return point;
+          system.state_rates(point, moved_state_rates.data());
+          point.state_rates = moved_state_rates.data();
+          return point;
+        };
+        // rates of states are dear where there is air; laws of constraints name few states, and most of those are
+        // controls, which are still
+        const auto states_in_laws = states_of_constraints(system.layout);
+        const auto is_still       = [&](const Values &rates) {
+          return std::all_of(states_in_laws.begin(), states_in_laws.end(), [&](const int i) { return rates[i] == 0; });
+        };
+        bool all_still = is_still(state.state_rates);
+        moved_state_rates.assign(system.layout.n_states, 0.);
+        for (unsigned int i = 0; i < 2 && all_still && !states_in_laws.empty(); ++i)
+          {
+            const double by = i == 0 ? -dt : dt;
+            constraint_rates_after(state, by, later);
+            all_still = is_still(moved_state_rates);
+            later_at(by);
+            all_still = all_still && is_still(moved_state_rates);
+          }
+        if (all_still)
+          moved_state_rates.clear();
         const auto on_path = difference(dt, [&](const double by) {
           constraint_rates_after(state, by, later);
           return later;
         });
         for (unsigned int i = 0; i < later.size(); ++i)
           b[system.layout.of_multiplier(i)] -= on_path[i];
-        const auto later_at = [&](const double by) {
-          Point<double> point = state.point();
-          point.time += by;
-          moved_state_rates.resize(system.layout.n_states);
-          system.state_rates(point, moved_state_rates.data());
-          point.state_rates = moved_state_rates.data();
-          return point;
-        };
         const auto is_driven = [&](const double by) {
           system.constraint_time_rates(later_at(by), later.data());
           return largest_of(later) > 0;

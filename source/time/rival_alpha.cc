@@ -97,6 +97,63 @@ namespace samara
 
 
 
+  std::vector<double>
+  GeneralisedAlpha::accelerations_after(const State &state, const double dt)
+  {
+    const std::vector<double> v     = velocities(state);
+    const unsigned int        n     = v.size();
+    State                     later = state;
+    std::vector<double>       w(n), path(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        w[i]    = v[i] + dt * now.y_dot[i];
+        path[i] = dt * v[i] + 0.5 * dt * dt * now.y_dot[i];
+      }
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      rivals::move(later, node, Eigen::Map<const Vector6>(&path[6 * (node - 1)]));
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      later.coordinates[i] += path[system.layout.of_coordinate(i)];
+    set_velocities(later, w);
+    later.time += dt;
+    system.stresses(later, later.stress);
+    return projection.accelerations(later);
+  }
+
+
+
+  std::vector<double>
+  GeneralisedAlpha::with_change_of_rates(const State &state, const std::vector<double> &change)
+  {
+    // the smallest change of velocities that violates the rates of the constraints by as much; not those of rolling
+    const std::vector<double> v         = velocities(state);
+    const unsigned int        n         = v.size();
+    State                     disturbed = state;
+    std::vector<double>       x         = change;
+    for (unsigned int i = 0; i < n; ++i)
+      x[i] += v[i];
+    set_velocities(disturbed, x);
+    const std::vector<double> wanted = rivals::constraint_rates(system, disturbed),
+                              given  = rivals::constraint_rates(system, state);
+    x.assign(system.size(), 0.);
+    for (unsigned int i = 0; i < wanted.size(); ++i)
+      if (is_active[i] && !is_nonholonomic[i])
+        x[system.layout.of_multiplier(i)] = wanted[i] - given[i];
+    system.tangent(state, K);
+    for (unsigned int j = 0; j < n; ++j)
+      for (int k = K.pattern->column_start[j]; k < K.pattern->column_start[j + 1]; ++k)
+        if (K.pattern->rows[k] < static_cast<int>(n))
+          K.values[k] = M.values[k];
+    solver->factorize(K);
+    factored_step = 0;
+    solver->solve(x.data());
+    for (unsigned int i = 0; i < n; ++i)
+      x[i] += v[i];
+    x.resize(n);
+    return x;
+  }
+
+
+
   void
   GeneralisedAlpha::start(State &state, const double h)
   {
@@ -108,27 +165,10 @@ namespace samara
     if (!corrected_start)
       return;
 
-    const std::vector<double> v                   = velocities(state);
-    const unsigned int        n                   = v.size();
-    const auto                accelerations_after = [&](const double dt) {
-      State               later = state;
-      std::vector<double> w(n), path(n);
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          w[i]    = v[i] + dt * now.y_dot[i];
-          path[i] = dt * v[i] + 0.5 * dt * dt * now.y_dot[i];
-        }
-      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-        rivals::move(later, node, Eigen::Map<const Vector6>(&path[6 * (node - 1)]));
-      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        later.coordinates[i] += path[system.layout.of_coordinate(i)];
-      set_velocities(later, w);
-      later.time += dt;
-      system.stresses(later, later.stress);
-      return projection.accelerations(later);
-    };
+    const std::vector<double> v   = velocities(state);
+    const unsigned int        n   = v.size();
     const double              dt  = 0.1 * h;
-    const std::vector<double> one = accelerations_after(dt), two = accelerations_after(2 * dt);
+    const std::vector<double> one = accelerations_after(state, dt), two = accelerations_after(state, 2 * dt);
     std::vector<double>       jerk(n), error(n);
     for (unsigned int i = 0; i < n; ++i)
       jerk[i] = (4 * one[i] - 3 * now.y_dot[i] - two[i]) / (2 * dt);
@@ -153,29 +193,7 @@ namespace samara
         Eigen::Map<Vector6>(&error[i]) +=
           h * h / 12 * ad(Eigen::Map<const Vector6>(&v[i])) * Eigen::Map<const Vector6>(&now.y_dot[i]);
       }
-    // the smallest change of velocities that violates the rates of the constraints by as much; not those of rolling
-    State disturbed = state;
-    for (unsigned int i = 0; i < n; ++i)
-      error[i] += v[i];
-    set_velocities(disturbed, error);
-    const std::vector<double> wanted = rivals::constraint_rates(system, disturbed),
-                              given  = rivals::constraint_rates(system, state);
-    std::vector<double> x(system.size(), 0.);
-    for (unsigned int i = 0; i < wanted.size(); ++i)
-      if (is_active[i] && !is_nonholonomic[i])
-        x[system.layout.of_multiplier(i)] = wanted[i] - given[i];
-    system.tangent(state, K);
-    for (unsigned int j = 0; j < n; ++j)
-      for (int k = K.pattern->column_start[j]; k < K.pattern->column_start[j + 1]; ++k)
-        if (K.pattern->rows[k] < static_cast<int>(n))
-          K.values[k] = M.values[k];
-    solver->factorize(K);
-    factored_step = 0;
-    solver->solve(x.data());
-    for (unsigned int i = 0; i < n; ++i)
-      x[i] += v[i];
-    x.resize(n);
-    set_velocities(state, x);
+    set_velocities(state, with_change_of_rates(state, error));
   }
 
 
@@ -318,7 +336,6 @@ namespace samara
   StepResult
   GeneralisedAlpha::step(State &state, const double h)
   {
-    StepResult result;
     if (is_pending)
       std::swap(now, next);
     is_pending        = false;
@@ -329,56 +346,12 @@ namespace samara
       start(begin, h);
     const double evaluation_time = rivals::is_corner(system, end, tiny) ? end - tiny : end;
 
-    Iterate iterate;
-    predict(begin, h, iterate);
-    bool   is_fresh = factored_step > 0 && std::abs(factored_step / h - 1) < 1e-6 ? false : true, is_first = is_fresh;
-    double last = 0;
-    for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
-      {
-        evaluate(h, evaluation_time, iterate);
-        if (is_first)
-          {
-            factorize(h, iterate);
-            ++n_factorizations;
-            is_first = false;
-          }
-        const double size = correct(h, iterate);
-        ++result.iterations;
-        ++n_iterations;
-        result.last_correction = size;
-        if (!std::isfinite(size) || size > 10)
-          {
-            if (is_fresh)
-              break;
-            predict(begin, h, iterate); // not with the old factors
-            is_fresh = is_first = true;
-            last                = 0;
-            continue;
-          }
-        configure(begin, iterate);
-        const double rate = last > 0 ? std::max(size / last, 0.05) : 0.5; // the first one may be too good
-        if (rate < 1 && size * rate / (1 - rate) < settings.newton_tolerance)
-          {
-            result.converged = true;
-            break;
-          }
-        if (size < 1e-13)
-          {
-            result.converged = true; // round-off
-            break;
-          }
-        if (last > 0 && rate > 0.2)
-          is_fresh = is_first = true; // Newton's method proper from here
-        last = size;
-      }
+    Iterate    iterate;
+    StepResult result = find_end(begin, h, evaluation_time, iterate);
     if (!result.converged)
       {
         evaluate(h, evaluation_time, iterate);
-        const auto n = system.layout.of_multiplier(0);
-        result.worst = std::max_element(iterate.residual.begin(),
-                                        iterate.residual.begin() + n,
-                                        [](const double a, const double b) { return std::abs(a) < std::abs(b); }) -
-                       iterate.residual.begin();
+        result.worst  = rivals::largest_of(iterate.residual, system.layout.of_multiplier(0));
         factored_step = 0;
         return result;
       }
@@ -399,6 +372,40 @@ namespace samara
     is_pending = true;
     state      = after;
     ++n_steps;
+    return result;
+  }
+
+
+
+  StepResult
+  GeneralisedAlpha::find_end(const State &begin, const double h, const double evaluation_time, Iterate &iterate)
+  {
+    constexpr double    slow = 0.2;
+    StepResult          result;
+    rivals::Corrections corrections(factored_step > 0 && std::abs(factored_step / h - 1) < 1e-6,
+                                    slow,
+                                    settings.newton_tolerance);
+    predict(begin, h, iterate);
+    while (result.iterations < settings.max_iterations && !result.converged)
+      {
+        evaluate(h, evaluation_time, iterate);
+        if (corrections.need_factors())
+          {
+            factorize(h, iterate);
+            ++n_factorizations;
+          }
+        result.last_correction = correct(h, iterate);
+        ++result.iterations;
+        ++n_iterations;
+        const auto verdict = corrections.judge(result.last_correction);
+        if (verdict == rivals::Corrections::Verdict::diverged)
+          break;
+        if (verdict == rivals::Corrections::Verdict::again)
+          predict(begin, h, iterate);
+        else
+          configure(begin, iterate);
+        result.converged = verdict == rivals::Corrections::Verdict::converged;
+      }
     return result;
   }
 } // namespace samara

@@ -226,13 +226,42 @@ namespace samara
 
 
 
+  bool
+  Bdf::integrate(const double end, State &now, rivals::Powers &work_done)
+  {
+    constexpr unsigned int max_steps = 100000;
+    const Ida             &i         = *ida;
+    rivals::Powers         power     = rivals::powers(system, now);
+    double                 time      = now.time;
+    for (unsigned int n = 0; n < max_steps; ++n)
+      {
+        double    reached = time;
+        const int flag    = IDASolve(i.memory, end, &reached, i.z, i.z_dot, IDA_ONE_STEP);
+        if (flag != IDA_SUCCESS && flag != IDA_TSTOP_RETURN)
+          return false;
+        unpack(std::min(reached, last_time), N_VGetArrayPointer(i.z), now);
+        const rivals::Powers next = rivals::powers(system, now);
+        const double         half = 0.5 * (reached - time);
+        work_done.loads += half * (power.loads + next.loads);
+        work_done.drives += half * (power.drives + next.drives);
+        work_done.viscous += half * (power.viscous + next.viscous);
+        if (flag == IDA_TSTOP_RETURN)
+          return true;
+        power = next;
+        time  = reached;
+      }
+    return false;
+  }
+
+
+
   StepResult
   Bdf::step(State &state, const double h)
   {
     StepResult   result;
     const double tiny = 1e-6 * h, end = state.time + h;
-    State        begin = state;
-    begin.held         = false;
+    State        now = state;
+    now.held         = false;
     if (rivals::is_corner(system, state.time, tiny))
       is_running = false;
     work.held   = false;
@@ -245,7 +274,7 @@ namespace samara
       {
         try
           {
-            start(begin, h);
+            start(now, h);
           }
         catch (const SingularMatrix &)
           {
@@ -258,37 +287,15 @@ namespace samara
         IDAGetNumSteps(i.memory, &steps_done);
       }
     IDASetStopTime(i.memory, end);
-
-    constexpr unsigned int max_steps = 100000;
-    rivals::Powers         work_done, power = rivals::powers(system, begin);
-    double                 time = begin.time;
-    int                    flag = IDA_SUCCESS;
-    State                  now  = begin;
-    for (unsigned int n = 0; n < max_steps && flag == IDA_SUCCESS; ++n)
-      {
-        double reached = time;
-        flag           = IDASolve(i.memory, end, &reached, i.z, i.z_dot, IDA_ONE_STEP);
-        if (flag != IDA_SUCCESS && flag != IDA_TSTOP_RETURN)
-          break;
-        unpack(std::min(reached, last_time), N_VGetArrayPointer(i.z), now);
-        const rivals::Powers next = rivals::powers(system, now);
-        const double         half = 0.5 * (reached - time);
-        work_done.loads += half * (power.loads + next.loads);
-        work_done.drives += half * (power.drives + next.drives);
-        work_done.viscous += half * (power.viscous + next.viscous);
-        power = next;
-        time  = reached;
-      }
+    rivals::Powers work_done;
+    is_running = integrate(end, now, work_done);
     IDAGetNumNonlinSolvIters(i.memory, &iterations);
     IDAGetNumSteps(i.memory, &steps);
     result.iterations = iterations - done;
     n_iterations += result.iterations;
     n_internal_steps += steps - steps_done;
-    if (flag != IDA_TSTOP_RETURN)
-      {
-        is_running = false;
-        return result;
-      }
+    if (!is_running)
+      return result;
     now.time = end;
     system.stresses(now, now.stress);
     const double *const y_dot = N_VGetArrayPointer(i.z_dot) + of_velocities;

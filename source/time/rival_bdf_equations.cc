@@ -208,55 +208,40 @@ namespace samara
 
 
   void
-  Bdf::make_jacobian(const double time, const double cj, const double *const z, const double *const z_dot)
+  Bdf::make_kinematic_blocks(const double        cj,
+                             const double *const z,
+                             const double *const z_dot,
+                             SparseMatrix       &kinematics,
+                             SparseMatrix       &weights)
   {
     const Layout &layout = system.layout;
-    const int     n      = layout.of_multiplier(0);
-    unpack(std::min(time, last_time), z, work);
-    system.stresses(work, work.stress);
-    jacobian.cj = cj;
-    jacobian.p.assign(z, z + n_poses);
-    jacobian.kinematics.assign(layout.n_nodes, Matrix6::Zero());
-
-    // forces by positions, and by velocities, in the nodes' frames
-    State at_rest = work;
-    std::fill(at_rest.y.begin(), at_rest.y.end(), 0.);
-    system.tangent(at_rest, K);
-    system.damping(at_rest, C);
-    // change of G along the motion
-    const double dt = difference_time(work);
-    for (const double sign : {-1., 1.})
-      {
-        State moved = after_time(work, sign * dt);
-        std::fill(moved.y.begin(), moved.y.end(), 0.);
-        std::fill(moved.multipliers.begin(), moved.multipliers.end(), 0.);
-        system.tangent(moved, sign < 0 ? before : after);
-      }
-
-    const bool   is_index_1 = form == Form::index_1;
-    SparseMatrix kinematics(layout.pattern), weights(layout.pattern), carried(layout.pattern);
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
-        const Eigen::Map<const Vector6> y(&work.y[6 * node]);
-        const Matrix6                  &inertia = system.model.nodes[node].inertia;
-        const Vector6                   rate    = rate_of_pose(z, z_dot, node);
-        Matrix6                         E       = cj * Matrix6::Identity();
+        const Vector6 rate = rate_of_pose(z, z_dot, node);
+        Matrix6       E    = cj * Matrix6::Identity();
         E.topRightCorner<3, 3>() += skew(rate.head<3>());
         E.bottomRightCorner<3, 3>() += 0.5 * skew(rate.tail<3>());
         jacobian.kinematics[node] = E;
-        const Matrix6 weight      = is_index_1 ? Matrix6(Matrix6::Identity()) : inertia;
+        const Matrix6 weight = form == Form::index_1 ? Matrix6(Matrix6::Identity()) : system.model.nodes[node].inertia;
         rivals::add_to_node(kinematics, layout, node, weight * E);
         rivals::add_to_node(weights, layout, node, weight);
-        rivals::add_to_node(C, layout, node, gyroscopic_tangent(inertia, y));
       }
     for (unsigned int i = 0; i < layout.n_coordinates; ++i)
       {
         const int row      = layout.of_coordinate(i);
-        const int position = K.pattern->position(row, row);
+        const int position = layout.pattern->position(row, row);
         kinematics.values[position] += cj;
         weights.values[position] += 1;
       }
+  }
+
+
+
+  void
+  Bdf::add_change_of_constraints(SparseMatrix &change) const
+  {
     // G ad_y: the columns of a node have their rows in common
+    const Layout &layout = system.layout;
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
         const Matrix6 A     = ad(Eigen::Map<const Vector6>(&work.y[6 * node]));
@@ -265,9 +250,21 @@ namespace samara
         for (int k = 0; k < length; ++k)
           for (int a = 0; a < 6; ++a)
             for (int b = 0; b < 6; ++b)
-              carried.values[start + b * length + k] += K.values[start + a * length + k] * A(a, b);
+              change.values[start + b * length + k] += K.values[start + a * length + k] * A(a, b);
       }
+  }
 
+
+
+  void
+  Bdf::fill_matrix(const double        cj,
+                   const double        dt,
+                   const SparseMatrix &kinematics,
+                   const SparseMatrix &weights,
+                   const SparseMatrix &carried)
+  {
+    const int  n               = system.layout.of_multiplier(0);
+    const bool is_index_1      = form == Form::index_1;
     const auto is_inactive_row = [&](const int row) { return row >= n && !is_active[row - n]; };
     matrix.clear();
     matrix.add(0, 0, [&](const int i, const int j, const int k) {
@@ -295,6 +292,44 @@ namespace samara
         return cj * K.values[k] + (after.values[k] - before.values[k]) / dt - carried.values[k];
       return K.values[k];
     });
+  }
+
+
+
+  void
+  Bdf::make_jacobian(const double time, const double cj, const double *const z, const double *const z_dot)
+  {
+    const Layout &layout = system.layout;
+    unpack(std::min(time, last_time), z, work);
+    system.stresses(work, work.stress);
+    jacobian.cj = cj;
+    jacobian.p.assign(z, z + n_poses);
+    jacobian.kinematics.assign(layout.n_nodes, Matrix6::Zero());
+
+    // forces by positions, and by velocities, in the nodes' frames
+    State at_rest = work;
+    std::fill(at_rest.y.begin(), at_rest.y.end(), 0.);
+    system.tangent(at_rest, K);
+    system.damping(at_rest, C);
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      rivals::add_to_node(C,
+                          layout,
+                          node,
+                          gyroscopic_tangent(system.model.nodes[node].inertia,
+                                             Eigen::Map<const Vector6>(&work.y[6 * node])));
+    // change of G along the motion
+    const double dt = difference_time(work);
+    for (const double sign : {-1., 1.})
+      {
+        State moved = after_time(work, sign * dt);
+        std::fill(moved.y.begin(), moved.y.end(), 0.);
+        std::fill(moved.multipliers.begin(), moved.multipliers.end(), 0.);
+        system.tangent(moved, sign < 0 ? before : after);
+      }
+    SparseMatrix kinematics(layout.pattern), weights(layout.pattern), carried(layout.pattern);
+    make_kinematic_blocks(cj, z, z_dot, kinematics, weights);
+    add_change_of_constraints(carried);
+    fill_matrix(cj, dt, kinematics, weights, carried);
     matrix.factorize();
     ++n_factorizations;
   }

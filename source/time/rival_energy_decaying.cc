@@ -1,3 +1,4 @@
+#include <samara/model/strain_products.h>
 #include <samara/time/rival_energy_decaying.h>
 
 #include <algorithm>
@@ -19,6 +20,10 @@ namespace samara
     , is_nonholonomic(rivals::nonholonomic_multipliers(system))
     , frozen_strains(system.linear_strains())
   {
+    if (!strain_products(system.model).empty())
+      throw std::invalid_argument(
+        "energy decaying: tension that stiffens torsion (<Trapeze effect>, <Trapeze coupling>) "
+        "is not among its strains; take the integrator <family>, or a section without it");
     system.mass(M);
     for (const auto &node : system.model.nodes)
       {
@@ -325,42 +330,57 @@ namespace samara
         rates[i] = -6 / h * x[i];
       }
     correct_stresses(z, rates, j);
-    State  changes        = f.mean;
-    double largest_change = 0, largest = 0;
-    for (auto *const stage : {&j, &f})
-      {
-        const double *const zeta = x.data() + (stage == &f ? n : 0);
-        for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-          {
-            Eigen::Map<const Vector3> u(zeta + 6 * (node - 1)), phi(zeta + 6 * (node - 1) + 3);
-            Eigen::Map<Vector3>       x_end(&stage->end.q[12 * node]);
-            Eigen::Map<Matrix3>       D(&stage->end.q[12 * node + 3]);
-            x_end += middle[node] * u;
-            D = renormalised(D * cayley<double>(D.transpose() * (middle[node] * phi)));
-            if (stage == &f)
-              {
-                Eigen::Map<Vector3>(&changes.y[6 * node])     = u / h;
-                Eigen::Map<Vector3>(&changes.y[6 * node + 3]) = phi / h;
-              }
-          }
-        for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-          {
-            stage->end.coordinates[i] += zeta[system.layout.of_coordinate(i)];
-            changes.rates[i] = zeta[system.layout.of_coordinate(i)] / h;
-          }
-        for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-          {
-            const double change = zeta[system.layout.of_multiplier(i)];
-            stage->end.multipliers[i] += change;
-            largest_change = std::max(largest_change, std::abs(change));
-            largest        = std::max(largest, std::abs(stage->end.multipliers[i]));
-          }
-      }
+    correct_end(x.data(), j);
+    correct_end(x.data() + n, f);
+    return std::max(size_of_velocities(x.data() + n, h), size_of_multipliers(x));
+  }
+
+
+
+  double
+  EnergyDecaying::size_of_velocities(const double *const zeta, const double h) const
+  {
+    State changes = f.mean;
+    for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
+      changes.y[6 + i] = zeta[i] / h;
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      changes.rates[i] = zeta[system.layout.of_coordinate(i)] / h;
+    return measure.largest(changes.y, changes.rates) / std::max(1e-3 / h, measure.largest(f.mean.y, f.mean.rates));
+  }
+
+
+
+  double
+  EnergyDecaying::size_of_multipliers(const std::vector<double> &x) const
+  {
     // forces across the constraints leave the velocities as they are: multipliers have to converge, too
-    const double of_multipliers = largest > 0 ? std::sqrt(settings.newton_tolerance) * largest_change / largest : 0.;
-    return std::max(measure.largest(changes.y, changes.rates) /
-                      std::max(1e-3 / h, measure.largest(f.mean.y, f.mean.rates)),
-                    of_multipliers);
+    double change = 0, largest = 0;
+    for (const auto *const stage : {&j, &f})
+      for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+        {
+          change  = std::max(change, std::abs(x[(stage == &f ? system.size() : 0) + system.layout.of_multiplier(i)]));
+          largest = std::max(largest, std::abs(stage->end.multipliers[i]));
+        }
+    return largest > 0 ? std::sqrt(settings.newton_tolerance) * change / largest : 0.;
+  }
+
+
+
+  void
+  EnergyDecaying::correct_end(const double *const zeta, Stage &stage) const
+  {
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        Eigen::Map<const Vector3> u(zeta + 6 * (node - 1)), phi(zeta + 6 * (node - 1) + 3);
+        Eigen::Map<Vector3>       x_end(&stage.end.q[12 * node]);
+        Eigen::Map<Matrix3>       D(&stage.end.q[12 * node + 3]);
+        x_end += middle[node] * u;
+        D = renormalised(D * cayley<double>(D.transpose() * (middle[node] * phi)));
+      }
+    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      stage.end.coordinates[i] += zeta[system.layout.of_coordinate(i)];
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      stage.end.multipliers[i] += zeta[system.layout.of_multiplier(i)];
   }
 
 
@@ -384,70 +404,71 @@ namespace samara
 
 
   StepResult
-  EnergyDecaying::step(State &state, const double h)
+  EnergyDecaying::find_stages(const State &begin, const double h)
   {
-    StepResult result;
-    State      begin = state;
-    begin.held       = false;
+    constexpr double    slow = 0.3;
+    StepResult          result;
+    rivals::Corrections corrections(factored_step > 0 && std::abs(factored_step / h - 1) < 1e-6,
+                                    slow,
+                                    settings.newton_tolerance);
     predict(begin, h);
-    bool   is_fresh = !(factored_step > 0 && std::abs(factored_step / h - 1) < 1e-6), is_first = is_fresh;
-    double last = 0;
-    for (unsigned int iteration = 0; iteration < settings.max_iterations; ++iteration)
+    while (result.iterations < settings.max_iterations && !result.converged)
       {
         evaluate(begin, h);
         find_middle(begin);
-        if (is_first)
+        if (corrections.need_factors())
           {
             factorize(h);
             ++n_factorizations;
-            is_first = false;
           }
-        const double size = correct(h);
+        result.last_correction = correct(h);
         ++result.iterations;
         ++n_iterations;
-        result.last_correction = size;
-        if (!std::isfinite(size) || size > 10)
-          {
-            if (is_fresh)
-              break;
-            predict(begin, h); // not with the old factors
-            is_fresh = is_first = true;
-            last                = 0;
-            continue;
-          }
-        const double rate = last > 0 ? std::max(size / last, 0.05) : 0.5; // the first one may be too good
-        if ((rate < 1 && size * rate / (1 - rate) < settings.newton_tolerance) || size < 1e-13)
-          {
-            result.converged = true;
-            break;
-          }
-        if (last > 0 && rate > 0.3)
-          is_fresh = is_first = true;
-        last = size;
+        const auto verdict = corrections.judge(result.last_correction);
+        if (verdict == rivals::Corrections::Verdict::diverged)
+          break;
+        if (verdict == rivals::Corrections::Verdict::again)
+          predict(begin, h);
+        result.converged = verdict == rivals::Corrections::Verdict::converged;
       }
-    if (!result.converged)
-      {
-        const int n  = system.layout.of_multiplier(0);
-        result.worst = std::max_element(f.r.begin(),
-                                        f.r.begin() + n,
-                                        [](const double a, const double b) { return std::abs(a) < std::abs(b); }) -
-                       f.r.begin();
-        factored_step = 0;
-        return result;
-      }
-    means(begin, h);
+    return result;
+  }
+
+
+
+  double
+  EnergyDecaying::energy_of_jump(const State &begin)
+  {
+    double energy = 0;
     system.strains(j.end, j.strains);
-    jump_energy = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         const Vector3 spin = j.spin[node] - Eigen::Map<const Vector3>(&begin.y[6 * node + 3]);
-        jump_energy +=
+        energy +=
           0.5 * alpha *
           (masses[node].mass * (j.V[node] - V_start[node]).squaredNorm() + spin.dot(masses[node].inertia * spin));
       }
     for (unsigned int i = 0; i < e_start.size(); ++i)
       j.strains[i] -= e_start[i];
-    jump_energy += alpha * system.strain_energy(j.strains.data());
+    return energy + alpha * system.strain_energy(j.strains.data());
+  }
+
+
+
+  StepResult
+  EnergyDecaying::step(State &state, const double h)
+  {
+    State begin       = state;
+    begin.held        = false;
+    StepResult result = find_stages(begin, h);
+    if (!result.converged)
+      {
+        result.worst  = rivals::largest_of(f.r, system.layout.of_multiplier(0));
+        factored_step = 0;
+        return result;
+      }
+    means(begin, h);
+    jump_energy = energy_of_jump(begin);
 
     State after = f.end;
     after.time  = begin.time + h;
@@ -458,8 +479,7 @@ namespace samara
     after.rates = f.rates;
     system.stresses(after, after.stress);
     // powers of the mean motion
-    State          middle_of_step = f.mean;
-    rivals::Powers work           = rivals::powers(system, middle_of_step);
+    const rivals::Powers work = rivals::powers(system, f.mean);
     rivals::account(system, state, after, {h * work.loads, h * work.drives, h * work.viscous}, result);
     state = after;
     ++n_steps;

@@ -1,6 +1,8 @@
 #include <samara/solvers/newton.h>
 #include <samara/time/rival_parts.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -121,12 +123,44 @@ namespace samara
 
 
 
+    Corrections::Verdict
+    Corrections::judge(const double size)
+    {
+      if (!std::isfinite(size) || size > 10)
+        {
+          if (is_fresh)
+            return Verdict::diverged;
+          is_fresh = is_missing = true;
+          last                  = 0;
+          return Verdict::again;
+        }
+      const double rate = last > 0 ? std::max(size / last, 0.05) : 0.5;       // the first one may be too good
+      if ((rate < 1 && size * rate / (1 - rate) < tolerance) || size < 1e-13) // the latter is round-off
+        return Verdict::converged;
+      if (last > 0 && rate > slow)
+        is_fresh = is_missing = true; // Newton's method proper from here
+      last = size;
+      return Verdict::go_on;
+    }
+
+
+
+    unsigned int
+    largest_of(const std::vector<double> &values, const unsigned int n)
+    {
+      AssertIndexRange(n, values.size() + 1);
+      const auto smaller = [](const double a, const double b) { return std::abs(a) < std::abs(b); };
+      return std::max_element(values.begin(), values.begin() + n, smaller) - values.begin();
+    }
+
+
+
     Powers
     powers(const System &system, const State &state)
     {
-      const Layout             &layout = system.layout;
-      Powers                    result;
-      std::vector<double>       force(system.size() + 6, 0.), rates(layout.n_strains);
+      const Layout       &layout = system.layout;
+      Powers              result;
+      std::vector<double> force(system.size() + 6, 0.), rates(layout.n_strains);
       system.add_loads(state.point(), force.data(), false);
       if (system.is_viscous())
         {

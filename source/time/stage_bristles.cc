@@ -1,5 +1,8 @@
 #include <samara/time/stage_bristles.h>
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace samara
@@ -78,6 +81,111 @@ namespace samara
           f.dissipated += law.bristle_stiffness * t.alpha / (2 * (2. * t.s - 1)) * mode * mode;
         }
     }
+
+
+
+    using VectorRef = Eigen::Ref<const Eigen::VectorXd>;
+
+    std::vector<BristleStage>
+    stages_of(const FrictionLaw &law, const unsigned int s, const VectorRef &slips, const double *normal)
+    {
+      std::vector<BristleStage> stages;
+      for (unsigned int k = 0; k < s; ++k)
+        {
+          double square = 0;
+          for (unsigned int i = k; i < slips.size(); i += s)
+            square += slips(i) * slips(i);
+          stages.emplace_back(law, square, normal[k]);
+        }
+      return stages;
+    }
+
+
+
+    /** Of (w/h + r) z = slip + w z_start / h for one bristle at all stages: ∂z/∂(right side), 0 where nothing presses.
+     */
+    Eigen::MatrixXd
+    deflection_by_slip(const std::vector<BristleStage> &stages, const Eigen::MatrixXd &W, const double h)
+    {
+      // rows are divided by their diagonal: bristles that slip have a large one
+      const unsigned int s = stages.size();
+      Eigen::MatrixXd    M = Eigen::MatrixXd::Identity(s, s);
+      Eigen::VectorXd    scale(s);
+      for (unsigned int k = 0; k < s; ++k)
+        {
+          scale(k) = stages[k].presses ? 1 / (1 / h + stages[k].r) : 0.;
+          if (stages[k].presses)
+            {
+              M.row(k) = scale(k) * W.row(k);
+              M(k, k) += scale(k) * stages[k].r;
+            }
+        }
+      return M.partialPivLu().inverse() * scale.asDiagonal();
+    }
+
+
+
+    /** Deflections z, their rates and forces σ₀ z + σ₁ ż of bristles that are pressed in some stage. */
+    void
+    deflect(const FrictionLaw               &law,
+            const std::vector<BristleStage> &stages,
+            const Eigen::MatrixXd           &W,
+            const Eigen::MatrixXd           &inverse,
+            const VectorRef                 &start,
+            const VectorRef                 &slips,
+            BristleForces                   &f)
+    {
+      const unsigned int s = stages.size();
+      for (unsigned int i = 0; i < start.size(); ++i)
+        {
+          const auto z                   = f.deflection.segment(s * i, s);
+          const auto zd                  = f.rate.segment(s * i, s);
+          f.deflection.segment(s * i, s) = inverse * (slips.segment(s * i, s) + start(i) * W.rowwise().sum());
+          f.rate.segment(s * i, s)       = W * (z.array() - start(i)).matrix();
+          for (unsigned int k = 0; k < s; ++k)
+            if (stages[k].presses)
+              f.force(s * i + k) = law.bristle_stiffness * z(k) + stages[k].damping * zd(k);
+            else
+              f.deflection(s * i + k) = 0; // it is, but for round-off
+        }
+    }
+
+
+
+    /** δz = M⁻¹ (δw − z δr), δż = W δz, δf = σ₀ δz + σ₁ δż + ż δσ₁. */
+    void
+    add_slopes(const FrictionLaw               &law,
+               const std::vector<BristleStage> &stages,
+               const Eigen::MatrixXd           &W,
+               const Eigen::MatrixXd           &inverse,
+               const VectorRef                 &slips,
+               BristleForces                   &f)
+    {
+      const unsigned int s = stages.size(), n = slips.size() / s;
+      for (unsigned int l = 0; l < s; ++l)
+        {
+          if (!stages[l].presses)
+            continue;
+          const Eigen::VectorXd dz = inverse.col(l), dzd = W * dz;
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const double z_l = f.deflection(s * i + l), zd_l = f.rate(s * i + l);
+              for (unsigned int k = 0; k < s; ++k)
+                {
+                  if (!stages[k].presses)
+                    continue;
+                  const double by_right = law.bristle_stiffness * dz(k) + stages[k].damping * dzd(k);
+                  f.by_slip(s * i + k, s * i + l) += by_right;
+                  f.by_normal(s * i + k, l) -= by_right * z_l * stages[l].r_by_normal;
+                  for (unsigned int j = 0; j < n; ++j)
+                    f.by_slip(s * i + k, s * j + l) -= by_right * z_l * stages[l].r_by_slip * slips(s * j + l);
+                }
+              f.by_normal(s * i + l, l) += zd_l * stages[l].damping_by_normal;
+              for (unsigned int j = 0; j < n; ++j)
+                f.by_slip(s * i + l, s * j + l) += zd_l * stages[l].damping_by_slip * slips(s * j + l);
+            }
+        }
+    }
   } // namespace
 
 
@@ -92,7 +200,8 @@ namespace samara
                  const bool                               with_slopes)
   {
     const unsigned int s = t.s, n = start.size();
-    BristleForces      f;
+    Assert(slips.size() == s * n, dealii::ExcDimensionMismatch(slips.size(), s * n));
+    BristleForces f;
     f.deflection.setZero(s * n);
     f.rate.setZero(s * n);
     f.force.setZero(s * n);
@@ -101,77 +210,18 @@ namespace samara
         f.by_slip.setZero(s * n, s * n);
         f.by_normal.setZero(s * n, s);
       }
-    std::vector<BristleStage> stages;
-    bool                      presses = false;
-    for (unsigned int k = 0; k < s; ++k)
-      {
-        double square = 0;
-        for (unsigned int i = 0; i < n; ++i)
-          square += slips(s * i + k) * slips(s * i + k);
-        stages.emplace_back(law, square, normal[k]);
-        presses = presses || stages.back().presses;
-      }
-    if (!presses)
+    const auto stages = stages_of(law, s, slips, normal);
+    if (std::none_of(stages.begin(), stages.end(), [](const BristleStage &stage) { return stage.presses; }))
       {
         straighten(t, start, h, f);
         account_for_bristles(law, t, start, slips, h, f);
         return f;
       }
-
-    // rows are divided by their diagonal: bristles that slip have a large one
-    const Eigen::MatrixXd W = t.w / h;
-    Eigen::MatrixXd       M = Eigen::MatrixXd::Identity(s, s);
-    Eigen::VectorXd       scale(s); // of what is on the right; 0 where nothing presses
-    for (unsigned int k = 0; k < s; ++k)
-      {
-        scale(k) = stages[k].presses ? 1 / (1 / h + stages[k].r) : 0.;
-        if (stages[k].presses)
-          {
-            M.row(k) = scale(k) * W.row(k);
-            M(k, k) += scale(k) * stages[k].r;
-          }
-      }
-    const Eigen::MatrixXd inverse = M.partialPivLu().inverse() * scale.asDiagonal();
-    for (unsigned int i = 0; i < n; ++i)
-      {
-        const auto z                   = f.deflection.segment(s * i, s);
-        const auto zd                  = f.rate.segment(s * i, s);
-        f.deflection.segment(s * i, s) = inverse * (slips.segment(s * i, s) + start(i) * W.rowwise().sum());
-        f.rate.segment(s * i, s)       = W * (z.array() - start(i)).matrix();
-        for (unsigned int k = 0; k < s; ++k)
-          if (stages[k].presses)
-            f.force(s * i + k) = law.bristle_stiffness * z(k) + stages[k].damping * zd(k);
-          else
-            f.deflection(s * i + k) = 0; // it is, but for round-off
-      }
+    const Eigen::MatrixXd W = t.w / h, inverse = deflection_by_slip(stages, W, h);
+    deflect(law, stages, W, inverse, start, slips, f);
     account_for_bristles(law, t, start, slips, h, f);
-    if (!with_slopes)
-      return f;
-
-    // δz = M⁻¹ (δw − z δr), δż = W δz, δf = σ₀ δz + σ₁ δż + ż δσ₁
-    for (unsigned int l = 0; l < s; ++l)
-      {
-        if (!stages[l].presses)
-          continue;
-        const Eigen::VectorXd dz = inverse.col(l), dzd = W * dz;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            const double z_l = f.deflection(s * i + l), zd_l = f.rate(s * i + l);
-            for (unsigned int k = 0; k < s; ++k)
-              {
-                if (!stages[k].presses)
-                  continue;
-                const double by_right = law.bristle_stiffness * dz(k) + stages[k].damping * dzd(k);
-                f.by_slip(s * i + k, s * i + l) += by_right;
-                f.by_normal(s * i + k, l) -= by_right * z_l * stages[l].r_by_normal;
-                for (unsigned int j = 0; j < n; ++j)
-                  f.by_slip(s * i + k, s * j + l) -= by_right * z_l * stages[l].r_by_slip * slips(s * j + l);
-              }
-            f.by_normal(s * i + l, l) += zd_l * stages[l].damping_by_normal;
-            for (unsigned int j = 0; j < n; ++j)
-              f.by_slip(s * i + l, s * j + l) += zd_l * stages[l].damping_by_slip * slips(s * j + l);
-          }
-      }
+    if (with_slopes)
+      add_slopes(law, stages, W, inverse, slips, f);
     return f;
   }
 } // namespace samara

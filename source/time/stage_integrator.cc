@@ -2,6 +2,8 @@
 #include <samara/solvers/newton.h>
 #include <samara/time/stage_integrator.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -10,47 +12,9 @@ namespace samara
 {
   namespace
   {
-    constexpr unsigned int max_factorizations_per_step = 4;
-
-    /** Where corrections shrink by less than the first it is looked at what they leave; by more than the second may be
-     * an accident. */
-    constexpr double sure_rate = 0.3, least_rate = 0.01;
-    /** Of the tolerance; a step turns out to miss up to four times what its residuals tell (tests/trials). */
-    constexpr double share_of_energy = 0.2;
-
-    /** What a factorisation with its matrices costs, in iterations. */
-    constexpr double iterations_of_a_factorization = 4;
-
-    /**
-     * @name Newton's policy
-     * Corrections are of velocities, relative to the largest; rates are from one correction to the next.
-     * @{
-     */
-    /** Rates above which an attempt is given up: with factors of earlier steps, which new ones soon pay for; with new
-     * ones, of which a better configuration may be found; and with the last, where whatever converges is welcome. */
-    constexpr double slow_with_old_factors = 0.3, slow_with_new_factors = 0.5, slow_with_last_factors = 0.95;
-
-    /** Corrections after which the stages are near enough for the next factors to begin with them; so near that other
-     * factors would be the same; and so large that the start was wrong. */
-    constexpr double near = 0.1, as_near_as_can_be = 0.01, far = 10, lost = 1e3;
-
-    /** Of a rate that is not known yet, and at most: the sum of all corrections to come is last · rate/(1 − rate). */
-    constexpr double first_rate = 0.5, largest_rate = 0.9;
-
-    /** A correction that is no smaller than this part of the smallest does not count as progress. */
-    constexpr double progress = 0.8;
-
-    /** Corrections below which three without progress are round-off, and below which it does not matter that they
-     * shrink slowly. */
-    constexpr double size_of_round_off = 1e-9, size_of_slowness = 1e-8;
-
-    /** Iterations that a slow attempt may still need: about what another factorisation costs. */
-    constexpr double most_iterations_to_come = iterations_of_a_factorization;
-
     /** Part of the largest force by which it may change in the last correction, and how fast such changes must shrink
      * for the factors to be kept: where nothing moves, forces alone show that factors are old. */
-    constexpr double change_of_force_that_counts = 1e-3, slow_change_of_force = slow_with_old_factors;
-    /** @} */
+    constexpr double change_of_force_that_counts = 1e-3, slow_change_of_force = 0.3;
   } // namespace
 
 
@@ -133,7 +97,36 @@ namespace samara
   StepResult
   StageIntegrator::step(State &state, const double h)
   {
+    Assert(h > 0, dealii::ExcMessage("a step has a positive length"));
     StepResult result;
+    start_step(state, h);
+    const bool converged = find_stages(state, h, result);
+    n_iterations += result.iterations;
+    judge_factors(result.iterations);
+    // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
+    if (change_of_force > change_of_force_that_counts &&
+        change_of_force > slow_change_of_force * previous_change_of_force)
+      factored_step = 0;
+    if (!converged || !accept_stages(state, h, result))
+      {
+        forget_history();
+        return result;
+      }
+    result.converged = true;
+    if (wants_estimates)
+      estimate_error(state, h, result.difference);
+    remember(state, h);
+    finish(state, h);
+    result.energy = system.energy(state, e_end);
+    ++n_steps;
+    return result;
+  }
+
+
+
+  void
+  StageIntegrator::start_step(State &state, const double h)
+  {
     state.held = false;
     choose_rows(state);
     // where the last step ended, strains are known
@@ -152,90 +145,26 @@ namespace samara
     if (!contacts.is_empty())
       contacts.start(state, h);
     predict(state, h);
-    bool converged = false;
-    if (has_many_contacts() || n_exact_for_contacts > 0)
-      {
-        n_exact_for_contacts -= n_exact_for_contacts > 0;
-        converged = iterate_exactly(state, h, false, result);
-        if (!converged)
-          predict(state, h);
-      }
-    if (!converged && is_step(factored_step, h))
-      {
-        converged = iterate(state, h, slow_with_old_factors, result);
-        if (!converged && !(result.last_correction < near))
-          predict(state, h); // not even near
-      }
-    for (unsigned int i = 0; !converged && i < max_factorizations_per_step; ++i)
-      {
-        // about the middle of the step, as far as it is known; the last time, where another one would not help
-        freeze(state, h);
-        try
-          {
-            factorize(h);
-          }
-        catch (const SingularMatrix &)
-          {
-            break; // gone astray
-          }
-        const bool is_last =
-          i + 1 == max_factorizations_per_step || (i > 0 && result.last_correction < as_near_as_can_be);
-        converged = iterate(state, h, is_last ? slow_with_last_factors : slow_with_new_factors, result);
-        if (!converged && (is_last || !(result.last_correction < far)))
-          {
-            if (previous_step == 0)
-              break;
-            previous_step = 0; // perhaps the extrapolated start was not good
-            predict(state, h);
-            i = 0;
-          }
-      }
-    if (!converged)
-      {
-        // where contacts in groups stick and slip, steps to come will need that, too
-        constexpr unsigned int as_many_more = 20;
-        const bool             touches      = !contacts.touched().empty();
-        if (touches)
-          predict(state, h);
-        converged = iterate_exactly(state, h, !touches, result);
-        if (converged && touches)
-          n_exact_for_contacts = as_many_more;
-      }
-    n_iterations += result.iterations;
-    judge_factors(result.iterations);
-    // nothing moves where a body is held in its place: velocities do not tell whether the force there converges
-    if (change_of_force > change_of_force_that_counts &&
-        change_of_force > slow_change_of_force * previous_change_of_force)
-      factored_step = 0;
-    if (converged && !contacts.is_empty())
-      converged = accept_contacts(result);
-    if (converged)
-      {
-        account(state, h, result);
-        converged = has_sources(result, h);
-      }
-    if (converged)
-      for (const Stage &stage : stages)
-        if (const int i = system.model.negative_length(stage.coordinates); i >= 0)
-          {
-            converged    = false;
-            result.worst = system.layout.of_coordinate(i);
-          }
-    if (converged)
-      check_rows_left_out(state);
-    if (!converged)
-      {
-        forget_history();
-        return result;
-      }
-    result.converged = true;
-    if (wants_estimates)
-      estimate_error(state, h, result.difference);
-    remember(state, h);
-    finish(state, h);
-    result.energy = system.energy(state, e_end);
-    ++n_steps;
-    return result;
+  }
+
+
+
+  bool
+  StageIntegrator::accept_stages(const State &state, const double h, StepResult &result)
+  {
+    if (!contacts.is_empty() && !accept_contacts(result))
+      return false;
+    account(state, h, result);
+    if (!has_sources(result, h))
+      return false;
+    for (const Stage &stage : stages)
+      if (const int i = system.model.negative_length(stage.coordinates); i >= 0)
+        {
+          result.worst = system.layout.of_coordinate(i);
+          return false;
+        }
+    check_rows_left_out(state);
+    return true;
   }
 
 
@@ -292,96 +221,6 @@ namespace samara
     end.coordinates = final_coordinates;
     end.time        = time;
     return end;
-  }
-
-
-
-  void
-  StageIntegrator::judge_factors(const unsigned int iterations)
-  {
-    // renew them when a step costs more iterations extra than the average of those so far, the factorisation included
-    ++n_steps_with_factors;
-    if (n_steps_with_factors == 1)
-      fresh_iterations = iterations;
-    const double extra = iterations > fresh_iterations ? iterations - fresh_iterations : 0.;
-    if (n_steps_with_factors > 1 &&
-        extra > (iterations_of_a_factorization + extra_iterations) / (n_steps_with_factors - 1))
-      factored_step = 0;
-    extra_iterations += extra;
-  }
-
-
-
-  bool
-  StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
-  {
-    const bool   is_fresh = is_exact || n_steps_with_factors == 0;
-    const bool   may_skip = can_predict();
-    double       last = 0, last_rate = 0, worse_rate = 0, work_left = 0, rate_of_work = 1, smallest = 1e300;
-    unsigned int n_stagnant = 0;
-    for (unsigned int iteration = 0; iteration < max_iterations; ++iteration)
-      {
-        move_stages(state, h);
-        // what is left shrinks as it did, and as corrections do: an evaluation would only say so
-        if (const double rate = std::max({worse_rate, rate_of_work, least_rate});
-            may_skip && rate < sure_rate && last * rate / (1 - rate) < tolerance &&
-            work_left * rate < share_of_energy * tolerance * energy_that_counts() && confirm_without_forces(state, h))
-          return true;
-        evaluate(state, h);
-        ++n_evaluations;
-        // linear convergence: what is still missing is about last · rate/(1 − rate); at round-off it no longer shrinks
-        if (iteration > 0)
-          {
-            const double rate         = std::min(iteration > 1 ? last_rate : first_rate, largest_rate);
-            const auto [error, bound] = energy_error(h);
-            const double scale        = std::max(energy_scale, kinetic_energy);
-            if (last * rate / (1 - rate) < tolerance && error < share_of_energy * tolerance * energy_that_counts() &&
-                largest_gap(h) < allowed_gap())
-              return true;
-            rate_of_work = work_left > 0 ? bound / work_left : 1.;
-            work_left    = bound;
-            // What is left may be more than what was before, if factors are old: then it grows, slowly, from round-off.
-            // Small corrections alone say little: near singular positions, reactions go astray while nothing moves.
-            if (n_stagnant > 2 && last < size_of_round_off)
-              {
-                const double work = is_fresh ? 1e-10 : 1e-12, gap = is_fresh ? 1e-9 : 1e-12;
-                return error < work * scale + energy_of_moving(1e-8 * length / h) && largest_gap(h) < gap * length;
-              }
-          }
-        const double size = is_exact ? solve_exactly(h) : solve(h);
-        ++result.iterations;
-        result.last_correction = size;
-        if (!std::isfinite(size))
-          find_infinite(result);
-        if (!std::isfinite(size) || size > lost)
-          return false;
-        correct_stresses();
-        // the worse of two rates, as they may alternate
-        const double this_rate = last > 0 ? size / last : 0;
-        const double rate      = std::max(this_rate, last_rate);
-        worse_rate             = rate;
-        last_rate              = iteration > 0 ? this_rate : 0;
-        if (size > size_of_round_off)
-          smallest = std::max(smallest, size); // a first correction may be none by accident
-        n_stagnant = size < progress * smallest ? 0 : n_stagnant + 1;
-        smallest   = std::min(smallest, size);
-        last       = size;
-        if (iteration > 1 && rate > slow && size > size_of_slowness)
-          {
-            // too slow with this factorisation, unless little is missing
-            if (std::log(tolerance / size) / std::log(std::min(rate, 0.99)) > most_iterations_to_come)
-              return false;
-          }
-      }
-    // name the place of the largest force that is left
-    double largest = 0;
-    for (unsigned int i = 0; i < static_cast<unsigned int>(system.layout.of_multiplier(0)); ++i)
-      if (std::abs(stages[0].residual[i]) > largest)
-        {
-          largest      = std::abs(stages[0].residual[i]);
-          result.worst = i;
-        }
-    return false;
   }
 
 

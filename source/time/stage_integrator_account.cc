@@ -11,27 +11,11 @@ namespace samara
   void
   StageIntegrator::account(const State &state, const double h, StepResult &result)
   {
-    const unsigned int s = tableau.s, n_strains = system.layout.n_strains;
-    const auto         power = [&](const Stage &stage) {
-      double sum = 0;
-      for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
-        sum += force[i] * stage.y[6 + i];
-      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        sum += force[system.layout.of_coordinate(i)] * stage.rates[i];
-      return sum;
-    };
-
-    for (unsigned int k = 0; k < s && system.n_loads() > 0; ++k)
-      {
-        force.assign(system.size() + 6, 0.);
-        system.add_loads(stages[k].point(), force.data());
-        result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
-      }
-
+    account_for_loads(h, result);
     find_worst(result);
 
     // dampers: the power of the viscous stresses is the product with their own strain rates
-    for (unsigned int k = 0; k < s && system.is_viscous(); ++k)
+    for (unsigned int k = 0; k < tableau.s && system.is_viscous(); ++k)
       result.viscous_loss += h * tableau.b(k) * system.viscous_power(stages[k].strain_rates.data());
 
     account_for_stops(state, h, result);
@@ -39,9 +23,38 @@ namespace samara
     if (!contacts.is_empty())
       contacts.account(result);
     result.unresolved_state = unresolved_state(state, h);
+    account_for_drives(h, result);
+    account_for_dissipation(state, h, result);
+  }
 
+
+
+  void
+  StageIntegrator::account_for_loads(const double h, StepResult &result)
+  {
+    const auto power = [&](const Stage &stage) {
+      double sum = 0;
+      for (unsigned int i = 0; i < 6 * (system.layout.n_nodes - 1); ++i)
+        sum += force[i] * stage.y[6 + i];
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        sum += force[system.layout.of_coordinate(i)] * stage.rates[i];
+      return sum;
+    };
+    for (unsigned int k = 0; k < tableau.s && system.n_loads() > 0; ++k)
+      {
+        force.assign(system.size() + 6, 0.);
+        system.add_loads(stages[k].point(), force.data());
+        result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
+      }
+  }
+
+
+
+  void
+  StageIntegrator::account_for_drives(const double h, StepResult &result)
+  {
     // constraints do the work −λ·(ġ − ∂g/∂t); for those that do not depend on time it vanishes over the step
-    for (unsigned int k = 0; k < s && system.layout.n_multipliers > 0; ++k)
+    for (unsigned int k = 0; k < tableau.s && system.layout.n_multipliers > 0; ++k)
       {
         const Stage &stage = stages[k];
         time_rates.resize(system.layout.n_multipliers);
@@ -54,12 +67,19 @@ namespace samara
     for (const auto &correction : system.layout.corrections)
       {
         const double force = force_of(correction, h);
-        for (unsigned int k = 0; k < s; ++k)
+        for (unsigned int k = 0; k < tableau.s; ++k)
           result.work_of_drives += h * tableau.b(k) * force * std::pow(stages[k].rates[correction.coordinate], 2);
       }
+  }
 
+
+
+  void
+  StageIntegrator::account_for_dissipation(const State &state, const double h, StepResult &result)
+  {
     // D = h² α/(2(2s−1)) |Σ b p (ẏ, ė)|² in the norm of the energy
-    const auto kinetic = [&](const std::vector<double> &start) {
+    const unsigned int s       = tableau.s;
+    const auto         kinetic = [&](const std::vector<double> &start) {
       double square = 0;
       for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
         {
@@ -70,12 +90,12 @@ namespace samara
     };
     std::fill(strain_increment.begin(), strain_increment.end(), 0.);
     for (unsigned int k = 0; k < s; ++k)
-      for (unsigned int i = 0; i < n_strains; ++i)
+      for (unsigned int i = 0; i < system.layout.n_strains; ++i)
         strain_increment[i] += tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
     const double square = 2 * system.strain_energy(strain_increment.data());
     const double factor = h * h / (2 * (2. * s - 1)), raw = square + kinetic(state.y);
     result.dissipated += tableau.alpha * factor * raw;
-    result.indicator  = factor * (wants_estimates ? square + kinetic(admissible_velocities(state)) : raw);
+    result.indicator = factor * (wants_estimates ? square + kinetic(admissible_velocities(state)) : raw);
   }
 
 

@@ -144,7 +144,7 @@ namespace samara
     for (unsigned int k = 0; k < s; ++k)
       for (unsigned int i = 0; i < v.size(); ++i)
         strain_increment[i] += h * factor * tableau.b(k) * tableau.p(k) * stages[k].strain_rates[i];
-    system.stresses(strain_increment.data(), rate_increment.data(), v.data());
+    change_of_stresses(s / 2, strain_increment.data(), rate_increment.data(), v);
     squares += 2 * system.strain_energy(strain_increment.data());
     difference.neighbour.displacement.assign(6 * (n_nodes - 1), 0.);
     difference.neighbour.rate.assign(6 * n_nodes, 0.);

@@ -3,6 +3,7 @@
 #include <samara/base/threads.h>
 #include <samara/solvers/part_without.h>
 #include <samara/solvers/row_scale.h>
+#include <samara/solvers/swept_solver.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -17,6 +18,31 @@ namespace samara
     product(const std::complex<double> &a, const std::complex<double> &b)
     {
       return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+    }
+
+    /** Fewer dense states fill too little for it. */
+    constexpr unsigned int worth_sweeping = 8;
+
+    /** Unknowns that are states of first order and depend on more than a third of all, in systems that are not small.
+     */
+    std::vector<int>
+    dense_states(const Layout &layout, const Pattern &pattern)
+    {
+      constexpr int    least_size = 300;
+      std::vector<int> dense;
+      for (int j = layout.of_state(0); j < layout.of_multiplier(0) && pattern.size() > least_size; ++j)
+        if (3 * (pattern.column_start[j + 1] - pattern.column_start[j]) > pattern.size())
+          dense.push_back(j);
+      return dense;
+    }
+
+
+
+    /** Whether to make matrices anew costs little beside the factors, and their memory counts. */
+    bool
+    are_large(const SparseMatrix &K)
+    {
+      return K.pattern->n_nonzeros() > 300000;
     }
   } // namespace
 
@@ -94,11 +120,8 @@ namespace samara
 
     factored_step       = 0;
     real_matrix.pattern = pattern;
-    real_matrix.values  = {}; // of a complex eigenvalue they are not needed
-    for (const auto &eigenvalue : tableau.eigenvalues)
-      if (eigenvalue.mu.imag() == 0.)
-        real_matrix = SparseMatrix(pattern);
-    factors = new_factors();
+    real_matrix.values  = std::vector<double>();
+    factors             = new_factors();
     factors_at_end.clear();
   }
 
@@ -107,9 +130,14 @@ namespace samara
   std::vector<StageIntegrator::Factor>
   StageIntegrator::new_factors() const
   {
-    std::vector<Factor> result(tableau.eigenvalues.size());
+    std::vector<Factor>    result(tableau.eigenvalues.size());
+    const std::vector<int> dense = dense_states(system.layout, *real_matrix.pattern);
     for (unsigned int i = 0; i < result.size(); ++i)
-      if (tableau.eigenvalues[i].mu.imag() == 0.)
+      if (dense.size() >= worth_sweeping && tableau.eigenvalues[i].mu.imag() == 0.)
+        result[i].real = std::make_unique<SweptRealSolver>(real_matrix.pattern, dense);
+      else if (dense.size() >= worth_sweeping)
+        result[i].complex = std::make_unique<SweptComplexSolver>(real_matrix.pattern, dense);
+      else if (tableau.eigenvalues[i].mu.imag() == 0.)
         result[i].real = make_solver(real_matrix.pattern);
       else
         result[i].complex = make_complex_solver(real_matrix.pattern);
@@ -121,10 +149,46 @@ namespace samara
   void
   StageIntegrator::factorize(const double h)
   {
+    combine_matrices(h);
+    const bool is_large = are_large(K);
+    const auto make     = [&](const unsigned int j) {
+      if (factors[j].real)
+        {
+          factors[j].real->factorize(real_matrix);
+          if (is_large)
+            real_matrix.values = std::vector<double>();
+        }
+      else
+        {
+          factors[j].complex->factorize(matrix);
+          if (is_large)
+            matrix = std::vector<std::complex<double>>();
+        }
+    };
+    // of a large model the search for pivots needs the most memory of all: for one of them at a time
+    if (is_large && n_factorizations == 0)
+      for (unsigned int j = 0; j < factors.size(); ++j)
+        make(j);
+    else
+      for_factors(make);
+    n_factorizations += factors.size();
+    factored_step = step_of_factors = h;
+    n_steps_with_factors            = 0;
+    extra_iterations                = 0;
+    forget_columns();
+  }
+
+
+
+  void
+  StageIntegrator::combine_matrices(const double h)
+  {
     // where a matrix is singular there are no factors, whatever the next step is
     factored_step = step_of_factors = 0;
     if (!contacts.is_empty())
       add_contacts_to_matrices();
+    for (auto *const parts : {&C, &K})
+      parts->values.resize(parts->pattern->n_nonzeros() + 1);
     system.damping(frozen, C);
     system.tangent(frozen, K);
     for (const auto i : left_out)
@@ -142,21 +206,22 @@ namespace samara
     const auto         value = [&](const unsigned int k, const auto &hm) {
       const int i  = entries_in_use.empty() ? k : entries_in_use[k];
       using Number = std::decay_t<decltype(hm)>;
-      return i < 0 ? Number(0) : is_constraint_entry[i] ? Number(K.values[i]) : Number(hm * (C.values[i] + hm * K.values[i]));
+      return i < 0                  ? Number(0) :
+                     is_constraint_entry[i] ? Number(K.values[i]) :
+                                              Number(hm * (C.values[i] + hm * K.values[i]));
     };
-    n_factorizations += factors.size();
     for_factors([&](const unsigned int j) {
       const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
       if (factors[j].real)
         {
           const double hr = hm.real();
+          real_matrix.values.resize(n + 1);
           for (unsigned int i = 0; i < n; ++i)
             real_matrix.values[i] = value(i, hr);
           for (const auto &m : mass)
             real_matrix.values[m.at] += m.value;
           for (const auto &p : entries_of_pairs)
             real_matrix.values[p.at] += hr * (p.C + hr * p.K);
-          factors[j].real->factorize(real_matrix);
         }
       else
         {
@@ -167,13 +232,11 @@ namespace samara
             matrix[m.at] += m.value;
           for (const auto &p : entries_of_pairs)
             matrix[p.at] += hm * (p.C + hm * p.K);
-          factors[j].complex->factorize(matrix);
         }
     });
-    factored_step = step_of_factors = h;
-    n_steps_with_factors            = 0;
-    extra_iterations                = 0;
-    forget_columns();
+    if (are_large(K))
+      for (auto *const parts : {&C, &K})
+        parts->values = std::vector<double>();
   }
 
 
@@ -408,7 +471,7 @@ namespace samara
         strains(k, dz[k], strain_increment);
         if (system.is_viscous())
           strains(k, dz_rate[k], rate_increment);
-        system.stresses(strain_increment.data(), rate_increment.data(), stress_increment.data());
+        change_of_stresses(k, strain_increment.data(), rate_increment.data(), stress_increment);
         for (unsigned int i = 0; i < layout.n_strains; ++i)
           stage.stress[i] += stage.excess[i] + stress_increment[i];
       }

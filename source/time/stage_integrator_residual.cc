@@ -81,7 +81,7 @@ namespace samara
   StageIntegrator::can_predict() const
   {
     return !is_exact && !wants_estimates && system.layout.stops.empty() && system.layout.frictions.empty() &&
-           system.layout.nonlinear_springs.empty() && contacts.is_empty() && system.layout.n_states == 0;
+           system.layout.nonlinear_springs.empty() && contacts.is_empty();
   }
 
 
@@ -89,12 +89,18 @@ namespace samara
   bool
   StageIntegrator::confirm_without_forces(const State &state, const double h)
   {
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      for (unsigned int i = 0; i < system.layout.n_states; ++i)
+        {
+          double &rate = stages[k].state_rates[i] = 0;
+          for (unsigned int l = 0; l < tableau.s; ++l)
+            rate += tableau.w(k, l) / h * (stages[l].states[i] - state.states[i]);
+        }
     evaluate_constraints(state, h);
     if (!(largest_gap(h) < allowed_gap()))
       return false;
     if (system.is_viscous() || tableau.alpha != 0.)
-      for (auto &stage : stages)
-        system.strain_rates(stage.point(), stage.strain_rates.data());
+      evaluate_strain_rates(h);
     return true;
   }
 

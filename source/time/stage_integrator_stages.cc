@@ -122,6 +122,64 @@ namespace samara
       for (int i = 0; i < 3; ++i)
         sum(i) += factor * (A(i, 0) * v(0) + A(i, 1) * v(1) + A(i, 2) * v(2));
     }
+
+
+
+    /** Four nodes at once, each in a lane; behind the last node of a model, it fills up. */
+    class FourNodes
+    {
+    public:
+      FourNodes(const unsigned int first, const unsigned int n_nodes)
+      {
+        for (unsigned int l = 0; l < 4; ++l)
+          {
+            nodes[l]     = std::min(first + l, n_nodes - 1);
+            is_wanted[l] = first + l < n_nodes;
+          }
+      }
+
+      /** The @p n values of each. */
+      void
+      load(const unsigned int n, const std::vector<double> &values, Lane *lanes) const
+      {
+        std::array<const double *, 4> from;
+        for (unsigned int l = 0; l < 4; ++l)
+          from[l] = values.data() + n * nodes[l];
+        Lanes<double>::load(n, from, lanes);
+      }
+
+      void
+      store(const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) const
+      {
+        Lane   lanes[12];
+        double not_wanted[12];
+        std::copy_n(x.data(), 3, lanes);
+        std::copy_n(D.data(), 9, lanes + 3);
+        std::array<double *, 4> to;
+        for (unsigned int l = 0; l < 4; ++l)
+          to[l] = is_wanted[l] ? q.data() + 12 * nodes[l] : not_wanted;
+        Lanes<double>::store(12, lanes, to);
+      }
+
+    private:
+      std::array<unsigned int, 4> nodes;
+      std::array<bool, 4>         is_wanted;
+    };
+
+
+
+    /** Add factor · D Ω~ to @p sum: a row of it is that row of D crossed with Ω. */
+    void
+    add_rate_of_triad(const Mat3<Lane> &D, const Lane &factor, const Vec3<Lane> &spin, Mat3<Lane> &sum)
+    {
+      for (int i = 0; i < 3; ++i)
+        {
+          const Lane a = factor * D(i, 0), b = factor * D(i, 1), c = factor * D(i, 2);
+          sum(i, 0) += b * spin(2) - c * spin(1);
+          sum(i, 1) += c * spin(0) - a * spin(2);
+          sum(i, 2) += a * spin(1) - b * spin(0);
+        }
+    }
   } // namespace
 
 
@@ -130,40 +188,20 @@ namespace samara
   void
   StageIntegrator::move_nodes(const State &state, const double h)
   {
-    // four nodes at once; the last one fills up
     const unsigned int n_nodes = system.layout.n_nodes;
     parallel_for((n_nodes + 2) / 4, worth_threads, [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int first = 1 + 4 * begin; first < std::min(1 + 4 * end, n_nodes); first += 4)
         {
-          std::array<unsigned int, 4>   nodes;
-          std::array<const double *, 4> from;
-          std::array<double *, 4>       to;
-          double                        not_wanted[12];
-          for (unsigned int l = 0; l < 4; ++l)
-            nodes[l] = std::min(first + l, n_nodes - 1);
-          const auto load = [&](const unsigned int n, const std::vector<double> &values, Lane *lanes) {
-            for (unsigned int l = 0; l < 4; ++l)
-              from[l] = values.data() + n * nodes[l];
-            Lanes<double>::load(n, from, lanes);
-          };
-          const auto store = [&](const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) {
-            Lane lanes[12];
-            std::copy_n(x.data(), 3, lanes);
-            std::copy_n(D.data(), 9, lanes + 3);
-            for (unsigned int l = 0; l < 4; ++l)
-              to[l] = first + l < n_nodes ? q.data() + 12 * nodes[l] : not_wanted;
-            Lanes<double>::store(12, lanes, to);
-          };
-
-          Lane start[12], y[s][6];
-          load(12, state.q, start);
+          const FourNodes nodes(first, n_nodes);
+          Lane            start[12], y[s][6];
+          nodes.load(12, state.q, start);
           const Vec3<Lane> x_start = Eigen::Map<const Vec3<Lane>>(start);
           const Mat3<Lane> D_start = Eigen::Map<const Mat3<Lane>>(start + 3);
           Vec3<Lane>       spin[s], velocity[s];
           Mat3<Lane>       D[s];
           for (int k = 0; k < s; ++k)
             {
-              load(6, stages[k].y, y[k]);
+              nodes.load(6, stages[k].y, y[k]);
               spin[k] = Eigen::Map<const Vec3<Lane>>(y[k] + 3);
             }
           stage_triads<s>(tableau, h, spin, D_start, D);
@@ -176,14 +214,8 @@ namespace samara
               velocity[k].setZero();
               add_product(D[k], Lane(1), Eigen::Map<const Vec3<Lane>>(y[k]), velocity[k]);
               for (int i = 0; i < 3; ++i)
-                {
-                  x_final(i) += hb * velocity[k](i);
-                  // a row of D Ω~ is that row of D crossed with Ω
-                  const Lane a = hb * D[k](i, 0), b = hb * D[k](i, 1), c = hb * D[k](i, 2);
-                  D_final(i, 0) += b * spin[k](2) - c * spin[k](1);
-                  D_final(i, 1) += c * spin[k](0) - a * spin[k](2);
-                  D_final(i, 2) += a * spin[k](1) - b * spin[k](0);
-                }
+                x_final(i) += hb * velocity[k](i);
+              add_rate_of_triad(D[k], hb, spin[k], D_final);
             }
           for (int k = 0; k < s; ++k)
             {
@@ -191,9 +223,9 @@ namespace samara
               for (int l = 0; l < s; ++l)
                 for (int i = 0; i < 3; ++i)
                   x(i) += Lane(h * tableau.a(k, l)) * velocity[l](i);
-              store(x, D[k], stages[k].q);
+              nodes.store(x, D[k], stages[k].q);
             }
-          store(x_final, D_final, final_q);
+          nodes.store(x_final, D_final, final_q);
         }
     });
   }
@@ -239,11 +271,7 @@ namespace samara
   StageIntegrator::evaluate_stresses(const double h)
   {
     const unsigned int n_strains = system.layout.n_strains;
-    for (auto &stage : stages)
-      {
-        stage.strain_rates.resize(n_strains);
-        system.strain_rates(stage.point(), stage.strain_rates.data());
-      }
+    evaluate_strain_rates(h);
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         Stage &stage = stages[k];
@@ -251,11 +279,67 @@ namespace samara
         for (unsigned int l = 0; l < tableau.s; ++l)
           for (unsigned int i = 0; i < n_strains; ++i)
             e[i] += h * tableau.a_alpha(k, l) * stages[l].strain_rates[i];
+        for (unsigned int i = 0; i < products.size(); ++i)
+          e[products[i].factor] = stage.factors[i];
         stage.excess.resize(n_strains);
         system.stresses(e.data(), stage.strain_rates.data(), stage.excess.data());
         for (unsigned int i = 0; i < n_strains; ++i)
           stage.excess[i] -= stage.stress[i];
       }
+  }
+
+
+
+  void
+  StageIntegrator::evaluate_strain_rates(const double h)
+  {
+    for (auto &stage : stages)
+      {
+        stage.strain_rates.resize(system.layout.n_strains);
+        system.strain_rates(stage.point(), stage.strain_rates.data());
+      }
+    find_products(products, tableau, h, e_start, stages);
+  }
+
+
+
+  void
+  StageIntegrator::find_products(const std::vector<StrainProduct> &products,
+                                 const Tableau                    &tableau,
+                                 const double                      h,
+                                 const std::vector<double>        &e_start,
+                                 std::vector<Stage>               &stages)
+  {
+    // Gauss' rule: with e = e_i + h Σ a ė the sum h Σ b e ė is ½ (e_f² − e_i²), whatever the rates are
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        Stage &stage = stages[k];
+        stage.factors.resize(products.size());
+        for (unsigned int i = 0; i < products.size(); ++i)
+          {
+            const auto &p      = products[i];
+            double      factor = e_start[p.factor];
+            for (unsigned int l = 0; l < tableau.s; ++l)
+              factor += h * tableau.a(k, l) * stages[l].strain_rates[p.factor];
+            stage.factors[i]             = factor;
+            stage.strain_rates[p.result] = factor * stage.strain_rates[p.factor] + stage.strain_rates[p.rest];
+          }
+      }
+  }
+
+
+
+  void
+  StageIntegrator::change_of_stresses(const unsigned int   k,
+                                      const double        *e,
+                                      const double        *rates,
+                                      std::vector<double> &stress) const
+  {
+    system.stresses(e, rates, stress.data());
+    const Stage &stage = stages[k];
+    for (unsigned int i = 0; i < products.size(); ++i)
+      stress[products[i].factor] =
+        stress[products[i].rest] * stage.factors[i] + stage.stress[products[i].rest] * e[products[i].factor];
   }
 
 

@@ -117,12 +117,15 @@ namespace samara
     // a step that converged as predicted leaves those of the last correction but one
     for (auto &stage : stages)
       system.strain_rates(stage.point(), stage.strain_rates.data());
+    StageIntegrator::find_products(integrator.products, tableau, h, strains, stages);
     for (unsigned int k = 0; k < s; ++k)
       {
         // the stresses that belong to the configurations, not those that Newton's method has come to
         e = strains;
         for (unsigned int l = 0; l < s; ++l)
           add(h * tableau.a_alpha(k, l), stages[l].strain_rates, e);
+        for (unsigned int i = 0; i < integrator.products.size(); ++i)
+          e[integrator.products[i].factor] = stages[k].factors[i];
         system.stresses(e.data(), stages[k].strain_rates.data(), stages[k].stress.data());
         for (unsigned int node = 1; node < n_nodes; ++node)
           rates_of_node(&stages[k].q[12 * node], &stages[k].y[6 * node], &q_rates[k][12 * node]);
@@ -268,12 +271,28 @@ namespace samara
         for (unsigned int i = 0; i < layout.n_strains; ++i)
           change.strain_rates[k][i] = (z_strain[i].imag() - z_strain_2[i].imag()) / (2 * tau * epsilon);
       }
+    const auto     &products = integrator.products;
+    Eigen::MatrixXd factors  = Eigen::MatrixXd::Zero(products.size(), s);
+    for (unsigned int k = 0; k < s; ++k)
+      for (unsigned int i = 0; i < products.size(); ++i)
+        {
+          const auto &p = products[i];
+          factors(i, k) = change.start_strain[p.factor];
+          for (unsigned int l = 0; l < s; ++l)
+            factors(i, k) += h * tableau.a(k, l) * change.strain_rates[l][p.factor];
+          change.strain_rates[k][p.result] = factors(i, k) * stages[k].strain_rates[p.factor] +
+                                             stages[k].factors[i] * change.strain_rates[k][p.factor] +
+                                             change.strain_rates[k][p.rest];
+        }
     for (unsigned int k = 0; k < s; ++k)
       {
         e = change.start_strain;
         for (unsigned int l = 0; l < s; ++l)
           add(h * tableau.a_alpha(k, l), change.strain_rates[l], e);
         system.stresses(e.data(), change.strain_rates[k].data(), change.stress[k].data());
+        for (unsigned int i = 0; i < products.size(); ++i)
+          change.stress[k][products[i].factor] = change.stress[k][products[i].rest] * stages[k].factors[i] +
+                                                 stages[k].stress[products[i].rest] * factors(i, k);
       }
   }
 

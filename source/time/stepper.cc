@@ -4,6 +4,8 @@
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/stepper.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -198,15 +200,16 @@ namespace samara
     ++result.n_failed;
     const auto is_short = [&](const unsigned int unknown) {
       const auto found = system.model.lengths.find(unknown - system.layout.of_coordinate(0));
-      return found != system.model.lengths.end() && state.coordinates[found->first] + found->second < 1e-3 * found->second;
+      return found != system.model.lengths.end() &&
+             state.coordinates[found->first] + found->second < 1e-3 * found->second;
     };
     if (h / 2 < smallest_step)
       {
         std::ostringstream text;
         if (!result.step.refusal.empty())
           {
-            text << "t = " << state.time << " s: the smallest step, " << h << " s, is not accepted: "
-                 << result.step.refusal;
+            text << "t = " << state.time << " s: the smallest step, " << h
+                 << " s, is not accepted: " << result.step.refusal;
             throw NotConverged(text.str());
           }
         text << "t = " << state.time << " s: Newton's method does not converge with the smallest step, " << h << " s; "
@@ -278,7 +281,7 @@ namespace samara
       return part_until({bend.coordinate, -bend.to, -bend.from}, -from, -to);
     // a step may end anywhere in front of the bend, inside of it, or within a margin behind it
     const double margin = 0.01 * (bend.to - bend.from);
-    double       place  = bend.from - 0.5 * margin, limit = bend.from;
+    double       place = bend.from - 0.5 * margin, limit = bend.from;
     if (from >= bend.to || to <= limit)
       return 1;
     if (from >= bend.from - margin)
@@ -330,46 +333,93 @@ namespace samara
 
 
 
+  void
+  Stepper::start_control(const State &state)
+  {
+    if (!steady_twists.empty())
+      return;
+    trial = state;
+    system.update_twists(trial);
+    steady_twists = trial.y;
+    if (controller)
+      controller->update(std::max(energy_of_change(state), 1e-10 * system.energy(state).kinetic), 0);
+  }
+
+
+
+  double
+  Stepper::limit_of_step(const double time, const double end) const
+  {
+    const double ahead = time + 3 * next_step; // what is beyond does not change this step
+    if (ahead >= end)
+      return corner(time, end);
+    const double place = corner(time, ahead);
+    return place < ahead ? place : end;
+  }
+
+
+
+  double
+  Stepper::part_before_bends(const State &state, const double h)
+  {
+    if (bends.empty())
+      return h;
+    trial.coordinates = state.coordinates;
+    for (unsigned int i = 0; i < trial.coordinates.size(); ++i)
+      trial.coordinates[i] += h * state.rates[i];
+    const double part = part_until_bends(state.coordinates, trial.coordinates);
+    return h * part > smallest_step ? h * part : h;
+  }
+
+
+
+  bool
+  Stepper::is_accepted(const double tried, double &h, Advance &result)
+  {
+    if (!controller)
+      {
+        if (result.n_failed == 0 && h > 0.99 * next_step)
+          next_step = std::min(fixed_step, 2 * next_step);
+        return true;
+      }
+    controller->update(energy_of_change(trial), error->largest_displacement(trial));
+    estimate            = error->of_step(trial, result.step.difference, h, controller->duration());
+    const auto decision = controller->decide({estimate, result.step.indicator, result.step.work_defect}, h);
+    if (!decision.accept)
+      {
+        ++result.n_rejected;
+        integrator.step_back();
+        h = next_step = decision.next_h;
+        return false;
+      }
+    error->accept();
+    // a step that was cut short says little of the next one
+    next_step = h < tried || tried < 0.5 * next_step ? std::max(next_step, decision.next_h) : decision.next_h;
+    return true;
+  }
+
+
+
   Advance
   Stepper::advance(State &state, const double end)
   {
+    Assert(end > state.time, dealii::ExcMessage("A step goes forward in time."));
     Advance result;
-    if (steady_twists.empty())
-      {
-        trial = state;
-        system.update_twists(trial);
-        steady_twists = trial.y;
-        if (controller)
-          controller->update(std::max(energy_of_change(state), 1e-10 * system.energy(state).kinetic), 0);
-      }
+    start_control(state);
     double       h     = next_step;
-    const double ahead = state.time + 3 * h; // what is beyond does not change this step
-    double       limit = end;
-    if (ahead >= end)
-      limit = corner(state.time, end);
-    else if (const double place = corner(state.time, ahead); place < ahead)
-      limit = place;
-    const bool cut = state.time + h * (1 + 1e-6) >= limit;
+    const double limit = limit_of_step(state.time, end);
+    const bool   cut   = state.time + h * (1 + 1e-6) >= limit;
     if (cut)
       h = limit - state.time;
     else if (controller && state.time + 2 * h > limit)
       h = 0.5 * (limit - state.time); // two equal ones rather than a long and a short one
-
     const bool is_across = across > 0 && across < h;
     if (is_across)
       h = across;
     across = 0;
-    if (!bends.empty())
-      {
-        // by the rates, so that it need not be made in vain
-        trial.coordinates = state.coordinates;
-        for (unsigned int i = 0; i < trial.coordinates.size(); ++i)
-          trial.coordinates[i] += h * state.rates[i];
-        if (const double part = part_until_bends(state.coordinates, trial.coordinates); h * part > smallest_step)
-          h *= part;
-      }
+    h      = part_before_bends(state, h);
 
-    for (;;)
+    for (bool is_done = false; !is_done;)
       {
         const double tried = h;
         if (!attempt(state, h, result))
@@ -383,25 +433,7 @@ namespace samara
         if (!bends.empty())
           stop_at_bends(state, h, result);
         stop_before_switch(state, h, result);
-        if (controller)
-          {
-            controller->update(energy_of_change(trial), error->largest_displacement(trial));
-            estimate            = error->of_step(trial, result.step.difference, h, controller->duration());
-            const auto decision = controller->decide({estimate, result.step.indicator, result.step.work_defect}, h);
-            if (!decision.accept)
-              {
-                ++result.n_rejected;
-                integrator.step_back();
-                h = next_step = decision.next_h;
-                continue;
-              }
-            error->accept();
-            // a step that was cut short says little of the next one
-            next_step = h < tried || tried < 0.5 * next_step ? std::max(next_step, decision.next_h) : decision.next_h;
-          }
-        else if (result.n_failed == 0 && h > 0.99 * next_step)
-          next_step = std::min(fixed_step, 2 * next_step);
-        break;
+        is_done = is_accepted(tried, h, result);
       }
 
     if (!controller)

@@ -1,6 +1,7 @@
 // Vortex lines and the helical wake: closed forms, momentum theory, derivatives, hover against Peters and He.
 
 #include <samara/aero/helical_wake.h>
+#include <samara/solvers/swept_solver.h>
 
 #include "../complex_step.h"
 #include "../scene.h"
@@ -186,4 +187,75 @@ TEST(HelicalWake, Refuses)
   EXPECT_NE(of("").find("<Speed> is needed"), std::string::npos);
   EXPECT_NE(of("    set Speed = 30\n    set Nodes = 20").find("more <Stations>"), std::string::npos);
   EXPECT_NE(of("    set Speed = 30\n    set Root = 3").find("<Root> is not less than"), std::string::npos);
+}
+
+
+
+namespace
+{
+  /** Ones on the diagonal of 40 unknowns, a chain of small ones beside it, and three unknowns that all others know. */
+  SparseMatrix
+  bordered(const double down, const double up)
+  {
+    const int n = 40, first = 10;
+    auto      pattern = std::make_shared<Pattern>();
+    pattern->column_start.push_back(0);
+    const auto is_dense = [=](const int i) { return i >= first && i < first + 3; };
+    for (int j = 0; j < n; ++j)
+      {
+        for (int i = 0; i < n; ++i)
+          if (std::abs(i - j) < 2 || is_dense(i) || is_dense(j))
+            pattern->rows.push_back(i);
+        pattern->column_start.push_back(pattern->rows.size());
+      }
+    SparseMatrix A(pattern);
+    for (int j = 0; j < n; ++j)
+      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
+        {
+          const int    i    = pattern->rows[k];
+          const double size = is_dense(i) == is_dense(j) ? 0.2 : is_dense(j) ? down : up;
+          A.values[k]       = i == j ? 2. : size * std::cos(3. * i + 5. * j);
+        }
+    return A;
+  }
+} // namespace
+
+
+
+// States that everything depends on and that act back little are swept over: what that leaves of an error is what is
+// said of it. Where they act back all is factorised.
+TEST(SweptFactors, LeaveWhatTheySay)
+{
+  for (const double up : {0.01, 10.})
+    {
+      const SparseMatrix   A = bordered(0.5, up);
+      SweptFactors<double> factors(A.pattern, {10, 11, 12});
+      factors.factorize(A.values.data());
+      EXPECT_EQ(factors.is_swept, up < 0.1) << factors.left;
+      std::vector<double> exact(40), x(40);
+      for (unsigned int i = 0; i < 40; ++i)
+        exact[i] = std::sin(2. * i + 1);
+      A.multiply(exact.data(), x.data());
+      factors.solve(x.data());
+      double error = 0;
+      for (unsigned int i = 0; i < 40; ++i)
+        error = std::max(error, std::abs(x[i] - exact[i]));
+      EXPECT_LT(error, factors.is_swept ? 3 * factors.left : 1e-10);
+      if (factors.is_swept)
+        EXPECT_GT(error, 1e-6); // a sweep is not exact
+      // complex numbers
+      std::vector<std::complex<double>>  values(A.values.begin(), A.values.end() - 1), z(exact.begin(), exact.end());
+      SweptFactors<std::complex<double>> complex(A.pattern, {10, 11, 12});
+      for (auto &value : values)
+        value *= std::complex<double>(0.6, 0.8);
+      complex.factorize(values.data());
+      EXPECT_EQ(complex.is_swept, factors.is_swept);
+      std::vector<double> b(40);
+      A.multiply(exact.data(), b.data());
+      for (unsigned int i = 0; i < 40; ++i)
+        z[i] = std::complex<double>(0.6, 0.8) * b[i];
+      complex.solve(z.data());
+      for (unsigned int i = 0; i < 40; ++i)
+        EXPECT_NEAR(std::abs(z[i] - x[i]), 0., 1e-10);
+    }
 }

@@ -176,6 +176,19 @@ subsection Floquet
 end
 )";
 
+  /** The same, for a state space. */
+  const std::string periodic_arms =
+    std::regex_replace(turning_arms, std::regex("= floquet"), "= periodic linear system") +
+    "subsection States\n subsection push\n set Type = control\n end\n subsection pull\n set Type = control\n end\nend\n"
+    "subsection Periodic linear system\n set Period = 0.4*pi\n set Samples = 8\n set Steps = 2\n set Largest gap = 1\n"
+    " set Symmetry = arm 1, arm 2; lag 1, lag 2\n set Turning = hub, shaft, top, spin\nend\n";
+
+  /** The same, for the loads on its shaft. */
+  const std::string turning_loads =
+    std::regex_replace(turning_arms, std::regex("= floquet"), "= harmonics") +
+    "subsection Harmonics\n set Period = 0.4*pi\n set Loads of = shaft\n set Steps = 24\n set Harmonics = 3\n"
+    " set Largest gap = 100\nend\n";
+
   /** A rotor on the ground with a body that wobbles, for modes. */
   const std::string rotor = R"(
 set Analyses = static, modal

@@ -30,8 +30,8 @@ namespace samara
       for (const auto &[name, content] : files)
         std::ofstream(folder.path + "/" + name) << content;
       Options options;
-      options.model  = folder.path + "/model.prm";
-      options.output = folder.path + "/results";
+      options.model     = folder.path + "/model.prm";
+      options.output    = folder.path + "/results";
       options.overrides = overrides;
       std::ofstream(options.model) << model;
       std::ostringstream said;

@@ -67,6 +67,30 @@ TEST_F(Catalogued, LinearSystem)
 
 
 
+TEST_F(Catalogued, PeriodicLinearSystem)
+{
+  const std::string settle = "Periodic linear system/Settle = 1";
+  check("periodic linear system",
+        models::periodic_arms,
+        "Periodic linear system",
+        {{"Period", "0.8*pi"},
+         {"Samples", "16"},
+         {"Steps", "3"},
+         {"Stages", "1"},
+         {"Spectral radius", "0"},
+         {"Newton tolerance", "1e-2"},
+         {"Inputs", "pull"},
+         {"Settle", "1", {"Periodic linear system/Corrections = 0"}},
+         {"Corrections", "0", {settle}},
+         {"Largest gap", "1e-16", {settle, "Periodic linear system/Corrections = 0"}},
+         {"Most states", "2"}},
+        {{"Symmetry", "only the coordinates of matrices depend on it: tests/floquet/test_periodic_linear_system.cc"},
+         {"Turning", "only what moves besides the parts has other axes: tests/floquet/test_periodic_linear_system.cc"},
+         {"Iterations", "only where Newton's method finds no solution: tests/dynamics"}});
+}
+
+
+
 TEST_F(Catalogued, Floquet)
 {
   const std::string no_joint = "Floquet/Turns of =", implicit = "Floquet/Method = implicit";
@@ -146,6 +170,45 @@ TEST_F(Catalogued, Trim)
          {"Stages", "1"},
          {"Spectral radius", "0"},
          {"Newton tolerance", "1e-3"}},
+        {{"Iterations", "numbers of steps do not depend on it, as in Dynamic"},
+         {"Continue", "only where a search fails: tests/trim/test_trim.cc"}});
+}
+
+
+
+TEST_F(Catalogued, Harmonics)
+{
+  check("harmonics",
+        models::turning_loads,
+        "Harmonics",
+        {{"Period", "0.8*pi"},
+         {"Harmonics", "1"},
+         {"Loads of", "spin"},
+         {"Steps", "12"},
+         {"Stages", "1"},
+         {"Spectral radius", "0"},
+         {"Newton tolerance", "1e-2"},
+         {"Settle", "1"},
+         {"Largest gap", "1e-16"}},
+        {{"Iterations", "numbers of steps do not depend on it, as in Dynamic"}});
+}
+
+
+
+TEST_F(Catalogued, Lyapunov)
+{
+  check("lyapunov",
+        std::regex_replace(models::oscillator, std::regex("dynamic"), "lyapunov") +
+          "\nsubsection Lyapunov\n set Step = 0.01\n set Duration = 2\nend\n",
+        "Lyapunov",
+        {{"Exponents", "1"},
+         {"Step", "0.02"},
+         {"Steps between", "5"},
+         {"Settle", "0.3"},
+         {"Duration", "2.5"},
+         {"Stages", "1"},
+         {"Spectral radius", "0"},
+         {"Newton tolerance", "1e-1"}},
         {{"Iterations", "numbers of steps do not depend on it, as in Dynamic"}});
 }
 

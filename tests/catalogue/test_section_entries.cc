@@ -100,7 +100,11 @@ end
 
 TEST_F(Catalogued, Sections)
 {
-  const Change radii = {"Drawn radii", "0.02, 0.03"};
+  const Change                   radii     = {"Drawn radii", "0.02, 0.03"};
+  const std::vector<std::string> trapeze   = {"Sections/it/Trapeze coupling = 2000",
+                                              "Sections/it/Trapeze stiffness = 2000"},
+                                 trapeze_6 = {"Sections/it/Trapeze coupling = 2000, 0, 0, 0, 0, 0",
+                                              "Sections/it/Trapeze stiffness = 2000"};
   check("engineering constants",
         models::beam(models::engineering_constants),
         "Sections/it",
@@ -118,6 +122,8 @@ TEST_F(Catalogued, Sections)
          {"I2", "0.02"},
          {"I3", "0.01"},
          {"I23", "0.001"},
+         {"Trapeze coupling", "3000", trapeze},
+         {"Trapeze stiffness", "4000", trapeze},
          radii});
   check("matrices",
         models::beam(models::matrices),
@@ -125,6 +131,8 @@ TEST_F(Catalogued, Sections)
         {{"Stiffness", "1e4, 5e3, 4e3, 20, 30, 50"},
          {"Compliance", "1e-4, 2e-4, 3e-4, 0.1, 0.02, 0.03", {}, false, {"Sections/it/Stiffness = "}},
          {"Inertia", "2, 2, 2, 0.03, 0.01, 0.03"},
+         {"Trapeze coupling", "3000, 0, 0, 0, 0, 0", trapeze_6},
+         {"Trapeze stiffness", "4000", trapeze_6},
          radii});
   const std::map<std::string, std::string> analysed = {{"Material", "analysed, see there"},
                                                        {"Layup", "analysed, see there"},
@@ -142,6 +150,7 @@ TEST_F(Catalogued, Sections)
          {"Density", "900"},
          {"Width 2", "0.06"},
          {"Width 3", "0.09"},
+         {"Trapeze effect", "true"},
          {"Shear factor", "0.5"}},
         analysed);
   check("tube",
@@ -152,6 +161,7 @@ TEST_F(Catalogued, Sections)
          {"Density", "900"},
          {"Outer radius", "0.06"},
          {"Inner radius", "0.04"},
+         {"Trapeze effect", "true"},
          {"Shear factor", "0.5"}},
         analysed);
 
@@ -247,6 +257,7 @@ TEST_F(Catalogued, AnalysedSections)
                                                           {"Elements per ply", "2"},
                                                           {"Position", "0.01, 0.02"},
                                                           {"Rotation", "0.3"},
+                                                          {"Trapeze effect", "true"},
                                                           {"Initial curvature", "none"}};
   const std::map<std::string, std::string> closed_form = {{"E", "closed form, see there"},
                                                           {"Poisson ratio", "closed form, see there"},
@@ -334,6 +345,7 @@ TEST_F(Catalogued, SectionsFromOutlinesAndMeshes)
   const Changes                  common = {{"Degree", "3"},
                                            {"Position", "0.01, 0.02"},
                                            {"Rotation", "0.3"},
+                                           {"Trapeze effect", "true"},
                                            {"Initial curvature", "none"}};
   check("airfoil",
         analysed("    set Type = airfoil\n    set NACA = 0018\n    set Chord = 1\n    set Material = metal\n"

@@ -94,6 +94,54 @@ TEST(SlowModes, HaveNamesByTheirContent)
 
 
 
+// A pendulum on a moving hinge has one slow mode at the start and two real multipliers: the one that grows is not left
+// out.
+TEST(SlowModes, ThatGrowAreNotLeftOut)
+{
+  std::ostringstream text;
+  text << std::ifstream(std::string(SAMARA_SOURCE_DIR) + "/" + pendulum).rdbuf();
+  // with more than 60 columns not all of them are taken
+  text << R"(
+subsection Subsystems
+  subsection fast
+    set Copies = 30 about y
+    subsection Bodies
+      subsection mass
+        set Type    = rigid body
+        set Mass    = 1 kg
+        set Inertia = 1, 1, 1
+      end
+    end
+    subsection Joints
+      subsection slide
+        set Type   = prismatic
+        set Body A = block.centre
+        set Body B = mass.centre
+        set Axis   = 0, 1, 0
+        subsection displacement
+          set Spring = 900 + 10*copy
+          set Damper = 1
+        end
+      end
+    end
+  end
+end
+)";
+  for (const std::string q : {"0.2", "-0.2"}) // either may be nearer to the mode at the start
+    {
+      const auto modes = modes_of(text.str(),
+                                  {"Constants/q = " + q,
+                                   "Floquet/Highest frequency = 5",
+                                   "Floquet/Steps = 24",
+                                   "Floquet/Method = implicit",
+                                   "Floquet/Animations = 0"});
+      ASSERT_FALSE(modes.empty());
+      EXPECT_NEAR(std::abs(modes[0].multiplier), 1.26394066521, 1e-5);
+    }
+}
+
+
+
 TEST(SlowModes, AreRefusedWhereNothingIsSlow)
 {
   std::string said;

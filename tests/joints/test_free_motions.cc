@@ -198,3 +198,45 @@ TEST(FreeMotions, GearCouplesTwo)
   EXPECT_LT((spin_B + 2.5 * spin_A(0) * Vector3(0, 0.6, 0.8)).norm(), 1e-9 * spin_A.norm());
   EXPECT_LT(spin_A.tail<2>().norm(), 1e-9 * spin_A.norm());
 }
+
+
+
+// A section without rotary inertia: a beam in flight may spin about its line, and no equation says how. An inertia, a
+// damper, or a clamp does.
+TEST(FreeMotions, WithoutInertia)
+{
+  const auto massless = [](const std::string &of_section, const std::string &more) {
+    const Scene scene(R"(
+subsection Sections
+  subsection wire
+    set Type = engineering constants
+    set EA = 1e6
+    set GA2 = 1e6
+    set GA3 = 1e6
+    set GJ = 10
+    set EI2 = 10
+    set EI3 = 10
+    set Mass = 0.1
+)" + of_section + R"(
+  end
+end
+subsection Bodies
+  subsection line
+    set Type = beam
+    set Points = 0, 0, 0; 3, 0, 4
+    set Section = wire
+    set Elements = 2
+  end
+end
+)" + more);
+    return check_model(scene.system).massless;
+  };
+  const std::string hinge = "subsection Joints\n subsection hinge\n set Type = revolute\n set Body A = ground\n"
+                            " set Body B = line.start\n set Axis = 3, 0, 4\n",
+                    end   = " end\nend\n";
+  const std::vector<std::string> spin = {"line, turning about (0.6, 0, 0.8)"};
+  EXPECT_EQ(massless("", ""), spin);
+  EXPECT_EQ(massless("", hinge + end).size(), 1u);
+  EXPECT_TRUE(massless("set I2 = 1e-9\nset I3 = 1e-9\n", "").empty());
+  EXPECT_TRUE(massless("", hinge + " subsection rotation\n set Damper = 1e-3\n end\n" + end).empty());
+}

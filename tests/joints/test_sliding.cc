@@ -1,6 +1,6 @@
-// Joints that slide along beams, against closed forms: beads on turning rods, a load that crosses a bridge, nuts, statics
-// and modes with the abscissa as an unknown, across the ends of elements, and what is refused. Energy, momenta and orders
-// of several sliders on one flying beam are among those of tests/time.
+// Joints that slide along beams, against closed forms: beads on turning rods, a load that crosses a bridge, nuts,
+// statics and modes with the abscissa as an unknown, across the ends of elements, and what is refused. Energy, momenta
+// and orders of several sliders on one flying beam are among those of tests/time.
 
 #include <samara/analysis/dynamic.h>
 
@@ -14,9 +14,9 @@ namespace
   std::string
   beam_section(const std::string &EA, const std::string &EI, const std::string &inertia = "0.01")
   {
-    return "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = " + EA + "\n set GA2 = " +
-           EA + "\n set GA3 = " + EA + "\n set GJ = " + EI + "\n set EI2 = " + EI + "\n set EI3 = " + EI +
-           "\n set Mass = 1\n set I2 = " + inertia + "\n set I3 = " + inertia + "\n end\nend\n";
+    return "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = " + EA +
+           "\n set GA2 = " + EA + "\n set GA3 = " + EA + "\n set GJ = " + EI + "\n set EI2 = " + EI +
+           "\n set EI3 = " + EI + "\n set Mass = 1\n set I2 = " + inertia + "\n set I3 = " + inertia + "\n end\nend\n";
   }
 
   std::string
@@ -47,7 +47,8 @@ namespace
            rotation + " end\n end\n";
   }
 
-  const std::string clamp = " subsection clamp\n set Type = rigid\n set Body A = ground\n set Body B = rod.start\n end\n";
+  const std::string clamp =
+    " subsection clamp\n set Type = rigid\n set Body A = ground\n set Body B = rod.start\n end\n";
 
   std::string
   model(const std::string &sections, const std::string &bodies, const std::string &joints, const std::string &rest = "")
@@ -87,12 +88,11 @@ TEST(Sliding, BeadOnATurningRod)
       std::vector<double> errors;
       for (const double h : {0.1, 0.05})
         {
-          const auto scene =
-            moved(model(beam_section("1e7", "1e7"),
-                        rod("0, 0, 0; 1, 0, 0", " set Rigid = true\n set Elements = 1\n") +
-                          bead(" set Position = 0.2, 0, 0\n set Velocity = 0, 0.6, 0\n"),
-                        hinge(" set Prescribed = 3*t\n") + slide("point"),
-                        dynamic(T, h, s)));
+          const auto scene = moved(model(beam_section("1e7", "1e7"),
+                                         rod("0, 0, 0; 1, 0, 0", " set Rigid = true\n set Elements = 1\n") +
+                                           bead(" set Position = 0.2, 0, 0\n set Velocity = 0, 0.6, 0\n"),
+                                         hinge(" set Prescribed = 3*t\n") + slide("point"),
+                                         dynamic(T, h, s)));
           errors.push_back(std::abs(scene->value("slide.arc length") - r));
           EXPECT_NEAR(scene->value("slide.displacement rate"), v, std::pow(0.4, s + 2.)); // not yet projected
         }
@@ -128,10 +128,9 @@ TEST(Sliding, Modes)
     {
       const std::string turning = "subsection Loads\n subsection turn\n set Type = steady rotation\n"
                                   " set Axis = 0, 0, 1\n set Speed = 2\n end\nend\n";
-      Scene scene(model(beam_section("1e9", "1e9"),
+      Scene             scene(model(beam_section("1e9", "1e9"),
                         rod("0, 0, 0; 4, 0, 0", "") + bead(" set Position = 0.3, 0, 0\n"),
-                        hinge(" set Prescribed = 0\n") +
-                          slide("prismatic", "", " set Spring = 20\n set Rest = 0.4\n"),
+                        hinge(" set Prescribed = 0\n") + slide("prismatic", "", " set Spring = 20\n set Rest = 0.4\n"),
                         Omega == 0 ? "" : turning));
       scene.equilibrium();
       // k (r − r₀ − rest) = m Ω² r
@@ -156,10 +155,9 @@ TEST(Sliding, Screw)
   // about the tangent: axis 1 of the nut has the slope of a cantilever under a load at 1.2 m and its own weight
   const double weight = 0.5 * 9.80665, q = 9.80665, x = 1.2, EI = 40,
                slope = weight * x * x / (2 * EI) + q * x * (3 * 4 - 3 * 2 * x + x * x) / (6 * EI);
-  const Matrix3 D = rotation_of_vector(M_PI / 180 *
-                                       Vector3(scene.value("bead.rotation x"),
-                                               scene.value("bead.rotation y"),
-                                               scene.value("bead.rotation z")));
+  const Matrix3 D    = rotation_of_vector(
+    M_PI / 180 *
+    Vector3(scene.value("bead.rotation x"), scene.value("bead.rotation y"), scene.value("bead.rotation z")));
   EXPECT_NEAR(D(2, 0), -std::sin(std::atan(slope)), 0.04);
   const Matrix3 bent = triad(D.col(0), Vector3::UnitY());
   EXPECT_NEAR(std::atan2(bent.col(2).dot(D.col(1)), bent.col(1).dot(D.col(1))), 4 * 0.9 - 2 * M_PI, 1e-4);
@@ -172,12 +170,12 @@ TEST(Sliding, Screw)
 TEST(Sliding, AcrossElements)
 {
   const auto at = [](const double T, const double h, const unsigned int s) {
-    return moved(model(beam_section("400", "8"),
-                       rod("0, 0, 0; 2, 0, 0",
-                           " set Elements = 4\n set Degree = 2\n set Angular velocity = 0, 0, 2\n") +
-                         bead(" set Position = 0.451, 0, 0\n set Velocity = 6, 0.9, 0\n"),
-                       hinge("") + slide("point"),
-                       dynamic(T, h, s)));
+    return moved(
+      model(beam_section("400", "8"),
+            rod("0, 0, 0; 2, 0, 0", " set Elements = 4\n set Degree = 2\n set Angular velocity = 0, 0, 2\n") +
+              bead(" set Position = 0.451, 0, 0\n set Velocity = 6, 0.9, 0\n"),
+            hinge("") + slide("point"),
+            dynamic(T, h, s)));
   };
   const auto angular_momentum = [](const Scene &scene) {
     const State &state = scene.context.state;
@@ -237,8 +235,8 @@ TEST(Sliding, LoadOnABridge)
 
 
 
-// A beam through a fixed guide at half its length: two cantilevers, ω = 3.516 √(EI/m)/l², each in two planes; drawn in to a
-// quarter, l = 1.5 m.
+// A beam through a fixed guide at half its length: two cantilevers, ω = 3.516 √(EI/m)/l², each in two planes; drawn in
+// to a quarter, l = 1.5 m.
 TEST(Sliding, TelescopingBeam)
 {
   for (const double drawn : {0., 0.5})
@@ -261,25 +259,26 @@ TEST(Sliding, TelescopingBeam)
 
 
 // The outboard blade of a rotor of variable diameter (17.1 kg, Ω = 20 rad/s) that the nut on a jackscrew draws in from
-// 2.667 m to 1.372 m: the force of the screw is m Ω² r, 18.24 kN to 9.38 kN, and its moment is the force over the turn per length.
+// 2.667 m to 1.372 m: the force of the screw is m Ω² r, 18.24 kN to 9.38 kN, and its moment is the force over the turn
+// per length.
 TEST(Sliding, NutOnAJackscrew)
 {
   const auto at = [](const std::string &turns) {
-    auto scene = std::make_unique<Scene>(
-      model(beam_section("2e8", "1e5"),
-            rod("0, 0, 0; 1.9, 0, 0", " set Elements = 2\n") +
-              " subsection hub\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\n"
-              " subsection bead\n set Type = rigid body\n set Mass = 17.1\n set Inertia = 1, 7, 7\n"
-              " set Position = 2.667, 0, 0\n end\n",
-            " subsection shaft\n set Type = revolute\n set Body A = ground\n set Body B = hub\n end\n"
-            " subsection motor\n set Type = revolute\n set Body A = hub\n set Body B = rod.start\n set Axis = 1, 0, 0\n"
-            " subsection rotation\n set Prescribed = " +
-              turns +
-              "*2*pi\n end\n end\n"
-              " subsection tube\n set Type = prismatic\n set Body A = hub\n set Body B = bead\n set Axis = 1, 0, 0\n end\n" +
-              slide("screw", " set Position = 1.9, 0, 0\n set Turn per length = 10\n"),
-            "subsection Loads\n subsection turning\n set Type = steady rotation\n set Joint = shaft\n set Speed = 20\n end\nend\n"
-            "subsection Static\n set Load steps = 8\nend\n"));
+    auto scene = std::make_unique<Scene>(model(
+      beam_section("2e8", "1e5"),
+      rod("0, 0, 0; 1.9, 0, 0", " set Elements = 2\n") +
+        " subsection hub\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\n"
+        " subsection bead\n set Type = rigid body\n set Mass = 17.1\n set Inertia = 1, 7, 7\n"
+        " set Position = 2.667, 0, 0\n end\n",
+      " subsection shaft\n set Type = revolute\n set Body A = ground\n set Body B = hub\n end\n"
+      " subsection motor\n set Type = revolute\n set Body A = hub\n set Body B = rod.start\n set Axis = 1, 0, 0\n"
+      " subsection rotation\n set Prescribed = " +
+        turns +
+        "*2*pi\n end\n end\n"
+        " subsection tube\n set Type = prismatic\n set Body A = hub\n set Body B = bead\n set Axis = 1, 0, 0\n end\n" +
+        slide("screw", " set Position = 1.9, 0, 0\n set Turn per length = 10\n"),
+      "subsection Loads\n subsection turning\n set Type = steady rotation\n set Joint = shaft\n set Speed = 20\n end\nend\n"
+      "subsection Static\n set Load steps = 8\nend\n"));
     scene->equilibrium();
     return scene;
   };
@@ -298,22 +297,45 @@ TEST(Sliding, NutOnAJackscrew)
 
 
 
-// A bead of mass m on a rod that leans by α, rubbed by μ N: s̈ = g (sin α − μ cos α). With the force f of the joint, friction
-// included, f² = N² + μ² N². Friction takes the energy that is missing.
+// A bead of mass m on a rod that leans by α, rubbed by μ N: s̈ = g (sin α − μ cos α). With the force f of the joint,
+// friction included, f² = N² + μ² N². Friction takes the energy that is missing.
 TEST(Sliding, Friction)
 {
   const double g = 9.80665, mu = 0.3, T = 0.5, a = g * (0.6 - mu * 0.8);
   for (const unsigned int s : {1, 2, 3})
     {
-      const auto scene = moved(
-        model(beam_section("1e9", "1e9"),
-              rod("0, 0, 0; 4, 0, -3", " set Rigid = true\n set Elements = 1\n") + bead(" set Position = 0.4, 0, -0.3\n"),
-              clamp + slide("point", "", " set Force = -0.3/sqrt(1.09)*slide.force*tanh(slide.displacement rate/1e-4)\n"),
-              weight_on_rails + dynamic(T, 0.01, s)));
+      const auto scene = moved(model(
+        beam_section("1e9", "1e9"),
+        rod("0, 0, 0; 4, 0, -3", " set Rigid = true\n set Elements = 1\n") + bead(" set Position = 0.4, 0, -0.3\n"),
+        clamp + slide("point", "", " set Force = -0.3/sqrt(1.09)*slide.force*tanh(slide.displacement rate/1e-4)\n"),
+        weight_on_rails + dynamic(T, 0.01, s)));
       EXPECT_NEAR(scene->value("slide.displacement"), 0.5 * a * T * T, 2e-4) << s;
       EXPECT_NEAR(scene->value("slide.displacement rate"), a * T, 1e-3) << s;
       EXPECT_NEAR(scene->value("slide.force"), 0.5 * g * 0.8 * std::sqrt(1 + mu * mu), 1e-6) << s;
     }
+}
+
+
+
+// A massless body that slides by a prescribed length, here none, is a frame between nodes: a spring at a of a
+// cantilever that is bent by P at its end holds it with F = k w(a), w(a) = P a² (3L − a)/(6EI) − F a³/(3EI).
+TEST(Sliding, FrameBetweenNodes)
+{
+  const double a = 0.77, L = 2, EI = 100, k = 400, P = 1e-4;
+  const double w = P * a * a * (3 * L - a) / (6 * EI) / (1 + k * a * a * a / (3 * EI));
+  Scene        scene(
+    "set Analyses = static\n" +
+    model(beam_section("1e7", "100"),
+          rod("0, 0, 0; 2, 0, 0", " set Elements = 9\n set Degree = 3\n") +
+            " subsection bead\n set Type = rigid body\n set Mass = 0\n set Position = 0.77, 0, 0\n end\n",
+          clamp + slide("prismatic", "", " set Prescribed = 0\n") +
+            " subsection spring\n set Type = spring\n set Body A = ground\n set Body B = bead.centre\n"
+                   " set Position = 0.77, 0, -3\n subsection length\n set Spring = 400\n set Rest = 3\n end\n end\n",
+          "subsection Loads\n subsection pull\n set Type = point load\n set At = rod.end\n set Force = 0, 0, 1e-4\n"
+                 " end\nend\n"));
+  scene.equilibrium();
+  EXPECT_NEAR(scene.value("bead.centre.displacement z"), w, 1e-4 * w); // and by shear 2e-5
+  EXPECT_NEAR(scene.value("spring.force"), k * w, 1e-4 * k * w);
 }
 
 

@@ -89,7 +89,8 @@ end
       s[kind] = {"subsection s\n  set Type = " + kind +
                    (kind == "engineering constants" ?
                       "\n set EA=5\n set GA2=4\n set GA3=3\n set GJ=2\n set EI2=2\n set EI3=1\n set EI23 = 0.2\n"
-                      " set Shear centre = 0.1, 0.2\n set Tension centre = -0.1, 0.3\n set Mass = 2\n" :
+                      " set Shear centre = 0.1, 0.2\n set Tension centre = -0.1, 0.3\n set Mass = 2\n"
+                      " set Trapeze coupling = 2\n set Trapeze stiffness = 3\n" :
                       "\n set E = 3\n set Density = 1\n") +
                    (kind == "rectangle" ? " set Width 2 = 1\n set Width 3 = 2\n" : "") +
                    (kind == "tube" ? " set Outer radius = 1\n set Inner radius = 0.5\n" : "") + "end\n",

@@ -153,6 +153,17 @@ namespace samara
       return {"flying beam, EA = " + EA, beam(EA, EI, entries), h, T, true, bend};
     }
 
+    /** The same with tension that stiffens torsion: a strain that is no quadratic function of places and triads. */
+    inline MovingSystem
+    flying_blade()
+    {
+      MovingSystem what = flying_beam("30", "2", 0.02, 0.05);
+      what.name         = "flying beam with trapeze effect";
+      what.text.insert(what.text.find(" set Mass = 1"),
+                       " set Tension centre = 0.01, 0.02\n set Trapeze coupling = 8\n set Trapeze stiffness = 4\n");
+      return what;
+    }
+
     inline MovingSystem
     hinged_beam(const std::string &EA, const std::string &EI, const double h, const double T)
     {

@@ -120,6 +120,21 @@ TEST(StepTangent, IsThatOfConvergedStepsOfAllSystems)
 
 
 
+TEST(StepTangent, OfTensionThatStiffensTorsion)
+{
+  MovingSystem what = systems::flying_blade();
+  what.kick         = [](const System &system, State &state) {
+    systems::bend(system, state);
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      state.y[6 * node + 3] += 6 * (system.model.nodes[node].x(0) - 1);
+  };
+  const Scene scene(what.text);
+  for (const Tableau &tableau : {Tableau(1, 1.), Tableau(2, 0.5), Tableau(3, 0.)})
+    compare(scene.system, start_of(what, scene.system), tableau, what.h, 1e-9);
+}
+
+
+
 TEST(StepTangent, WithStatesOfFirstOrder)
 {
   for (const auto &text : {oscillator_with_lag(), top_with_controls()})

@@ -8,6 +8,8 @@
 #include <samara/analysis/trim.h>
 #include <samara/base/errors.h>
 
+#include <samara/trim_variants.h>
+
 #include "../reference.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
@@ -321,4 +323,78 @@ TEST(Trim, FlappingRotor)
           }
       EXPECT_TRUE(found);
     }
+}
+
+
+
+namespace
+{
+  /** A force that cannot be more than 4 N, from a start at which the control has hardly any effect. */
+  std::vector<std::string>
+  saturated(const std::string &target)
+  {
+    return {"Constants/way = 1",
+            "States/bias/Value = 6*way N",
+            "Joints/slide/displacement/Force = 4 N*tanh(bias/(1 N))",
+            "Trim/Controls = bias from -20 N to 20 N",
+            "Trim/Targets = slide.displacement = " + target,
+            "Trim/Scales = 10 mm",
+            "Trim/Tolerance = 1e-9",
+            "Trim/Continue = way from 0.05"};
+  }
+} // namespace
+
+
+
+// From afar Newton's method does not come back; along the way it does.
+TEST(Trim, Continuation)
+{
+  const auto alone = saturated("15*way mm");
+  Scene      scene(mass, alone);
+  EXPECT_NE(failure_of(scene), "");
+
+  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + mass, alone);
+  scene.context.state = scene.system.reference();
+  const auto &trim    = trimmed(scene);
+  EXPECT_NEAR(trim.report.controls[0], std::atanh(200 * 0.015 / 4), 1e-6);
+  EXPECT_TRUE(contains(scene.stream.str(), "by continuation")) << scene.stream.str();
+}
+
+
+
+// The force is enough up to 20 mm of 40: there the way ends, and what stops it is said.
+TEST(Trim, ContinuationStops)
+{
+  const auto overrides = saturated("40*way mm");
+  Scene      scene(mass, overrides);
+  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + mass, overrides);
+  const std::string text  = failure_of(scene);
+  const auto        stops = text.find("stops at way = ");
+  ASSERT_NE(stops, std::string::npos) << text;
+  const double at = std::stod(text.substr(stops + 15));
+  EXPECT_LT(at, 0.5) << text;
+  EXPECT_GT(at, 0.45) << text;
+  EXPECT_TRUE(contains(text, "the targets 1.00 <slide.displacement>, which the controls 1.00 <bias> move by")) << text;
+}
+
+
+
+TEST(Trim, RefusalsOfContinuation)
+{
+  const auto complaint = [](const std::string &entry) {
+    try
+      {
+        Scene scene(mass, {"Constants/none = 0", entry});
+      }
+    catch (const InputError &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string();
+  };
+  EXPECT_TRUE(contains(complaint("Trim/Continue = omega"), "a continuation is written"));
+  EXPECT_TRUE(contains(complaint("Trim/Continue = none from 1"), "<none> is zero"));
+  EXPECT_TRUE(contains(complaint("Trim/Continue = omega from 8 rad/s"), "has this value already"));
+  EXPECT_TRUE(contains(complaint("Trim/Continue = omga from 1 rad/s"), "omga"));
+  EXPECT_TRUE(contains(complaint("Trim/Continue = omega from 1 m"), "m")) << complaint("Trim/Continue = omega from 1 m");
 }

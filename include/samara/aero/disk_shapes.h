@@ -1,6 +1,7 @@
 #ifndef samara_aero_disk_shapes_h
 #define samara_aero_disk_shapes_h
 
+#include <array>
 #include <vector>
 
 namespace samara
@@ -21,12 +22,14 @@ namespace samara
 
     std::vector<Shape> shapes;
 
+    static constexpr unsigned int most_harmonics = 32; ///< m is at most that
+
     /** All values at (x, y). */
     template <typename Number>
     void
     evaluate(const Number &x, const Number &y, Number *values) const
     {
-      std::vector<Number> re, im;
+      Powers<Number> re, im;
       powers(x, y, re, im);
       const Number square = x * x + y * y;
       for (unsigned int k = 0; k < shapes.size(); ++k)
@@ -37,7 +40,7 @@ namespace samara
     void
     gradients(const double x, const double y, double *by_x, double *by_y) const
     {
-      std::vector<double> re, im;
+      Powers<double> re, im;
       powers(x, y, re, im);
       const double square = x * x + y * y;
       for (unsigned int k = 0; k < shapes.size(); ++k)
@@ -55,20 +58,23 @@ namespace samara
     }
 
   private:
+    template <typename Number>
+    using Powers = std::array<Number, most_harmonics + 1>;
+
     /** Of x + iy, from 0 to the highest m. */
     template <typename Number>
     void
-    powers(const Number &x, const Number &y, std::vector<Number> &re, std::vector<Number> &im) const
+    powers(const Number &x, const Number &y, Powers<Number> &re, Powers<Number> &im) const
     {
       unsigned int highest = 0;
       for (const auto &s : shapes)
         highest = s.m > highest ? s.m : highest;
-      re.assign(1, Number(1));
-      im.assign(1, Number(0));
+      re[0] = Number(1);
+      im[0] = Number(0);
       for (unsigned int m = 1; m <= highest; ++m)
         {
-          re.push_back(re[m - 1] * x - im[m - 1] * y);
-          im.push_back(re[m - 1] * y + im[m - 1] * x);
+          re[m] = re[m - 1] * x - im[m - 1] * y;
+          im[m] = re[m - 1] * y + im[m - 1] * x;
         }
     }
 

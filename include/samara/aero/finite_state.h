@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <complex>
 #include <vector>
 
 namespace samara
@@ -113,6 +114,8 @@ namespace samara
     std::vector<double> u;
     double              k = 1;
 
+    Eigen::RowVectorXd first_without_skew; ///< row of L(0)⁻¹: y₁ of a wake without skew
+
     void add_shape(unsigned int m, const std::vector<double> &c, double apparent_mass, double load_weight);
     void add_sines();
 
@@ -120,9 +123,34 @@ namespace samara
     template <typename Number>
     void add_term(const Term &term, const Number &re, const Number &im, Matrix<Number> &A) const;
 
-    /** Derivative of ν − k y₁(X(ν)) by ν, of real parts. */
+    /**
+     * The cosines' part of L, or the sines', in axes along the skew of the wake: X is real there, and neither sees the
+     * other. Where @p slope is given, also X ∂L/∂X.
+     */
+    void influence_along_skew(double X, bool of_sines, Eigen::MatrixXd &L, Eigen::MatrixXd *slope = nullptr) const;
+
+    /** States in axes along the direction (c, s) from those in body axes; for s < 0 the way back. */
+    Eigen::VectorXd turned(const Eigen::VectorXd &z, double c, double s) const;
+
+    /** What has one solution for all states z: ν = k y₁(X(ν)), by Newton's method. */
+    struct MeanFlow
+    {
+      double nu    = 0;
+      double slope = 1;    ///< of ν − k y₁(X(ν)) by ν
+      double c = 1, s = 0; ///< direction of μ
+    };
+    /** @throws NotConverged */
+    MeanFlow mean_flow(const Eigen::VectorXd &z, const Flight<double> &flight, double least_speed) const;
+
+    /** y = L⁻¹ z, of real numbers in axes along the skew of the wake. @{ */
+    Eigen::VectorXd loads_of(const Eigen::VectorXd &z, const Flow<double> &flow, const MeanFlow &mean) const;
+    Eigen::VectorXcd
+    loads_of(const Eigen::VectorXcd &z, const Flow<std::complex<double>> &flow, const MeanFlow &mean) const;
+    /** @} */
+
+    /** All that follows from ν but y and the rate. */
     template <typename Number>
-    double slope_of_mean(const Flow<Number> &flow, double least_speed) const;
+    Flow<Number> at_mean_flow(const Number &nu, const Flight<Number> &flight, double least_speed) const;
 
     /** dL/dX_x and dL/dX_y */
     std::pair<Eigen::MatrixXd, Eigen::MatrixXd> influence_slopes(double X_x, double X_y) const;

@@ -18,8 +18,13 @@ namespace samara
    * leading edge, V₃ is upwash. U = √(V₂² + V₃²), M = U/a; V₁, the sweep, makes no lift. With the effective upwash w,
    * V₃ of steady flow, the angle of attack is α = atan2(w, −V₂) and per length of span
    *
-   *     f = ½ρcU² (η c_l l + c_d d) + ½ρcU c_d V₁ e₁      l = (w, −V₂)/√(V₂² + w²), d = (V₂, w)/√(V₂² + w²) in e₂, e₃
-   *     m = ½ρc²U² c_m e₁                                 about the quarter chord, nose up
+   *     f = ½ρcU² (η c_l l + c_d d) + ½ρcU c_d V₁ e₁      l = (w', −V₂)/√(V₂² + w'²), d = (V₂, w')/√(V₂² + w'²) in e₂,
+   * e₃ m = ½ρc²U² c_m e₁                                 about the quarter chord, nose up
+   *
+   * with w' = w − (c/2) Ω₁, the upwash at the quarter chord of a section that turns nose up with Ω₁: the circulation
+   * follows from what three quarters of the chord meet, its force is normal to the flow at the bound vortex
+   * (Kutta & Joukowski). To first order in Ω₁ the component along the chord is then the suction of the leading edge,
+   * 2πρ(c/2) w_m² with the upwash w_m at half chord (I. E. Garrick, NACA Report 567, 1936).
    *
    * with a factor η of the lift, the user's times the F of tips (DiskCorrections). Where flow separates in time, x the
    * place of separation and f that of steady flow at α,
@@ -100,6 +105,7 @@ namespace samara
 
 
 
+  /** @p turning is (c/2) Ω₁ [m/s]. */
   template <typename Number>
   SectionFlow<Number>
   section_flow(const SectionOfWing &section,
@@ -107,17 +113,20 @@ namespace samara
                const Vec3<Number>  &V,
                const Number        &upwash,
                const Number        &separated = Number(1),
-               const Number        &kept      = Number(1))
+               const Number        &kept      = Number(1),
+               const Number        &turning   = Number(0))
   {
     using std::sqrt;
     SectionFlow<Number> flow;
-    const Number        square = V(1) * V(1) + V(2) * V(2), effective_square = V(1) * V(1) + upwash * upwash;
-    if (std::real(square) == 0 || std::real(effective_square) == 0) // no flow, no loads
+    const Number        square = V(1) * V(1) + V(2) * V(2), at_vortex = upwash - turning,
+                 vortex_square = V(1) * V(1) + at_vortex * at_vortex;
+    const bool has_angle = std::real(V(1)) != 0 || std::real(upwash) != 0;
+    if (std::real(square) == 0 || std::real(vortex_square) == 0 || !has_angle) // no flow, no loads
       return flow;
     flow.speed            = sqrt(square);
     flow.mach             = flow.speed / air.speed_of_sound;
     flow.alpha            = internal::angle(upwash, Number(-V(1)));
-    const Number       Ue = sqrt(effective_square);
+    const Number       Ue = sqrt(vortex_square);
     const Coefficients c  = section.coefficients(std::real(flow.alpha), std::real(flow.mach));
     flow.lift             = internal::continued(c.lift, c.lift_alpha, c.lift_mach, flow.alpha, flow.mach);
     flow.drag             = internal::continued(c.drag, c.drag_alpha, c.drag_mach, flow.alpha, flow.mach);
@@ -136,31 +145,33 @@ namespace samara
     flow.lift *= section.lift_factor * kept;
     const Number q = 0.5 * air.density * section.chord * square, per_Ue = q / Ue;
     flow.loads << 0.5 * air.density * section.chord * flow.speed * flow.drag * V(0),
-      per_Ue * (flow.lift * upwash + flow.drag * V(1)), per_Ue * (flow.drag * upwash - flow.lift * V(1)),
+      per_Ue * (flow.lift * at_vortex + flow.drag * V(1)), per_Ue * (flow.drag * at_vortex - flow.lift * V(1)),
       q * section.chord * flow.moment;
     return flow;
   }
 
 
 
-  /** ∂(loads)/∂(V₁, V₂, V₃, w, x, F), @p flow being section_flow(), F what is @p kept of the lift. */
-  inline Eigen::Matrix<double, 4, 6>
+  /** ∂(loads)/∂(V₁, V₂, V₃, w, x, F, (c/2)Ω₁), @p flow being section_flow(), F what is @p kept of the lift. */
+  inline Eigen::Matrix<double, 4, 7>
   section_tangent(const SectionOfWing       &section,
                   const Air                 &air,
                   const Vector3             &V,
                   const double               upwash,
                   const double               separated,
                   const double               kept,
+                  const double               turning,
                   const SectionFlow<double> &flow)
   {
-    using Row                     = Eigen::Matrix<double, 1, 6>;
-    Eigen::Matrix<double, 4, 6> J = Eigen::Matrix<double, 4, 6>::Zero();
+    using Row                     = Eigen::Matrix<double, 1, 7>;
+    Eigen::Matrix<double, 4, 7> J = Eigen::Matrix<double, 4, 7>::Zero();
     if (flow.speed == 0)
       return J;
     const auto row = [](const double a, const double b, const double c, const double d, const double e) {
-      return (Row() << a, b, c, d, e, 0).finished();
+      return (Row() << a, b, c, d, e, 0, 0).finished();
     };
-    const double       U = flow.speed, Ue2 = V(1) * V(1) + upwash * upwash, Ue = std::sqrt(Ue2);
+    const double U = flow.speed, Ue2 = V(1) * V(1) + upwash * upwash, at_vortex = upwash - turning,
+                 vortex2 = V(1) * V(1) + at_vortex * at_vortex, Uv = std::sqrt(vortex2);
     const Coefficients c  = section.coefficients(flow.alpha, flow.mach);
     const Row          dU = row(0, V(1) / U, V(2) / U, 0, 0), dalpha = row(0, upwash / Ue2, 0, -V(1) / Ue2, 0),
               dmach = dU / air.speed_of_sound;
@@ -180,12 +191,14 @@ namespace samara
       }
     dl *= section.lift_factor * kept;
     dl(5) = flow.lift / kept;
-    // lift and drag directions turn by dα
-    const double s = upwash / Ue, k = -V(1) / Ue, p = 0.5 * air.density * section.chord, q = p * U * U;
+    // lift and drag directions turn by dφ
+    Row dphi       = row(0, at_vortex / vortex2, 0, -V(1) / vortex2, 0);
+    dphi(6)        = V(1) / vortex2;
+    const double s = at_vortex / Uv, k = -V(1) / Uv, p = 0.5 * air.density * section.chord, q = p * U * U;
     J.row(0) = p * V(0) * (flow.drag * dU + U * dd) + row(p * U * flow.drag, 0, 0, 0, 0);
-    J.row(1) = q * (dl * s - dd * k + (flow.lift * k + flow.drag * s) * dalpha) +
-               2 * p * U * (flow.lift * s - flow.drag * k) * dU;
-    J.row(2) = q * (dl * k + dd * s + (-flow.lift * s + flow.drag * k) * dalpha) +
+    J.row(1) =
+      q * (dl * s - dd * k + (flow.lift * k + flow.drag * s) * dphi) + 2 * p * U * (flow.lift * s - flow.drag * k) * dU;
+    J.row(2) = q * (dl * k + dd * s + (-flow.lift * s + flow.drag * k) * dphi) +
                2 * p * U * (flow.lift * k + flow.drag * s) * dU;
     J.row(3) = section.chord * (q * dm + 2 * p * U * flow.moment * dU);
     return J;

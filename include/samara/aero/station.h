@@ -160,6 +160,43 @@ namespace samara
 
 
 
+  /** What a station interpolates of them, summed once: x, F, and the velocity of the arm r as v + W r. */
+  template <typename Number>
+  struct AlongElement
+  {
+    Vec3<Number> x = Vec3<Number>::Zero(), v = Vec3<Number>::Zero(), spin = Vec3<Number>::Zero();
+    Mat3<Number> F = Mat3<Number>::Zero(), W = Mat3<Number>::Zero();
+
+    /** Of one frame: D v, D Ω and D Ω~. */
+    struct AtFrame
+    {
+      Vec3<Number> v, spin;
+      Mat3<Number> W;
+
+      AtFrame(const Mat3<Number> &D, const Vec6<Number> &y)
+      {
+        const Vec3<Number> w = y.template tail<3>();
+        v                    = D * y.template head<3>();
+        spin                 = D * w;
+        W << D.col(1) * w(2) - D.col(2) * w(1), D.col(2) * w(0) - D.col(0) * w(2), D.col(0) * w(1) - D.col(1) * w(0);
+      }
+    };
+
+    AlongElement(const std::vector<double> &N, const FramesInState<Number> &frames, const std::vector<AtFrame> &rates)
+    {
+      for (unsigned int a = 0; a < N.size(); ++a)
+        {
+          x += N[a] * frames.x[a];
+          F += N[a] * frames.D[a];
+          v += N[a] * rates[a].v;
+          spin += N[a] * rates[a].spin;
+          W += N[a] * rates[a].W;
+        }
+    }
+  };
+
+
+
   /**
    * Orthonormal axes of a section from the directors: e₂ along g₂ = F ê₂, e₃ along g₁ × e₂, e₁ = e₂ × e₃.
    */
@@ -169,16 +206,10 @@ namespace samara
     Vec3<Number> g1, e1, e2, e3;
     Number       length_2, length_3; ///< |g₂|, |g₁ × e₂|
 
-    SectionAxes(const Station &station, const FramesInState<Number> &frames)
+    SectionAxes(const Vec3<Number> &g1, const Vec3<Number> &g2)
+      : g1(g1)
     {
       using std::sqrt;
-      Vec3<Number> g2 = Vec3<Number>::Zero();
-      g1              = Vec3<Number>::Zero();
-      for (unsigned int a = 0; a < station.N.size(); ++a)
-        {
-          g1 += station.N[a] * (frames.D[a] * station.along);
-          g2 += station.N[a] * (frames.D[a] * station.chordwise);
-        }
       length_2             = sqrt(dot(g2, g2));
       e2                   = g2 / length_2;
       const Vec3<Number> n = cross(g1, e2);

@@ -76,6 +76,55 @@ namespace samara
     std::vector<PlacedAirfoil> airfoils;
     std::vector<double>        panels; ///< where they end, abscissae
 
+    /** The state of a station, and what the air does there. */
+    template <typename Number>
+    struct AtStation
+    {
+      AtStation(const Station &station, const AlongElement<Number> &along)
+        : axes(along.F * station.along, along.F * station.chordwise)
+      {}
+
+      SectionAxes<Number> axes;
+      Vec3<Number>        place;                ///< of the quarter chord [m]
+      Vec3<Number>        air, spin;            ///< velocity of the air, spin of the section; inertial axes
+      Vec3<Number>        relative, V;          ///< of the air to three quarters of the chord: inertial, section axes
+      Vec3<Number>        on_disk, thrust_axis; ///< place in the hub's frame
+      Vec3<Number>        free, added;          ///< of an annular inflow, hub's axes: air without it, and what it adds
+      const Number       *shapes  = nullptr;    ///< of the inflow
+      Number              induced = Number(0), upwash = Number(0), separated = Number(1), kept = Number(1);
+      Number              turning = Number(0); ///< (c/2) Ω₁ [m/s]
+      SectionFlow<Number> flow;
+      Vec3<Number>        force, moment; ///< at the quarter chord, inertial axes, per length
+      Vec3<Number>        middle_force;  ///< at half chord, of the virtual mass
+    };
+
+    /** The frames of an element, the hub's behind them, and the amplitudes of the inflow. */
+    template <typename Number>
+    struct Gathered
+    {
+      using AtFrame = typename AlongElement<Number>::AtFrame;
+      FramesInState<Number>         frames;
+      std::vector<AtFrame>          rates;
+      std::vector<Number>           lags, amplitudes;
+      Vec3<Number>                  wind = Vec3<Number>::Zero();                  ///< if it is the same everywhere
+      DiskCorrections::Flow<Number> disk = DiskCorrections::Flow<Number>::Zero(); ///< if the inflow has corrections
+      Number                        near = Number(1);                             ///< factor of the inflow: the ground
+    };
+
+    /**
+     * What was evaluated of an element, for what it was: forces, rates of states, both matrices and probes ask for the
+     * same point one after the other.
+     */
+    template <typename Number>
+    struct AtElement
+    {
+      Gathered<Number>               g;
+      std::vector<AtStation<Number>> stations;
+      std::vector<Number>            shapes;
+      double                         time = 0, factor = 0;
+      Eigen::MatrixXd                K, C; ///< without what follows from twists, and by twists; or empty
+    };
+
     /** Stations between the same frames. */
     struct Element
     {
@@ -85,6 +134,8 @@ namespace samara
       std::vector<unsigned int> lags;              ///< numbers of their states
       std::vector<Matrix6>      virtual_mass = {}; ///< of the air, lumped at the frames; or none
       Block                     block        = {}; ///< frames, the hub's, lags, states of the inflow
+
+      mutable AtElement<double> last = {}; ///< evaluation
     };
     std::vector<Element> elements;
 
@@ -124,38 +175,8 @@ namespace samara
     void                add_stations();
     Station             station_at(double s, double weight, const Element &element) const;
 
-    /** The state of a station, and what the air does there. */
     template <typename Number>
-    struct AtStation
-    {
-      AtStation(const Station &station, const FramesInState<Number> &frames)
-        : axes(station, frames)
-      {}
-
-      SectionAxes<Number> axes;
-      Vec3<Number>        place;                ///< of the quarter chord [m]
-      Vec3<Number>        air, spin;            ///< velocity of the air, spin of the section; inertial axes
-      Vec3<Number>        relative, V;          ///< of the air to three quarters of the chord: inertial, section axes
-      Vec3<Number>        on_disk, thrust_axis; ///< place in the hub's frame
-      Vec3<Number>        free, added;          ///< of an annular inflow, hub's axes: air without it, and what it adds
-      std::vector<Number> shapes;               ///< of the inflow
-      Number              induced = Number(0), upwash = Number(0), separated = Number(1), kept = Number(1);
-      SectionFlow<Number> flow;
-      Vec3<Number>        force, moment; ///< at the quarter chord, inertial axes, per length
-      Vec3<Number>        middle_force;  ///< at half chord, of the virtual mass
-    };
-
-    /** The frames of an element, the hub's behind them, and the amplitudes of the inflow. */
-    template <typename Number>
-    struct Gathered
-    {
-      FramesInState<Number>         frames;
-      std::vector<Number>           lags, amplitudes;
-      DiskCorrections::Flow<Number> disk;             ///< if the inflow has corrections
-      Number                        near = Number(1); ///< factor of the inflow: the ground
-    };
-    template <typename Number>
-    Gathered<Number> gather(const Element &element, const Point<Number> &point) const;
+    void gather(const Element &element, const Point<Number> &point, Gathered<Number> &g) const;
     /** Where an annular inflow is asked. */
     template <typename Number>
     static AnnularMomentum::Place<Number>
@@ -164,18 +185,32 @@ namespace samara
       return {at.on_disk, at.free, g.lags[station.first_flow], g.lags[station.first_flow + 1]};
     }
     template <typename Number>
-    AtStation<Number> evaluate(const Station &station, const Gathered<Number> &g, double time) const;
+    AtStation<Number> evaluate(const Station &station, const Gathered<Number> &g, double time, Number *shapes) const;
+    /** All stations of an element, until it is asked for another point. */
+    template <typename Number>
+    AtElement<Number> &at_element(const Element &element, const Point<Number> &point) const;
+    /** Both matrices of an element. */
+    const AtElement<double> &matrices(const Element &element, const Point<double> &point) const;
+
+    template <typename Number>
+    using Rows = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+    template <typename Number>
+    void add_rates(const Station           &station,
+                   const Gathered<Number>  &g,
+                   const AtStation<Number> &at,
+                   Rows<Number>            &local) const;
 
     /** Of a station on the disk about the hub at @p centre, from the direction that is its azimuth zero in the
      * reference configuration; 0 to 360 degrees. */
     double azimuth(const AtStation<double> &at, const Vector3 &centre) const;
 
     struct Derivatives;
-    void differentiate(const Station          &station,
-                       const Gathered<double> &g,
-                       const Point<double>    &point,
-                       Eigen::MatrixXd        &K,
-                       Eigen::MatrixXd        &C) const;
+    void differentiate(const Station           &station,
+                       const Gathered<double>  &g,
+                       const AtStation<double> &at,
+                       const Point<double>     &point,
+                       Eigen::MatrixXd         &K,
+                       Eigen::MatrixXd         &C) const;
     void add_still_air(const Station           &station,
                        const Gathered<double>  &g,
                        const AtStation<double> &at,

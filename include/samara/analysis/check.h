@@ -14,9 +14,10 @@ namespace samara
   /** What can be said of a model before anything is computed with it, in its reference configuration. */
   struct ModelCheck
   {
-    System::MassProperties   mass;
+    System::MassProperties   mass{};
     unsigned int             n_free_motions = 0;
     std::vector<std::string> free_motions; ///< for each: the bodies and joints that move most
+    std::vector<std::string> massless;     ///< the same for those among them that have neither inertia nor damping
 
     /** Constraints that say what others say already: sentences, one for each loop or loops that share joints. */
     std::vector<std::string>  redundant;
@@ -30,6 +31,9 @@ namespace samara
 
     /** What can move freely, for the message of an analysis that found no solution. */
     std::string free_motions_text() const;
+
+    /** What moves freely without inertia, so that its motion is not determined; empty if nothing does. */
+    std::string massless_text() const;
 
     /** What is redundant, for the log of a run. */
     std::string redundancy_text() const;

@@ -111,13 +111,16 @@ namespace samara
 
     // entries
     double start_time = 0, end_time = 1, step = 1e-3, tolerance = 1e-4, smallest_step = 1e-10, largest_step = 0,
-           tolerance_holds_for = 0, length = 0,
-           spectral_radius = 0.5, newton_tolerance = 1e-10, seconds_between_checkpoints = 60;
+           tolerance_holds_for = 0, length = 0, spectral_radius = 0.5, newton_tolerance = 1e-10,
+           seconds_between_checkpoints = 60;
     unsigned int n_stages = 3, output_every = 1, n_pictures = 100, max_iterations = 50;
     std::string  control = "fixed", inconsistent = "project", integrator = "family", energy_balance = "refuse";
     bool         second_estimate = false;
 
   private:
+    void add_step_parameters(Parameters &prm);
+    void add_integrator_parameters(Parameters &prm);
+
     struct Output;
     class Run;
     const std::shared_ptr<const Integrators> integrators;
@@ -144,9 +147,9 @@ namespace samara
     /** Up to round-off of the whole time. */
     bool is_end(double time) const;
     /** Whether it is the family of this program. */
-    bool                        is_family() const;
-    Machinery                   make_machinery(const System &system) const;
-    Machinery                   make_machinery(const System &system, const Checkpoint &memory, bool with_steps) const;
+    bool      is_family() const;
+    Machinery make_machinery(const System &system) const;
+    Machinery make_machinery(const System &system, const Checkpoint &memory, bool with_steps) const;
 
     /** @name Restarts (dynamic_restart.cc) @{ */
     Checkpoint remember(const Context &context, const State &state, const Machinery &machinery, const Output &output);

@@ -86,6 +86,12 @@ namespace samara
       return averages[k].weighted(value, 2 * M_PI * time / period);
     }
 
+    /** The probes of the averages, as they are reported, and what they change by where the increment of a state is @p
+     * x. @{ */
+    std::vector<double> values(const State &state, Projection &projection) const;
+    std::vector<double> change_of_values(const State &state, const double *x, Projection &projection) const;
+    /** @} */
+
     /** Of increments, velocities over T/2π: scales_of_increment(). */
     const std::vector<double> scales;
 
@@ -104,9 +110,6 @@ namespace samara
 
     std::unique_ptr<PeriodMap> map; ///< of the turn that was linearised
 
-    std::vector<double> values(const State &state, Projection &projection) const;
-    /** What values() change by where the increment of a state is @p x. */
-    std::vector<double> change_of_values(const State &state, const double *x, Projection &projection) const;
     /** @p y at a time are added to @p sums of a turn, by the number of the step they are at the end of; 0: the start.
      */
     void add(std::vector<double> &sums, const std::vector<double> &y, double time, unsigned int step) const;

@@ -48,6 +48,26 @@ namespace samara
       return node_becomes[node];
     }
 
+    /** The same of joint coordinates and of states of first order. @{ */
+    unsigned int
+    next_of_coordinate(const unsigned int i) const
+    {
+      return coordinate_becomes[i];
+    }
+    unsigned int
+    next_of_state(const unsigned int i) const
+    {
+      return state_becomes[i];
+    }
+    /** @} */
+
+    /** Whether a node turns with the repeated parts and is none of them. */
+    bool
+    only_turns(const unsigned int node) const
+    {
+      return node_turns[node] && node_becomes[node] == node;
+    }
+
     /** Axes are taken from these states, a Q-th of a period from each other. */
     void align(const State &start, const State &end);
 
@@ -63,6 +83,9 @@ namespace samara
     std::vector<double> gap(const State &start, const State &end) const;
 
   private:
+    /** P x, or P⁻¹ x. */
+    void exchange(double *x, bool forward) const;
+
     const System             &system;
     unsigned int              n_parts = 1;
     std::vector<unsigned int> node_becomes, coordinate_becomes, state_becomes;

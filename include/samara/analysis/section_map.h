@@ -65,6 +65,8 @@ namespace samara
 
     /** A basis of all increments that the constraints allow at the start; columns in terms of scales(). */
     Eigen::MatrixXd basis();
+    /** The same at another state. */
+    Eigen::MatrixXd basis_at(const State &state);
 
     /** An increment without its controls, which keep their values. */
     void keep_controls(double *x) const;

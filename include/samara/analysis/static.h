@@ -5,6 +5,7 @@
 #include <samara/output/history.h>
 #include <samara/output/pictures.h>
 #include <samara/solvers/arc_length.h>
+#include <samara/solvers/redundant_rows.h>
 
 #include <ctime>
 #include <limits>
@@ -66,6 +67,12 @@ namespace samara
 
     NewtonResult
     equilibrium(const Context &context, Newton &newton, State &state, const std::vector<double> &speeds) const;
+
+    /** @name To the full load in steps, in static_load.cc @{ */
+    class LoadPath;
+    void follow_load(Context &context);
+    /** @} */
+
     /** Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. */
     int stability_sign(const Context &context, const State &state) const;
     /**
@@ -82,7 +89,6 @@ namespace samara
      * load grows, it is known in which sense they go on. The solver keeps the matrix of @p to, if any.
      */
     int  turned_too_far(const System &system, const State &from, const State &to, bool by_load) const;
-    void follow_load(Context &context);
     void check_load_factor(const std::vector<double> &rotor_speeds, Complaints &complaints) const;
 
     /** @name Along the arc, in static_path.cc @{ */
@@ -90,6 +96,14 @@ namespace samara
     void follow_path(Context &context);
 
     PathPoint start_of_path(Context &context, ArcLength &method);
+
+    /** Whether the path is given up, with a warning, at a point with this load factor. */
+    bool is_too_long(const Context &context, double factor) const;
+
+    /** One step of the arc @p step from @p here, where rows to leave out are chosen; refuses what may be another path.
+     */
+    NewtonResult
+    step_along(ArcLength &method, RedundantRows &redundant, PathPoint &here, double step, PathPoint &next) const;
 
     /** Tell and record the limit points and bifurcations between two points at the distance @p s. */
     void
@@ -104,6 +118,7 @@ namespace samara
     void              record(Context &context, const State &state, double progress, const NewtonResult &result);
     void              tell_motion(const Context &context);
     void              tell_loads(const Context &context);
+    void              tell_prescribed(const Context &context, const State &turning);
     [[noreturn]] void give_up(const Context &context, const NewtonResult &result, double fraction) const;
   };
 } // namespace samara

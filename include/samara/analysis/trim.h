@@ -37,6 +37,40 @@ namespace samara
     LateNumber          value;
   };
 
+  /** "mu from 0.1": a constant of the model, its value in SI units at the start of a continuation and as the file has
+   * it. */
+  struct TrimContinuation
+  {
+    std::string constant;
+    double      first = 0, last = 0;
+  };
+
+  class TrimAnalysis;
+
+  /** The model with other values of constants, before its trim. */
+  class TrimVariant
+  {
+  public:
+    virtual ~TrimVariant()          = default;
+    virtual Context      &context() = 0;
+    virtual TrimAnalysis &trim()    = 0;
+
+    /** What comes before trim in the list of analyses. */
+    virtual void lead_up() = 0;
+  };
+
+  template <>
+  struct Value<TrimContinuation>
+  {
+    static constexpr char separator = ',';
+    static constexpr bool has_unit  = false;
+
+    static TrimContinuation read(const std::string &text, const std::string &unit, const Quantities &quantities);
+    /** Nothing: what is written has no constants any more. */
+    static std::string    write(const TrimContinuation &value);
+    static PatternPointer pattern();
+  };
+
   template <>
   struct Value<TrimControl>
   {
@@ -81,6 +115,9 @@ namespace samara
    *   discrete       lets the motion settle for some turns, corrects u ← u − J⁻¹(ȳ − y*), and J by Broyden's update
    *   auto-pilot     u̇ = −(1/τ) J⁻¹(ȳ − y*), ȳ over the last period
    *
+   * If a search fails and there is a <Continue>, a constant of the model goes from another value to that of the file,
+   * in steps that are halved where a search fails, each from the motions found before (doc/theory/trim.md).
+   *
    * The latter two begin with J from differences of settled motions. The motion starts as that of a dynamic analysis
    * does. The state that is left, at the <Start time>, lies on the orbit: dynamic goes on from there.
    *
@@ -117,13 +154,19 @@ namespace samara
     std::vector<TrimControl> controls;
     std::vector<TrimTarget>  targets;
     std::vector<LateNumber>  scales;
-    std::string              method = "Newton-Krylov";
-    double period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
+
+    std::vector<TrimContinuation> continuation;
+    /** A model whose constants are these parts of what the file says; set by who reads files. */
+    std::function<std::unique_ptr<TrimVariant>(const std::vector<std::pair<std::string, double>> &)> variant;
+
+    std::string method = "Newton-Krylov";
+    double      period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
            time_constant = 2;
     unsigned int n_steps = 60, n_stages = 3, settle = 3, most_turns = 200, max_iterations = 50, most_products = 60;
 
   private:
     class Run;
+    class Path;
   };
 } // namespace samara
 

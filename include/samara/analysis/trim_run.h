@@ -18,6 +18,20 @@ namespace samara
     /** Find trim, leave it in the context and write it. @throws NotConverged, with the best that was found there */
     void go();
 
+    /** The same from a motion near by, controls within their limits. */
+    void go_on(const State &near);
+
+    /** Which targets the controls move least about a motion that is trimmed, and which controls are at a limit. */
+    std::string weakness(const State &orbit);
+
+    struct Limit
+    {
+      std::string name;
+      double      value, lower, upper;
+    };
+    /** Controls of a state, and how far they may go. */
+    std::vector<Limit> limits(const State &now) const;
+
   private:
     using VectorX = Eigen::VectorXd;
 
@@ -67,6 +81,7 @@ namespace samara
     std::vector<std::string>   columns() const;
 
     /** @name Motions @{ */
+    void    search();
     void    start();
     void    require_controls(const State &now) const;
     Look    look(const State &from, const PeriodicMotion::Observer &observer = {});

@@ -68,6 +68,9 @@ namespace samara
     /** @name For shapes @{ */
     Fineness fineness() const;
 
+    /** Whether tension stiffens torsion. */
+    bool has_trapeze = false;
+
     /** @throws std::invalid_argument if there is no mesh of the shape: a cell is turned inside out, ... */
     void try_mesh(const SectionShape &shape) const;
 

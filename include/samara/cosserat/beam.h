@@ -7,8 +7,11 @@
 #include <samara/cosserat/initial_fields.h>
 #include <samara/cosserat/initial_velocity.h>
 #include <samara/cosserat/section.h>
+#include <samara/cosserat/tension_torsion.h>
 #include <samara/model/drawing.h>
 #include <samara/model/relative_motion.h>
+
+#include <algorithm>
 
 namespace samara
 {
@@ -20,7 +23,7 @@ namespace samara
    * and frequencies for degree p with p Gauss points; no locking at any slenderness. Elements of one beam may have
    * different degrees; a mesh that meets an error is found by automatic_mesh.h.
    */
-  class Beam : public Cosserat<1>, public RelativeMotions, public InitialMotion
+  class Beam : public Cosserat<1>, public RelativeMotions, public InitialMotion, public HasStrainProducts
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -49,6 +52,9 @@ namespace samara
     };
     /** Of element @p i; @p e: strains of this beam. */
     Turn turn(unsigned int i, const State &state, const double *e) const;
+
+    /** Those of tension that stiffens torsion. */
+    void add_strain_products(std::vector<StrainProduct> &products) const override;
 
     /** All nodes. */
     std::vector<unsigned int> rigid_nodes() const override;
@@ -82,8 +88,10 @@ namespace samara
       const AnalysedSection *section;   ///< there, or at the nearest station of a table
       Vector3                curvature; ///< initial twist and curvature of the reference line [rad/m]
       Vector6                forces;    ///< of the section, as probes tell them [N, N m]
-      Vector3                x;         ///< place of the reference line [m]
-      Matrix3                D;         ///< axes of the section
+      Vector6 linear_forces; ///< without those of helical fibres (Trapeze): stresses of small strains [N, N m]
+      double  helix;         ///< K₁²/2 where the section has a Trapeze, else 0 [1/m²]
+      Vector3 x;             ///< place of the reference line [m]
+      Matrix3 D;             ///< axes of the section
     };
     /** At a named point or "at 0.3". @throws std::invalid_argument if there is none, or no section that was analysed */
     Station station(const State &state, const std::string &point) const;
@@ -95,8 +103,8 @@ namespace samara
       SectionValues values;
     };
     /**
-     * Where the values have kinks, and where elements end and inside of them if they depend on curvature; one before and
-     * one behind a jump.
+     * Where the values have kinks, and where elements end and inside of them if they depend on curvature; one before
+     * and one behind a jump.
      */
     std::vector<SectionThere> sections_along() const;
 
@@ -115,6 +123,13 @@ namespace samara
      * given @p degree between the relative abscissae @p start and @p end [rad].
      */
     double geometry_error(double start, double end, unsigned int degree) const;
+
+    /** Whether tension stiffens its torsion. */
+    bool
+    has_trapeze() const
+    {
+      return std::any_of(trapezes.begin(), trapezes.end(), [](const Trapeze &t) { return t.is_there(); });
+    }
 
   protected:
     unsigned int degree = 3; ///< entry
@@ -152,6 +167,9 @@ namespace samara
     std::map<std::string, double> named; ///< arc length of named points
     Matrix6                       last_stiffness = Matrix6::Zero(); ///< of the material that was made last
 
+    std::vector<Trapeze>            trapezes;        ///< one a material; those that are not there have zeros
+    std::unique_ptr<TensionTorsion> tension_torsion; ///< null: none of them is there
+
     static constexpr double least_jump_of_twist = 1e-6; ///< over 2e-9 of the length, where it is no slope [rad]
 
     /** d₁ at the nodes. */
@@ -170,7 +188,8 @@ namespace samara
     SectionValues             section_at(const Cell &cell, double s) const;
     std::vector<Matrix6>      stiffnesses_of(const Cell &cell) const;
     std::vector<Matrix6>      inertias_of(const Cell &cell) const;
-    Material                  material_of(const Matrix6 &stiffness) const;
+    Material                  material_of(const Matrix6 &stiffness, const Trapeze &trapeze) const;
+    std::vector<Trapeze>      trapezes_of(const Cell &cell, const std::vector<Matrix6> &stiffnesses) const;
     Matrix3                   triad_at(double s, double inside) const;
     std::vector<unsigned int> materials_of_cell(const Cell &cell);
 
@@ -191,9 +210,13 @@ namespace samara
       Vector3 spin         = Vector3::Zero(); ///< inertial axes [rad/s]
       Vector6 acceleration = Vector6::Zero(); ///< inertial axes [m/s², rad/s²]
       Vector6 strain, stress;                 ///< in section axes
+      Vector6 helical = Vector6::Zero();      ///< the part of the stress that is TensionTorsion::helical_forces()
     };
     /** At the abscissa @p s; strains and stresses, and what follows from them in the sample, if they are wanted. */
     Local local(const State &state, double s, bool with_strains = true) const;
+
+    /** K₁²/2, if fibres that it makes longer are strained [1/m²]. */
+    double helix_of(const Local &here) const;
   };
 } // namespace samara
 

@@ -30,8 +30,8 @@ namespace samara
   public:
     static constexpr int          dimension = dim;
     static constexpr unsigned int n         = 6 * dim; ///< strains at a point
-    using VectorN                   = Eigen::Matrix<double, n, 1>;
-    using MatrixN                   = Eigen::Matrix<double, n, n>;
+    using VectorN                           = Eigen::Matrix<double, n, 1>;
+    using MatrixN                           = Eigen::Matrix<double, n, n>;
 
     void connect(Layout &layout) override;
 
@@ -129,7 +129,16 @@ namespace samara
     bool is_rigid = false;
 
   private:
+    friend class TensionTorsion; // an energy more of the same strains
+
     std::vector<IntegrationPoint> points;
+
+    /** Add BᵀCB with @p C of each integration point (null: none) and the geometric part of these section forces. */
+    void add_tangent(const Point<double> &point, const MatrixN *C, const double *forces, SparseMatrix &K) const;
+
+    /** Call f(number of the integration point, block, B there by unknowns of nodes) for all of them. */
+    template <typename Function>
+    void for_strain_matrices(const Point<double> &point, const Function &f) const;
 
     static constexpr unsigned int most_tied = dim == 1 ? most_nodes - 1 : 2 * most_nodes;
 
@@ -213,6 +222,9 @@ namespace samara
     class StoredStrains;
 
     void add_material(unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const;
+    /** The same with a stiffness of each integration point of the body, given by its number. */
+    template <typename Stiffness>
+    void add_stiffness(unsigned int element, const Stiffness &stiffness, Eigen::MatrixXd &K) const;
     void add_geometric(unsigned int element, const Vec6<double> *tied, Eigen::MatrixXd &K) const;
 
     /** Work space of one element, kept so that the loop over elements allocates nothing. */
@@ -227,6 +239,26 @@ namespace samara
     };
     static Scratch &scratch();
   };
+
+  template <int dim>
+  template <typename Function>
+  void
+  Cosserat<dim>::for_strain_matrices(const Point<double> &point, const Function &f) const
+  {
+    RowMajor &B = scratch().B;
+    for (unsigned int i = 0; i < n_elements(); ++i)
+      {
+        const Element &element = elements[i];
+        interpolate_element(i, point.q);
+        B.resize(n * element.table->n_points, 6 * element.table->n_nodes);
+        strain_matrix(i, B);
+        element.block.to_nodes(B);
+        for (unsigned int g = 0; g < element.table->n_points; ++g)
+          f(element.first_point + g, element.block, B.template middleRows<n>(n * g));
+      }
+  }
+
+
 
   extern template class Cosserat<1>;
   extern template class Cosserat<2>;

@@ -33,6 +33,12 @@ namespace samara
         return model.complaints.add(this->parameters.where("Degree"),
                                     this->kind + " <" + this->name + "> has elements of degree " +
                                       std::to_string(degree_of_elements) + ", and no others");
+    if constexpr (dim == 1)
+      if (this->has_trapeze())
+        model.complaints.add(this->parameters.where("Section"),
+                             this->kind + " <" + this->name +
+                               "> has strains of its own, and the trapeze effect of its section belongs to those of a "
+                               "<beam>: take a beam, or a section without <Trapeze effect> and <Trapeze coupling>");
   }
 
 

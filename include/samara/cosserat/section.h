@@ -2,6 +2,7 @@
 #define samara_cosserat_section_h
 
 #include <samara/model/model.h>
+#include <samara/section/trapeze.h>
 
 namespace samara
 {
@@ -19,9 +20,13 @@ namespace samara
 
     /** Corners (y₂, y₃) of the outline that is drawn [m]. */
     std::vector<Eigen::Vector2d> outline;
+
+    /** What tension does to torsion, if that is wanted. */
+    Trapeze trapeze = {};
   };
 
-  /** The ellipse that is drawn for a section: with the half axes given, or those of a solid one of these stiffnesses. */
+  /** The ellipse that is drawn for a section: with the half axes given, or those of a solid one of these stiffnesses.
+   */
   std::vector<Eigen::Vector2d> drawn_outline(const std::vector<double> &radii, const Matrix6 &stiffness);
 
   /** (1 − w) a + w b */
@@ -47,8 +52,8 @@ namespace samara
     void initialize(Model &model) override;
 
     /**
-     * Values at the relative abscissa @p x from 0 (start of the beam) to 1 (its end). @p curvature is the initial twist and
-     * curvature (k₁ k₂ k₃) of the reference line there, in the axes of the section [rad/m].
+     * Values at the relative abscissa @p x from 0 (start of the beam) to 1 (its end). @p curvature is the initial twist
+     * and curvature (k₁ k₂ k₃) of the reference line there, in the axes of the section [rad/m].
      * @throws std::invalid_argument if there is no such section with this curvature
      */
     virtual SectionValues at(double x, const Vector3 &curvature) const = 0;
@@ -143,10 +148,11 @@ namespace samara
   /** Stiffnesses and masses by their engineering names, with the positions of the centres. */
   struct EngineeringConstants
   {
-    double EA = 0, GA2 = 0, GA3 = 0, GJ = 0, EI2 = 0, EI3 = 0, EI23 = 0;
-    double mass = 0, I2 = 0, I3 = 0, I23 = 0;
+    double              EA = 0, GA2 = 0, GA3 = 0, GJ = 0, EI2 = 0, EI3 = 0, EI23 = 0;
+    double              mass = 0, I2 = 0, I3 = 0, I23 = 0;
     std::vector<double> shear_centre = {0, 0}, tension_centre = {0, 0}, mass_centre = {0, 0};
     std::vector<double> drawn_radii; ///< half axes of the ellipse that is drawn; empty: from the stiffnesses
+    double trapeze_coupling = 0, trapeze_stiffness = 0; ///< ∫E r² dA, ∫E r⁴ dA about the shear centre [N m², N m⁴]
 
     void          add_parameters(Parameters &prm);
     SectionValues values() const;
@@ -156,8 +162,8 @@ namespace samara
 
   /**
    * Engineering constants. The axial strain of the tension centre (y₂, y₃) is Γ₁ + y₃ K₂ − y₂ K₃, the shear strains of
-   * the shear centre Γ₂ − y₃ K₁ and Γ₃ + y₂ K₁; EI₂, EI₃ refer to the tension centre, GJ to the shear centre, I₂ = ∫ρ y₃²,
-   * I₃ = ∫ρ y₂² to the mass centre.
+   * the shear centre Γ₂ − y₃ K₁ and Γ₃ + y₂ K₁; EI₂, EI₃ refer to the tension centre, GJ to the shear centre, I₂ = ∫ρ
+   * y₃², I₃ = ∫ρ y₂² to the mass centre.
    */
   class EngineeringSection : public Section
   {
@@ -171,7 +177,8 @@ namespace samara
 
 
 
-  /** Full 6×6 matrices of stiffness (or compliance) and inertia: 36 numbers by rows, or 21 of the upper triangle, or 6. */
+  /** Full 6×6 matrices of stiffness (or compliance) and inertia: 36 numbers by rows, or 21 of the upper triangle, or 6.
+   */
   class MatrixSection : public Section
   {
   public:
@@ -180,7 +187,8 @@ namespace samara
     SectionValues at(double x, const Vector3 &curvature) const override;
 
   private:
-    std::vector<double> stiffness, compliance, inertia, drawn_radii;
+    std::vector<double> stiffness, compliance, inertia, drawn_radii, trapeze_coupling;
+    double              trapeze_stiffness = 0;
     SectionValues       values;
   };
 } // namespace samara

@@ -53,7 +53,8 @@ namespace samara
       Eigen::Matrix<double, 3, 6> warping; ///< displacements of unit section forces, along the axes of the section
       Matrix6                     strain;  ///< Voigt strains of unit section forces, in the axes of the section
       Matrix6                     C;       ///< Voigt stiffness there
-      Matrix3                     axes;    ///< of the material, columns in the axes of the section
+      double  helix; ///< stress 11 of a fibre that twist makes longer, of K₁²/2 (trapeze.h) [Pa m²]
+      Matrix3 axes;  ///< of the material, columns in the axes of the section
     };
 
     /**
@@ -64,14 +65,14 @@ namespace samara
     /** Those of integration. */
     std::vector<StressPoint> points() const;
 
-    /** Voigt stresses at a point in the axes of the section [Pa]. */
+    /** Voigt stresses at a point in the axes of the section, @p helix: K₁²/2 of a section with a Trapeze [Pa]. */
     static Vector6
-    stress(const StressPoint &point, const Vector6 &forces)
+    stress(const StressPoint &point, const Vector6 &forces, const double helix = 0)
     {
-      return point.C * (point.strain * forces);
+      return point.C * (point.strain * forces) + point.helix * helix * Vector6::Unit(0);
     }
     /** The same in the axes of the material. */
-    static Vector6 stress_in_material(const StressPoint &point, const Vector6 &forces);
+    static Vector6 stress_in_material(const StressPoint &point, const Vector6 &forces, double helix = 0);
 
     unsigned int
     n_unknowns() const

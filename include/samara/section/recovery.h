@@ -48,12 +48,14 @@ namespace samara
       /** Of other points. */
       void add(const Extremes &others);
     };
-    Extremes extremes(const Vector6 &forces) const;
+    /** @p helix: K₁²/2 where the section has a Trapeze [1/m²]. */
+    Extremes extremes(const Vector6 &forces, double helix = 0) const;
 
   private:
     struct Point
     {
       Matrix6      stress; ///< in the axes of the material, of unit section forces
+      Vector6      helix;  ///< the same of K₁²/2 [Pa m²]
       unsigned int material;
     };
     std::vector<Point>     points;

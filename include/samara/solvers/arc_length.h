@@ -91,6 +91,14 @@ namespace samara
 
     void factorize(const State &state);
 
+    /**
+     * One iteration for the point at the distance @p s: the increment of all unknowns; returns that of the load factor.
+     */
+    double solve_for_increment(const PathPoint &from, double s, const State &state);
+
+    /** Newton's method from @p to, with the tangent where it ends. @throws SingularMatrix */
+    void iterate(const PathPoint &from, double s, PathPoint &to, NewtonResult &result);
+
     /** With the tangent matrix factorised; forward is away from @p behind. */
     void find_tangent(PathPoint &point, const PathPoint *behind);
   };

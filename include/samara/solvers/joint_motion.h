@@ -47,6 +47,10 @@ namespace samara
     /** @name With all nodes @{ */
     void move_nodes();
     void solve_by_weights(const std::vector<double> &weights);
+    /** Diagonal of K, and something small for what nothing holds against anything else. */
+    std::vector<double> stiffness_against_others() const;
+    /** The velocities that what is held leaves, with a small stiffness of rates and a smaller one of all motion. */
+    void iterate_proximally(const SparseMatrix &of_rates, const SparseMatrix &of_all);
     void check_constraints() const;
     /** @} */
 

@@ -31,7 +31,7 @@ namespace samara
     // ranges in the lists of the structure
     int lower_begin, lower_end, upper_begin, upper_end;
     int sources_begin, sources_end;
-    int entries_begin, entries_end;
+    int runs_begin, runs_end;
     // places of the first value
     std::size_t lower_values, upper_values;
 
@@ -53,9 +53,13 @@ namespace samara
     std::vector<Panel> panels;
     std::vector<int>   lower_columns, upper_columns; ///< outside columns of each panel
     std::vector<int>   sources;                      ///< panels whose rows are subtracted from those of each panel
-    /** Entries of the matrix in the rows of each panel: where they are, and where in a table of columns as high as the
-     * panel. */
-    std::vector<int> entries, places;
+    /** Entries of the matrix in the rows of each panel that follow each other, as those of a node do: where they are,
+     * and where in a table of columns as high as the panel. */
+    struct Run
+    {
+      int entry, place, length;
+    };
+    std::vector<Run> runs;
     std::size_t      n_lower_values = 0, n_upper_values = 0;
 
     PanelStructure() = default;
@@ -66,7 +70,7 @@ namespace samara
     /** With rows and outside columns known. */
     void add(Panel panel);
     void place_values();
-    void place_entries(const Pattern &pattern, const Pivots &pivots);
+    void find_runs(const Pattern &pattern, const Pivots &pivots);
 
     std::vector<int> panel_of; // row
   };

@@ -44,9 +44,9 @@ namespace samara
     void report(State &state, bool with_forces = true);
 
   private:
-    const System             &system;
-    SparseMatrix              K; ///< columns of unknowns of the saddle-point matrix alone are kept up
-    std::vector<unsigned int> bound; ///< nodes that constraints act on, or without an inverse of the mass
+    const System                 &system;
+    std::unique_ptr<SparseMatrix> K;     ///< if there are unknowns; their columns alone are kept up
+    std::vector<unsigned int>     bound; ///< nodes that constraints act on, or without an inverse of the mass
     struct FreeNode
     {
       unsigned int node;

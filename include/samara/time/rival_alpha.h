@@ -79,10 +79,16 @@ namespace samara
     };
 
     void start(State &state, double h);
-    void predict(const State &state, double h, Iterate &iterate) const;
-    void configure(const State &state, Iterate &iterate) const;
-    void evaluate(double h, double evaluation_time, Iterate &iterate) const;
-    void factorize(double h, const Iterate &iterate);
+    /** Of a motion that goes on from the state with its accelerations; what they become after the time @p dt. */
+    std::vector<double> accelerations_after(const State &state, double dt);
+    /** Velocities whose constraint rates are those that the given @p change of velocities makes. */
+    std::vector<double> with_change_of_rates(const State &state, const std::vector<double> &change);
+    /** Newton's method for the end of a step. */
+    StepResult find_end(const State &begin, double h, double evaluation_time, Iterate &iterate);
+    void       predict(const State &state, double h, Iterate &iterate) const;
+    void       configure(const State &state, Iterate &iterate) const;
+    void       evaluate(double h, double evaluation_time, Iterate &iterate) const;
+    void       factorize(double h, const Iterate &iterate);
     /** Solve and correct; returns the size of the correction of velocities, or of multipliers in its proportion. */
     double correct(double h, Iterate &iterate) const;
 

@@ -75,8 +75,24 @@ namespace samara
     void pack(const State &state, const std::vector<double> &accelerations, double *z, double *z_dot) const;
     void unpack(double time, const double *z, State &state) const;
     void start(State &state, double h);
+    /** IDA's steps from @p now to @p end, with the work of trapezoids; false if it finds no way. */
+    bool integrate(double end, State &now, rivals::Powers &work_done);
     void residual(double time, const double *z, const double *z_dot, double *r);
     void make_jacobian(double time, double cj, const double *z, const double *z_dot);
+    /** The parts of it. Kinematic rows: by poses, and by velocities. @{ */
+    void make_kinematic_blocks(double        cj,
+                               const double *z,
+                               const double *z_dot,
+                               SparseMatrix &kinematics,
+                               SparseMatrix &weights);
+    /** Add G ad_y: how constraints change as nodes carry their frames along. */
+    void add_change_of_constraints(SparseMatrix &change) const;
+    void fill_matrix(double              cj,
+                     double              dt,
+                     const SparseMatrix &kinematics,
+                     const SparseMatrix &weights,
+                     const SparseMatrix &carried);
+    /** @} */
     void solve(double *b) const;
 
     Vector6             rate_of_pose(const double *z, const double *z_dot, unsigned int node) const;

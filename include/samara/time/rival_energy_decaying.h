@@ -70,13 +70,24 @@ namespace samara
     State                          frozen;         ///< where the matrix was made, without multipliers
     std::unique_ptr<LinearStrains> frozen_strains; ///< where the matrix was made
 
-    void   predict(const State &state, double h);
-    void   means(const State &state, double h);
-    void   mean_of(const State &state, double over_h, Stage &stage) const;
-    void   evaluate(const State &state, double h);
-    void   evaluate_stage(const State &state, double h, const std::vector<double> &strains, Stage &stage);
-    void   factorize(double h);
+    void predict(const State &state, double h);
+    void means(const State &state, double h);
+    void mean_of(const State &state, double over_h, Stage &stage) const;
+    void evaluate(const State &state, double h);
+    void evaluate_stage(const State &state, double h, const std::vector<double> &strains, Stage &stage);
+    void factorize(double h);
+    /** Solve and correct both stages; returns the size of the correction. */
     double correct(double h);
+    /** Move the end of a stage by the part @p zeta of the solution that belongs to it. */
+    void correct_end(const double *zeta, Stage &stage) const;
+    /** Of a correction, relative to the largest: of velocities by @p zeta of f, of multipliers by all of it. @{ */
+    double size_of_velocities(const double *zeta, double h) const;
+    double size_of_multipliers(const std::vector<double> &x) const;
+    /** @} */
+    /** Newton's method for both stages. */
+    StepResult find_stages(const State &begin, double h);
+    /** ½ α |Y_j − Y_i|² [J]; makes the strains of j differences. */
+    double energy_of_jump(const State &begin);
     /** δσ = (what the strains have more) + C B z + C_d B ż, with the B of the matrix (mixed Newton). */
     void correct_stresses(const std::vector<double> &z, const std::vector<double> &rates, Stage &stage) const;
     void find_middle(const State &state);

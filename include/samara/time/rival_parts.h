@@ -4,6 +4,8 @@
 #include <samara/solvers/linear.h>
 #include <samara/time/integrator.h>
 
+#include <utility>
+
 namespace samara
 {
   /**
@@ -46,6 +48,47 @@ namespace samara
     private:
       const System &system;
     };
+
+    /**
+     * Newton's method with factors of an earlier step, as long as its corrections shrink fast. They are relative to the
+     * largest velocity.
+     */
+    class Corrections
+    {
+    public:
+      enum class Verdict
+      {
+        converged,
+        go_on,
+        again,   ///< from the start of the step, with new factors
+        diverged ///< with new factors, too
+      };
+
+      /** @p slow: rate from one correction to the next above which each iteration has its own factors. */
+      Corrections(const bool has_factors, const double slow, const double tolerance)
+        : slow(slow)
+        , tolerance(tolerance)
+        , is_fresh(!has_factors)
+        , is_missing(!has_factors)
+      {}
+
+      /** Whether the next iteration begins with a factorisation; asked once. */
+      bool
+      need_factors()
+      {
+        return std::exchange(is_missing, false);
+      }
+
+      Verdict judge(double size);
+
+    private:
+      const double slow, tolerance;
+      bool         is_fresh, is_missing;
+      double       last = 0;
+    };
+
+    /** Place of the largest of the first @p n numbers in absolute value. */
+    unsigned int largest_of(const std::vector<double> &values, unsigned int n);
 
     /** Power of loads, drives and dampers [W]. */
     struct Powers

@@ -1,6 +1,7 @@
 #ifndef samara_time_stage_integrator_h
 #define samara_time_stage_integrator_h
 
+#include <samara/model/strain_products.h>
 #include <samara/solvers/linear.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/exact_stages.h>
@@ -119,6 +120,7 @@ namespace samara
       std::vector<double> stress; ///< σ_k as iterated
       std::vector<double> excess; ///< what the configuration's stress has more than it
       std::vector<double> strain_rates, residual, constraint_rates;
+      std::vector<double> factors; ///< of strain products, as the stages integrate them
       double              time;
       bool                stops = false; ///< these act in all stages at once
 
@@ -130,25 +132,27 @@ namespace samara
     };
     std::vector<Stage> stages;
 
+    const std::vector<StrainProduct> products = strain_products(system.model); ///< strains that are not quadratic
+
     /** A factorisation for one eigenvalue of the tableau, real or complex. */
     struct Factor
     {
       std::unique_ptr<LinearSolver>  real;
       std::unique_ptr<ComplexSolver> complex;
     };
-    std::vector<Factor>            factors;
-    std::vector<Factor>            factors_at_end; ///< of the same pattern; only where models have springs between points
-    double                         energy_scale    = 0;  ///< at the start of the step
-    double                         kinetic_energy  = 0;  ///< mean of the stages
-    double                         moved_energy    = 0;  ///< kinetic, and what strain energy has changed by
-    double                         first_strain    = -1; ///< energy at the first step; negative: not known
-    double                         factored_step   = 0;  ///< step size of the factors; 0: to be made anew
-    double                         step_of_factors = 0;  ///< the same of those that there are; 0: none
-    State                          frozen;               ///< at which they were made
-    std::unique_ptr<LinearStrains> frozen_strains;       ///< of the same configuration
+    std::vector<Factor> factors;
+    std::vector<Factor> factors_at_end;       ///< of the same pattern; only where models have springs between points
+    double              energy_scale    = 0;  ///< at the start of the step
+    double              kinetic_energy  = 0;  ///< mean of the stages
+    double              moved_energy    = 0;  ///< kinetic, and what strain energy has changed by
+    double              first_strain    = -1; ///< energy at the first step; negative: not known
+    double              factored_step   = 0;  ///< step size of the factors; 0: to be made anew
+    double              step_of_factors = 0;  ///< the same of those that there are; 0: none
+    State               frozen;               ///< at which they were made
+    std::unique_ptr<LinearStrains> frozen_strains; ///< of the same configuration
     unsigned int                   n_steps_with_factors = 0, fresh_iterations = 0;
     double                         extra_iterations = 0; ///< more than with fresh factors
-    SparseMatrix                   C, K;
+    SparseMatrix                   C, K; // of large models gone after a factorisation
     /** Of the mass matrix, where it is not zero, and where that is in the pattern of the factors. */
     struct MassEntry
     {
@@ -200,24 +204,56 @@ namespace samara
     {
       return is_step(step_of_factors, h);
     }
-    /** Newton's method with the factors there are; gives up if corrections shrink by less than the factor @p slow. */
+    /** What is computed of the start of a step, and where Newton's method begins. */
+    void start_step(State &state, double h);
+    /** Whether a step that converged is one: its account, contacts, lengths and rows left out. */
+    bool accept_stages(const State &state, double h, StepResult &result);
+
+    /** @name Newton's method (stage_integrator_attempts.cc) @{ */
+    struct Progress;
+    enum class Verdict
+    {
+      converged,
+      failed,
+      open
+    };
+    /** With old factors, new ones, or the exact matrix. */
+    bool find_stages(const State &state, double h, StepResult &result);
+    bool find_with_new_factors(const State &state, double h, StepResult &result);
+    /** Whether the next correction would be too small to count, without an evaluation of all forces. */
+    bool    converges_unseen(const Progress &progress, const State &state, double h);
+    Verdict judge_residuals(Progress &progress, double h) const;
+    /** With the factors there are; gives up if corrections shrink by less than the factor @p slow. */
     bool iterate(const State &state, double h, double slow, StepResult &result);
     void judge_factors(unsigned int iterations);
+    /** @} */
     void predict(const State &state, double h);
     void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates, std::vector<double> &states) const;
     void remember(const State &state, double h);
     void freeze(const State &state, double h);
     void factorize(double h);
+    /** Fill the matrices of all factors: M + hμ C + (hμ)² K. */
+    void combine_matrices(double h);
     /** Make solvers for a pattern without the rows left out, of their values there are none yet. */
     void make_factors();
 
     /** One for each eigenvalue, without values. */
     std::vector<Factor> new_factors() const;
-    void move_stages(const State &state, double h);
+    void                move_stages(const State &state, double h);
     template <int s>
     void move_nodes(const State &state, double h);
     void evaluate(const State &state, double h);
     void evaluate_stresses(double h);
+    /** Rates of the strains in all stages. */
+    void evaluate_strain_rates(double h);
+    /** The same for @p stages of a step from the strains @p e_start: products follow from the other rates. */
+    static void find_products(const std::vector<StrainProduct> &products,
+                              const Tableau                    &tableau,
+                              double                            h,
+                              const std::vector<double>        &e_start,
+                              std::vector<Stage>               &stages);
+    /** Stresses of changes of strains in stage @p k, linearised there. */
+    void change_of_stresses(unsigned int k, const double *e, const double *rates, std::vector<double> &stress) const;
     /** Add the inertial forces of stage @p k to its residual; returns its kinetic energy. */
     double add_inertia(unsigned int k, const State &state, double h);
     /** From this many groups of four nodes on threads are faster. */
@@ -312,43 +348,37 @@ namespace samara
     double        free_change(const Port &port, unsigned int k, double h) const;
     void          compliance(const Port &a, const Port &b, double h, Eigen::Ref<Eigen::MatrixXd> W);
     bool          acts(const Device &device, const double *values, double h) const;
-    void          device_forces(const Device                &device,
-                                const double                *values,
-                                double                       h,
+    void          device_forces(const Device               &device,
+                                const double               *values,
+                                double                      h,
                                 Eigen::Ref<Eigen::VectorXd> force,
-                                Eigen::MatrixXd             *slopes) const;
-    void          friction_forces(const Device                &device,
-                                  const double                *values,
-                                  double                       h,
+                                Eigen::MatrixXd            *slopes) const;
+    void          friction_forces(const Device               &device,
+                                  const double               *values,
+                                  double                      h,
                                   Eigen::Ref<Eigen::VectorXd> force,
-                                  Eigen::MatrixXd             *slopes) const;
-    BristleForces bristles_of(const Device &device,
-                              const double *values,
-                              const double *normal,
-                              double        h,
-                              bool          with_slopes) const;
+                                  Eigen::MatrixXd            *slopes) const;
+    BristleForces
+    bristles_of(const Device &device, const double *values, const double *normal, double h, bool with_slopes) const;
     BristleForces bristles_now(const Device &device, double h) const;
     /** Set the states that are deflections of bristles, in all stages. */
-    void          move_bristles(double h);
-    void          normal_forces(const Device    &device,
-                                const double    *values,
-                                double           h,
-                                double          *normal,
-                                Eigen::MatrixXd *slopes) const;
-    void          use_ports_of_touched(double h);
-    bool          find_stop_forces(double h, bool from_free);
-    void          find_further_touches(double h);
-    bool          correct_for_stops(double h);
-    void          add_stop_reactions(double h);
-    void          account_for_stops(const State &state, double h, StepResult &result);
-    void          account_for_friction(double h, StepResult &result) const;
+    void move_bristles(double h);
+    void
+    normal_forces(const Device &device, const double *values, double h, double *normal, Eigen::MatrixXd *slopes) const;
+    void use_ports_of_touched(double h);
+    bool find_stop_forces(double h, bool from_free);
+    void find_further_touches(double h);
+    bool correct_for_stops(double h);
+    void add_stop_reactions(double h);
+    void account_for_stops(const State &state, double h, StepResult &result);
+    void account_for_friction(double h, StepResult &result) const;
     /** @} */
 
     /** @name Groups of contacts (stage_integrator_contacts.cc) @{ */
-    StageContacts                    contacts;
-    StageContacts::Couplings         couplings;        ///< of nodes, that the pattern of the factors has besides the layout's
-    std::vector<Point<double>>       points_of_stages; ///< at the last evaluation
-    std::vector<double *>            residuals_of_stages;
+    StageContacts              contacts;
+    StageContacts::Couplings   couplings;        ///< of nodes, that the pattern of the factors has besides the layout's
+    std::vector<Point<double>> points_of_stages; ///< at the last evaluation
+    std::vector<double *>      residuals_of_stages;
     /** What the matrices of the factors have of pairs: entries, with what goes with K and C there. */
     struct EntryOfPairs
     {
@@ -413,7 +443,12 @@ namespace samara
     const std::vector<double>  &admissible_velocities(const State &state);
     std::unique_ptr<Projection> projection; ///< for these
     State                       admissible;
-    void                        account(const State &state, double h, StepResult &result);
+    /** @name The energy account of a step (stage_integrator_account.cc) @{ */
+    void account(const State &state, double h, StepResult &result);
+    void account_for_loads(double h, StepResult &result);
+    void account_for_drives(double h, StepResult &result);
+    void account_for_dissipation(const State &state, double h, StepResult &result);
+    /** @} */
     /** The state of first order that the step resolves least, of those it does not resolve; -1 if there is none. */
     int                 unresolved_state(const State &state, double h);
     std::vector<double> largest_states; ///< that there were
@@ -438,12 +473,13 @@ namespace samara
     /** Derivatives of the residuals and excesses by α, times @p epsilon; @p v are stresses. */
     void add_derivatives(const std::vector<Vector6> &u, const std::vector<double> &v, double epsilon);
     /** Residuals and excesses of the stages as they are now, less those of @p base. */
-    void                evaluate_difference(const State &state, double h, const std::vector<Stage> &base);
+    void evaluate_difference(const State &state, double h, const std::vector<Stage> &base);
     /** The part of a field that the step resolves, by the factors there are. */
     void resolve(const StepDifference::Field &whole, StepDifference::Field &resolved);
     /**
      * The same by factors for where the step ends. A spring between points turns against the axes of what it holds: the
-     * direction in which it is stiff halfway is not that at the end, and rates there would not be without its vibration.
+     * direction in which it is stiff halfway is not that at the end, and rates there would not be without its
+     * vibration.
      */
     void resolve_at_end(const State &state, double h, StepDifference &difference);
     /** Of the rates in @p field, where nodes are as @p at says. */

@@ -89,17 +89,26 @@ namespace samara
     std::string about_reactions(const State &state) const;
 
     double corner(double from, double to) const;
+    /** What the controller compares with, from the state at the start of the run. */
+    void start_control(const State &state);
+    /** Time at which the next step ends at the latest: the next corner, if it is near. */
+    double limit_of_step(double time, double end) const;
+    /** The part of a step of @p h before a bend, by the rates, so that it need not be made in vain. */
+    double part_before_bends(const State &state, double h);
+    /** Whether the step is accurate enough; if not, @p h is the one to be tried. Sets the next step. @p tried: before
+     * it was cut short. */
+    bool is_accepted(double tried, double &h, Advance &result);
     /** @throws NotConverged if laws switch again and again, and time does not go on. */
     void count_switch(double time);
     /** Shorten a step that goes into a bend or across it, so that it ends where the bend begins, or
      * where it ends; left as it is if that is not found. */
-    void   stop_at_bends(const State &state, double &h, Advance &result);
+    void stop_at_bends(const State &state, double &h, Advance &result);
     /** How much of a step of which a coordinate goes @p from ... @p to may be made for a bend; 1 if all of it. */
     static double part_until(const Bend &bend, double from, double to);
     /** Of the step, by the coordinates before and after it. */
     double part_until_bends(const std::vector<double> &from, const std::vector<double> &to) const;
     /** Shorten a step within which a law switches, so that it ends before. */
-    void   stop_before_switch(const State &state, double &h, Advance &result);
+    void stop_before_switch(const State &state, double &h, Advance &result);
     /** The trial after a step of @p h. */
     bool   has_solution(const State &state, double h, Advance &result);
     bool   attempt(const State &state, double &h, Advance &result);

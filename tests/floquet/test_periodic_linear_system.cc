@@ -1,0 +1,152 @@
+/*
+ * Problem:   state spaces about periodic motions
+ * Reference: multipliers of Mathieu's equation (test_multipliers.cc); motions in time; modes of Hammond's rotor
+ */
+
+#include <samara/analysis/floquet.h>
+#include <samara/analysis/periodic_linear_system.h>
+#include <samara/base/errors.h>
+
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floquet_models.h"
+
+using namespace samara;
+using namespace floquet_models;
+
+namespace
+{
+  std::string
+  with(const std::string &model, const std::string &more)
+  {
+    std::ostringstream text;
+    text << std::ifstream(std::string(SAMARA_SOURCE_DIR) + "/" + model).rdbuf() << more;
+    return text.str();
+  }
+
+  const std::string pushed = R"(
+subsection States
+  subsection push
+    set Type = control
+    set Unit = N*m
+  end
+end
+subsection Periodic linear system
+  set Period  = pi
+  set Samples = 12
+  set Steps   = 3
+end
+subsection Output
+  set Probes = hinge.rotation, hinge.moment 3, bob.centre of mass.acceleration x
+end
+)";
+
+  PeriodicLinearSystem
+  space_of(Scene &scene)
+  {
+    scene.context.probes = scene.input.make_probes();
+    auto &analysis       = scene.analysis<PeriodicLinearSystemAnalysis>();
+    analysis.run(scene.context);
+    return analysis.space;
+  }
+} // namespace
+
+
+
+// The product of the samples is the map over the period, and a moment that is put on for a period moves the pendulum as
+// in time.
+TEST(PeriodicLinearSystem, PendulumOnAMovingHinge)
+{
+  const std::string              model   = with(pendulum, pushed);
+  const std::vector<std::string> entries = {"Analyses = periodic linear system", "Joints/hinge/rotation/Moment = push"};
+  Scene                          scene(model, entries);
+  const auto                     space       = space_of(scene);
+  const auto                     multipliers = space.multipliers();
+  ASSERT_EQ(multipliers.size(), 2u);
+  EXPECT_NEAR(multipliers[0].real(), -1.26394066521, 1e-7);
+  EXPECT_NEAR(multipliers[1].real(), -0.676167816003, 1e-7);
+
+  const double    u = 1e-5;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2);
+  for (const auto k : {0u, 1u, 2u, 3u, 4u})
+    x = space.A[k] * x + space.B[k] * u;
+  const Eigen::VectorXd y = space.C[5] * x + space.D[5] * u;
+
+  Scene     march(model, entries);
+  PeriodMap map(march.system, {5 * M_PI / 12, 60, 3, 1.});
+  State     state = scene.analysis<PeriodicLinearSystemAnalysis>().orbit;
+  state.states[0] = u;
+  state           = map.march(state);
+  Projection(march.system).report(state, true);
+  march.context.state = state;
+  EXPECT_NEAR(y(0), march.value("hinge.rotation"), 1e-6 * std::abs(y(0)));
+  EXPECT_NEAR(y(1), march.value("hinge.moment 3"), 1e-5 * std::abs(y(1)));
+  EXPECT_NEAR(y(2), march.value("bob.centre of mass.acceleration x"), 1e-5 * std::abs(y(2)));
+  EXPECT_GT(std::abs(y(0)), 0.1 * u);
+}
+
+
+
+// In steady rotation multiblade coordinates make the coefficients constant: then the mean has the multipliers of the
+// period.
+TEST(PeriodicLinearSystem, RotorInMultibladeCoordinates)
+{
+  const std::string model = with(hammond, R"(
+subsection Periodic linear system
+  set Period  = 2*pi/Omega
+  set Samples = 24
+  set Symmetry = blade 1, blade 2, blade 3, blade 4
+  set Turning  = hub, shaft
+end
+)");
+  Scene             scene(model, {"Analyses = periodic linear system"});
+  const auto        space = space_of(scene);
+  EXPECT_EQ(space.A[0].rows(), 12);
+  EXPECT_LT(space.variation(), 1e-6);
+  ASSERT_EQ(space.averaged.A.rows(), 12);
+  EXPECT_NEAR(std::exp(space.averaged.A.eigenvalues().real().maxCoeff() * space.period), 0.86326, 1e-5);
+  EXPECT_NEAR(std::abs(space.multipliers()[0]), 0.86326, 1e-5);
+
+  Scene plain(
+    model,
+    {"Analyses = periodic linear system", "Periodic linear system/Symmetry =", "Periodic linear system/Turning ="});
+  EXPECT_GT(space_of(plain).variation(), 1e-3);
+
+  // in another order they are none
+  Scene disorder(model,
+                 {"Analyses = periodic linear system",
+                  "Periodic linear system/Symmetry = blade 1, blade 4, blade 3, blade 2"});
+  EXPECT_GT(space_of(disorder).variation(), 1e-3);
+}
+
+
+
+TEST(PeriodicLinearSystem, Refusals)
+{
+  const auto failure = [](const std::vector<std::string> &more) {
+    std::vector<std::string> entries = {"Analyses = periodic linear system"};
+    entries.insert(entries.end(), more.begin(), more.end());
+    try
+      {
+        Scene scene(with(pendulum, pushed), entries);
+        space_of(scene);
+      }
+    catch (const std::exception &problem)
+      {
+        return std::string(problem.what());
+      }
+    return std::string();
+  };
+  const auto has = [](const std::string &text, const std::string &part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(has(failure({"Joints/lift/displacement/Prescribed = push/(1 N)"}), "prescribes a motion"));
+  EXPECT_TRUE(has(failure({"Joints/hinge/rotation/Prescribed = 0"}), "nothing can move"));
+  EXPECT_TRUE(has(failure({"Periodic linear system/Period = 3 s"}), "periodicity"));
+  EXPECT_TRUE(has(failure({"Periodic linear system/Inputs = pull"}), "<pull> is no state of type <control>"));
+  EXPECT_TRUE(has(failure({"Periodic linear system/Most states = 1"}), "more than 1"));
+  EXPECT_TRUE(has(failure({"Periodic linear system/Period = 0"}), "must be positive"));
+}
