@@ -25,6 +25,7 @@
 #include <samara/cosserat/shell.h>
 #include <samara/cosserat/table_section.h>
 #include <samara/joints/body_contact.h>
+#include <samara/joints/buffer.h>
 #include <samara/joints/contacts_item.h>
 #include <samara/joints/distributing.h>
 #include <samara/joints/fixed_springs.h>
@@ -99,6 +100,7 @@ namespace samara
       joints.add<Rigid>("rigid", "weld, however far apart");
       joints.add<Spring>("spring", "spring, damper or actuator between two points");
       joints.add<Distance>("distance", "massless rod between two points");
+      joints.add<Buffer>("buffer", "keeps two apart that slide on one beam");
       joints.add<Gear>("gear", "ratio between the rotations of two joints");
       joints.add<FlexibleJoint>("flexible joint", "six springs and dampers");
       joints.add<FixedSprings>("springs in fixed axes", "three springs and dampers that do not turn with the bodies");

@@ -25,19 +25,6 @@ namespace samara
 
 
 
-  template <typename Do>
-  void
-  ContactsItem::for_touching(const double *const q, const Do &what) const
-  {
-    thread_local std::vector<ContactGroup::Pair> pairs;
-    thread_local ContactGroup::Margins           margins;
-    group.find_pairs(q, nullptr, 0, pairs, margins);
-    for (const auto &pair : pairs)
-      what(pair);
-  }
-
-
-
   template <typename Number>
   void
   ContactsItem::residual_at(const Point<Number> &point, Number *const r) const

@@ -31,11 +31,18 @@ namespace samara
     prm.add("Position",
             position,
             "Place on the beam where the joint is in the reference configuration; default: that of frame B [m].");
-    prm.add("Gap",
-            gap,
-            "Whether that place may be off the beam; allowed: the joint is at the nearest point of it, a rigid arm goes "
-            "to frame B.",
-            dealii::Patterns::Selection("refused|allowed"));
+    prm.add(
+      "Gap",
+      gap,
+      "Whether that place may be off the beam; allowed: the joint is at the nearest point of it, a rigid arm goes "
+      "to frame B.",
+      dealii::Patterns::Selection("refused|allowed"));
+    prm.add(
+      "At the ends",
+      ends,
+      "What is at the ends of the beam: the end of the run, or stops, with the <Stop stiffness> and what else is said of "
+      "stops of the displacement.",
+      dealii::Patterns::Selection("end the run|stop"));
     prm.turns("Position", Turning::given_position);
     free_displacement(0);
     add_motions(prm);
@@ -93,16 +100,34 @@ namespace samara
         }
     if (!are_known || !find_start(m, b) || !check_corners(m))
       return;
-    const auto    at = rail->place_of([&](const Frame &f) { return m.position(f); },
-                                   [&](const Frame &f) { return m.triad(f); },
-                                   start);
-    const Matrix3 E  = orthonormal(at.d[0]);
-    axes_of_rows     = E;
-    frame_a          = m.frame_at(rail->pieces()[rail->piece_at(start)].frames.front(), at.x[0], E);
-    frame_b          = m.frame_at(b, at.x[0], E);
+    const auto at =
+      rail->place_of([&](const Frame &f) { return m.position(f); }, [&](const Frame &f) { return m.triad(f); }, start);
+    const Matrix3 E = orthonormal(at.d[0]);
+    axes_of_rows    = E;
+    frame_a         = m.frame_at(rail->pieces()[rail->piece_at(start)].frames.front(), at.x[0], E);
+    frame_b         = m.frame_at(b, at.x[0], E);
     free.front().check_parameters(parameters.subsection("displacement"), m.complaints);
+    if (ends == "stop")
+      add_stops_at_ends(m);
     use_coordinate(m, "displacement");
     free.front().add_bristles(m, name);
+  }
+
+
+
+  void
+  SlidingJoint::add_stops_at_ends(Model &m)
+  {
+    FreeMotion &motion = free.front();
+    if (!motion.stop.is_given())
+      return complain(m,
+                      "At the ends",
+                      "joint <" + name + ">: stops at the ends need a <Stop stiffness> above zero, in <displacement>");
+    if (!motion.has_lower_stop)
+      motion.lower_stop = rail->start() - start;
+    if (!motion.has_upper_stop)
+      motion.upper_stop = rail->end() - start;
+    motion.has_lower_stop = motion.has_upper_stop = true;
   }
 
 
@@ -112,9 +137,11 @@ namespace samara
   {
     try
       {
-        auto pieces = m.find<Body>(body_a, "body").spans();
+        body_of_rail = &m.find<Body>(body_a, "body");
+        auto pieces  = body_of_rail->spans();
         if (pieces.empty())
-          throw std::invalid_argument("<" + body_a + "> is no beam: there is no line along which something could slide");
+          throw std::invalid_argument("<" + body_a +
+                                      "> is no beam: there is no line along which something could slide");
         rail = std::make_unique<Rail>(std::move(pieces));
         return true;
       }
@@ -135,8 +162,10 @@ namespace samara
     const auto       position_of = [&](const Frame &f) { return m.position(f); };
     const Vector3    x           = parameters.is_set("Position") ? position : m.position(b);
     start                        = rail->nearest(position_of, x);
-    const Vector3 on_rail =
-      rail->place_of(position_of, [](const Frame &) { return Matrix3::Zero(); }, start).x[0];
+    const Vector3 on_rail        = rail
+                              ->place_of(
+                                position_of, [](const Frame &) { return Matrix3::Zero(); }, start)
+                              .x[0];
     if (gap == "allowed" || (on_rail - x).norm() <= rounding * std::max(rail->length(), box_diagonal(m)))
       return true;
     complain(m,
@@ -296,9 +325,9 @@ namespace samara
   Vector6
   SlidingJoint::action_on_b(const State &state) const
   {
-    const double        S      = start + state.coordinates[coordinate()];
-    const auto          at     = rail->place(rail->weights(S), state.q.data());
-    const Matrix3       E      = frame_b.triad(state.q.data()), axes = orthonormal(at.d[0]);
+    const double        S  = start + state.coordinates[coordinate()];
+    const auto          at = rail->place(rail->weights(S), state.q.data());
+    const Matrix3       E = frame_b.triad(state.q.data()), axes = orthonormal(at.d[0]);
     const double *const lambda = &state.multipliers[first_multiplier];
     Matrix3             A      = Matrix3::Zero();
     for (unsigned int r = 3; r < n_rows; ++r)
@@ -335,7 +364,8 @@ namespace samara
   std::vector<std::string>
   SlidingJoint::probe_names() const
   {
-    std::vector<std::string> names = {"displacement", "displacement rate", "arc length", "force", "force 1", "force 2", "force 3"};
+    std::vector<std::string> names = {
+      "displacement", "displacement rate", "arc length", "force", "force 1", "force 2", "force 3"};
     if (!cosines.empty())
       names.insert(names.end(), {"moment 1", "moment 2", "moment 3"});
     return names;

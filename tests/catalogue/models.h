@@ -205,6 +205,68 @@ subsection Output
 end
 )" + two_steps;
 
+  /** Two bodies that slide on a rod towards each other, and touch by the buffer <it>; others slide, too. */
+  inline const std::string buffer = R"(
+set Analyses = dynamic
+subsection Sections
+  subsection s
+    set Type         = tube
+    set E            = 1e9
+    set Density      = 1000
+    set Outer radius = 0.05
+  end
+end
+subsection Bodies
+  subsection rod
+    set Type    = beam
+    set Points  = 0, 0, 0; 2, 0, 0
+    set Section = s
+    set Rigid   = true
+  end
+  subsection b
+    set Type     = rigid body
+    set Mass     = 3
+    set Inertia  = 1, 1, 1
+    set Position = 0.5, 0, 0
+    set Velocity = 1, 0, 0
+  end
+  subsection c
+    set Copy of  = b
+    set Position = 1, 0, 0
+    set Velocity = 0, 0, 0
+  end
+  subsection d
+    set Copy of  = c
+    set Position = 1.5, 0, 0
+  end
+end
+subsection Joints
+  subsection at b
+    set Type   = sliding sleeve
+    set Body A = rod
+    set Body B = b
+  end
+  subsection at c
+    set Copy of = at b
+    set Body B  = c
+  end
+  subsection at d
+    set Copy of = at b
+    set Body B  = d
+  end
+  subsection it
+    set Type      = buffer
+    set Joint A   = at b
+    set Joint B   = at c
+    set Length    = 0.5
+    set Stiffness = 1000
+  end
+end
+subsection Output
+  set Probes = b.position x, c.position x, d.position x, it.gap, it.force
+end
+)" + two_steps;
+
   /** A beam that flies, and a body <b> that slides along it by the joint <it>. */
   inline std::string
   sliding(const std::string &kind, const std::string &entries)

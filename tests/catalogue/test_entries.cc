@@ -96,6 +96,7 @@ TEST_F(Catalogued, AllKinds)
                                    "rigid",
                                    "spring",
                                    "distance",
+                                   "buffer",
                                    "gear",
                                    "flexible joint",
                                    "rolling ball",
@@ -320,7 +321,8 @@ TEST_F(Catalogued, SlidingJoints)
   const Changes ends     = {{"Body A", "other"},
                             {"Body B", "ground"},
                             {"Position", "0, 0, 0"},
-                            {"Gap", "refused", {"Joints/it/Body B = b.arm", "Joints/it/Gap = allowed"}, true}},
+                            {"Gap", "refused", {"Joints/it/Body B = b.arm", "Joints/it/Gap = allowed"}, true},
+                            {"At the ends", "stop", {}, true}},
                 of_screw = {{"Turn per length", "3"}};
   for (const std::string kind : {"sliding point", "sliding sleeve", "sliding prismatic", "sliding screw"})
     check(kind,
@@ -328,6 +330,18 @@ TEST_F(Catalogued, SlidingJoints)
           "Joints/it",
           joined(ends,
                  {changes_of_motion("displacement", "Joints/it", true), kind == "sliding screw" ? of_screw : Changes{}}));
+}
+
+
+
+TEST_F(Catalogued, Buffers)
+{
+  Changes changes = {{"Joint A", "at d"}, {"Joint B", "at d"}, {"Length", "0.4"}};
+  for (const Change &change : changes_of_contact("Joints/it"))
+    for (const std::string entry : {"Stiffness", "Damping", "Exponent", "Restitution", "Impact speed", "Force"})
+      if (change.entry == entry)
+        changes.push_back(change);
+  check("buffer", models::buffer, "Joints/it", changes);
 }
 
 

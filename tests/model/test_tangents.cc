@@ -212,6 +212,13 @@ end
                                 "\n set Body A = rail\n set Body B = block.far\n set Position = 0.3, 0, 0.2\n" +
                                 (kind == "screw" ? "set Turn per length = 2.3\n" : "") +
                                 "subsection displacement\n " + used + "end\nend\nend\n"};
+    s["buffer"] = {"",
+                   rail,
+                   "subsection Joints\n subsection j\n set Type = sliding point\n set Body A = rail\n set Body B = block.far\n"
+                   " set Gap = allowed\n set Position = 0.3, 0, 0.2\n end\n subsection k\n set Type = sliding point\n set Body A = rail\n"
+                   " set Body B = ground\n set Gap = allowed\n set Position = 1, 0, 0.4\n end\n subsection l\n set Type = buffer\n"
+                   " set Joint A = k\n set Joint B = j\n set Length = 0.1\n set Stiffness = 3\n set Restitution = 0.5\n"
+                   " set Impact speed = 2\n end\nend\n"};
     const std::string hinge = R"(
 subsection Joints
   subsection a

@@ -299,7 +299,7 @@ class Mechanism:
     def joint_points(self):
         """All points that joints or loads use, once each, and the centres of rigid bodies."""
         points = {p: None for joint in self.joints for p in (joint.a, joint.b) if p != "ground" and "." in p}
-        points.update({p: None for contact in self.contacts if hasattr(contact, "a") for p in (contact.a, contact.b) if p != "ground"})
+        points.update({p: None for contact in self.contacts if hasattr(contact, "place") for p in (contact.a, contact.b) if p != "ground"})
         points.update({p: None for contact in self.contacts if hasattr(contact, "balls") for p in contact.balls})
         if self.contacts or any(joint.kind.startswith("sliding") for joint in self.joints):
             points.update({p: None for body in self.bodies if isinstance(body, Beam) for p in body.node_points()})

@@ -62,7 +62,8 @@ def smaller_mechanisms(model):
                           contacts=[c for c in (without_body(contact, name) for contact in model.contacts) if c],
                           gears=[g for g in model.gears if g.a not in on_it and g.b not in on_it])
     for k, joint in enumerate(model.joints):
-        yield model.with_(joints=model.joints[:k] + model.joints[k + 1 :], gears=[g for g in model.gears if joint not in (g.a, g.b)])
+        yield model.with_(joints=model.joints[:k] + model.joints[k + 1 :],
+                          contacts=[c for c in model.contacts if joint.name not in (getattr(c, "a", ""), getattr(c, "b", ""))], gears=[g for g in model.gears if joint not in (g.a, g.b)])
     for name in "loads", "gears", "contacts":
         things = getattr(model, name)
         for k in range(len(things)):
@@ -75,7 +76,9 @@ def smaller_mechanisms(model):
 
 
 def without_body(contact, name):
-    """None if the contact is one of the body; a group without it."""
+    """None if the contact is one of the body; a group without it. A buffer goes with its joints."""
+    if not hasattr(contact, "place") and not hasattr(contact, "balls"):
+        return None
     if not hasattr(contact, "balls"):
         return None if name in (contact.a.partition(".")[0], contact.b.partition(".")[0]) else contact
     return dataclasses.replace(contact, balls={p: r for p, r in contact.balls.items() if p.partition(".")[0] != name},

@@ -6,7 +6,7 @@ import math
 import numpy as np
 
 from mechanism import Beam, RigidBody
-from touching import Contact, Group
+from touching import Buffer, Group
 from world import FORCE, rotation
 
 BENDS = 1.01e-4  # of an element, where the slope of a rail turns (doc/theory/sliding.md)
@@ -134,9 +134,17 @@ def law_of(contact, g, world):
     return contact.law.stiffness * pressed**contact.law.exponent * world.factor(FORCE)
 
 
+def between(model, buffer, table, world):
+    """The gap of a buffer from the abscissae of its two sliders."""
+    parts = [next(joint.part for joint in model.joints if joint.name == name) for name in (buffer.a, buffer.b)]
+    apart = table[buffer.b + ".arc length"] - table[buffer.a + ".arc length"]
+    return (apart if parts[1] > parts[0] else -apart) - world.units[0] * buffer.length
+
+
 def of_contact(model, contact, table, world, size, tolerance):
     gap, force = table[contact.name + ".gap"], table[contact.name + ".force"]
-    error = np.nanmax(abs(gap - distance(model, contact, table, world)), initial=0) / size
+    measure = between if isinstance(contact, Buffer) else distance
+    error = np.nanmax(abs(gap - measure(model, contact, table, world)), initial=0) / size
     if error > tolerance:
         yield f"gap: off by {error:.1e} of the size"
     wanted, off = law_of(contact, -gap, world), law_of(contact, -gap + tolerance * size, world)
@@ -184,7 +192,7 @@ def of_group(model, group, table, world, size, tolerance):
 
 def is_free(model):
     """Nothing acts from outside."""
-    joined = [thing for thing in (*model.joints, *model.contacts) if not isinstance(thing, Group)]
+    joined = [thing for thing in (*model.joints, *model.contacts) if not isinstance(thing, (Group, Buffer))]
     grounded = any(thing.a == "ground" or thing.b == "ground" for thing in joined)
     return not (grounded or model.gravity is not None or model.loads or
                 any(isinstance(c, Group) and c.planes for c in model.contacts))

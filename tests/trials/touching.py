@@ -33,6 +33,8 @@ class Slider(Joint):
             yield "Position", world.place(self.place)
         if "Turn per length" in self.entries:
             yield "Turn per length", world.number(self.entries["Turn per length"], PER_LENGTH)
+        if "At the ends" in self.entries:
+            yield "At the ends", self.entries["At the ends"]
         for name, entries in self.motions.items():
             yield name, [(key, self.motion_value(world, key, value, False)) for key, value in entries.items()]
 
@@ -131,6 +133,24 @@ class Group:
         return sorted(names | ({"ground"} if self.planes else set()))
 
 
+@dataclass
+class Buffer:
+    """Between two sliders, `a` and `b`, on one beam."""
+
+    name: str
+    a: str
+    b: str
+    length: float
+    law: Law
+
+    def text(self, world):
+        yield "Type", "buffer"
+        yield "Joint A", self.a
+        yield "Joint B", self.b
+        yield "Length", world.number(self.length, LENGTH)
+        yield from self.law.text(world)
+
+
 class Toucher(Generator):
     def __init__(self, seed):
         super().__init__(f"touching {seed}")
@@ -199,6 +219,7 @@ class Toucher(Generator):
             model.bodies.append(body)
             b = body.name + ".j"
         joint = Slider(f"slider{number}", self.random.choice(SLIDING), beam.name, b, place, D)
+        joint.part = at
         if joint.kind == "sliding screw" and self.chance(0.9):
             joint.entries["Turn per length"] = self.random.choice((-1, 1)) * self.power(-1, 1.5)
         joint.motions["displacement"] = self.along(at * beam.length(), (1 - at) * beam.length())
@@ -275,6 +296,22 @@ class Toucher(Generator):
             return
         model.contacts.append(Group("pile", balls, planes, lines, self.law(False), self.power(4, 7)))
 
+    def buffers(self, model):
+        """Between neighbours on a beam, as long as they are apart but for a gap."""
+        at = {}
+        for joint in model.joints:
+            if isinstance(joint, Slider) and "Prescribed" not in joint.motions["displacement"]:
+                beam = next(body for body in model.bodies if body.name == joint.a)
+                at.setdefault(joint.a, []).append((joint.part * beam.length(), joint.name))
+        for places in at.values():
+            places.sort()
+            for (s, first), (r, second) in zip(places, places[1:]):
+                gap = abs(self.gap()) * (r - s)
+                pair = (first, second) if self.chance(0.5) else (second, first)
+                law = self.law(True)
+                law.entries = {key: value for key, value in law.entries.items() if key in ("Damping", "Restitution", "Impact speed")}
+                model.contacts.append(Buffer(f"buffer{len(model.contacts)}", *pair, r - s - gap, law))
+
     # ------------------------------------------------------------- the rest
 
     def rub(self, joint):
@@ -318,6 +355,13 @@ class Toucher(Generator):
                     self.rub(joint)
         if self.chance(0.7):
             model.analyses = ("dynamic",)  # what only touches is not held in statics
+        if self.chance(0.5):
+            self.buffers(model)
+        for joint in model.joints:
+            if isinstance(joint, Slider) and "Stop stiffness" in joint.motions["displacement"] and self.chance(0.3):
+                joint.entries["At the ends"] = "stop"
+                joint.motions["displacement"] = {key: value for key, value in joint.motions["displacement"].items()
+                                                 if key not in ("Lower stop", "Upper stop")}
         if not model.contacts and not any(isinstance(joint, Slider) for joint in model.joints):
             self.contact(model, 9)
         return model

@@ -83,6 +83,19 @@ namespace samara
     Vector3 force_on(const Item *body, const State &state) const;
   };
 
+  template <typename Do>
+  void
+  ContactsItem::for_touching(const double *const q, const Do &what) const
+  {
+    thread_local std::vector<ContactGroup::Pair> pairs;
+    thread_local ContactGroup::Margins           margins;
+    group.find_pairs(q, nullptr, 0, pairs, margins);
+    for (const auto &pair : pairs)
+      what(pair);
+  }
+
+
+
   extern template class Evaluated<ContactsItem, Force>;
 } // namespace samara
 

@@ -22,11 +22,11 @@ namespace samara
    * that are not quadratic get the correction along S in time steps, one for each (Layout::corrections), prescribed or
    * not, so that all of them together do no work.
    *
-   * "displacement" is S − S₀ [m]: its spring, damper, force, ... act along the beam, on B and with their reaction on the
-   * beam. Multipliers of the position are the force of B on A [N].
+   * "displacement" is S − S₀ [m]: its spring, damper, force, ... act along the beam, on B and with their reaction on
+   * the beam. Multipliers of the position are the force of B on A [N].
    *
    * Beyond both ends of the beam the line goes on straight for a hundredth of its length, as stops need it; farther out
-   * nothing is defined, and no solution is found there.
+   * nothing is defined, and no solution is found there. "At the ends = stop" puts stops there.
    */
   class SlidingJoint : public Joint, public HasBends
   {
@@ -41,6 +41,19 @@ namespace samara
 
     /** Where pieces of the beam meet. */
     std::vector<Bend> bends() const override;
+
+    /** The beam, and the abscissa on it in the reference configuration [m]; known after initialize(). @{ */
+    const Body *
+    beam() const
+    {
+      return body_of_rail;
+    }
+    double
+    start_abscissa() const
+    {
+      return start;
+    }
+    /** @} */
 
     /**
      * "displacement", "displacement rate", "arc length" S; "force", with which A acts on B, its size and "force 1" ...
@@ -66,12 +79,15 @@ namespace samara
     class Rows;
     class Reaction;
 
+    std::string                 ends         = "end the run";
+    const Body                 *body_of_rail = nullptr;
     std::unique_ptr<Rail>       rail;
     std::unique_ptr<Constraint> term;
-    std::vector<Block>          blocks;    ///< of each piece: twists of its frames and of B, S, multipliers
-    double                      start = 0; ///< S₀ [m]
+    std::vector<Block>          blocks;     ///< of each piece: twists of its frames and of B, S, multipliers
+    double                      start  = 0; ///< S₀ [m]
     unsigned int                n_rows = 0;
-    Matrix3                     axes_of_rows = Matrix3::Identity(); ///< of the position, constant: those of B in the reference configuration
+    Matrix3                     axes_of_rows =
+      Matrix3::Identity(); ///< of the position, constant: those of B in the reference configuration
 
     unsigned int
     coordinate() const
@@ -89,6 +105,8 @@ namespace samara
     bool find_start(Model &model, const Frame &b);
     bool check_corners(Model &model);
     bool check_bodies();
+    /** Stops at the ends of the beam, where those are wanted and the user has set none. */
+    void add_stops_at_ends(Model &model);
 
     /** Force and moment of A on B, along the directors of the beam made orthonormal [N, N m]. */
     Vector6 action_on_b(const State &state) const;
