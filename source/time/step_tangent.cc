@@ -271,19 +271,8 @@ namespace samara
         for (unsigned int i = 0; i < layout.n_strains; ++i)
           change.strain_rates[k][i] = (z_strain[i].imag() - z_strain_2[i].imag()) / (2 * tau * epsilon);
       }
-    const auto     &products = integrator.products;
-    Eigen::MatrixXd factors  = Eigen::MatrixXd::Zero(products.size(), s);
-    for (unsigned int k = 0; k < s; ++k)
-      for (unsigned int i = 0; i < products.size(); ++i)
-        {
-          const auto &p = products[i];
-          factors(i, k) = change.start_strain[p.factor];
-          for (unsigned int l = 0; l < s; ++l)
-            factors(i, k) += h * tableau.a(k, l) * change.strain_rates[l][p.factor];
-          change.strain_rates[k][p.result] = factors(i, k) * stages[k].strain_rates[p.factor] +
-                                             stages[k].factors[i] * change.strain_rates[k][p.factor] +
-                                             change.strain_rates[k][p.rest];
-        }
+    const auto           &products = integrator.products;
+    const Eigen::MatrixXd factors  = change_products();
     for (unsigned int k = 0; k < s; ++k)
       {
         e = change.start_strain;

@@ -22,6 +22,27 @@ namespace samara
 
 
 
+  Eigen::MatrixXd
+  StepTangent::change_products()
+  {
+    const auto     &products = integrator.products;
+    Eigen::MatrixXd factors(products.size(), stages.size());
+    for (unsigned int k = 0; k < stages.size(); ++k)
+      for (unsigned int i = 0; i < products.size(); ++i)
+        {
+          const auto &p = products[i];
+          factors(i, k) = change.start_strain[p.factor];
+          for (unsigned int l = 0; l < stages.size(); ++l)
+            factors(i, k) += h * tableau.a(k, l) * change.strain_rates[l][p.factor];
+          change.strain_rates[k][p.result] = factors(i, k) * stages[k].strain_rates[p.factor] +
+                                             stages[k].factors[i] * change.strain_rates[k][p.factor] +
+                                             change.strain_rates[k][p.rest];
+        }
+    return factors;
+  }
+
+
+
   void
   StepTangent::solve(const Vector &right, Vector &X)
   {

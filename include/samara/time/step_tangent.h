@@ -92,6 +92,8 @@ namespace samara
     void move_nodes(const double *x, const double *X);
     void move_others(const double *x, const double *X);
     void find_stresses(const double *x, const double *X);
+    /** Rates of products of strains from those of the others; returns the changes of their factors, a column a stage. */
+    Eigen::MatrixXd change_products();
     /** Of ġ of stage @p k, or with stages.size(), of g at the end. */
     void differentiate_constraints(unsigned int k, const double *X, Vector &result, bool checks);
     /** Values of what differentiate_constraints() differentiates, @p step along the direction. */
