@@ -118,84 +118,126 @@ namespace samara
       joints.add<ContactsItem>("contacts", "a group of balls, planes, cylinders and beams any of which may touch");
       return joints;
     }
+
+
+    Registry<Item>
+    catalogue_of_materials()
+    {
+      Registry<Item> materials;
+      materials.add<IsotropicMaterial>("isotropic", "material with the same stiffness in all directions");
+      materials.add<OrthotropicMaterial>("orthotropic", "material with three planes of symmetry, as a ply");
+      materials.add<AnisotropicMaterial>("anisotropic", "material of any stiffness");
+      return materials;
+    }
+
+
+
+    Registry<Item>
+    catalogue_of_bodies()
+    {
+      Registry<Item> bodies;
+      bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
+      bodies.add<Beam>("beam", "geometrically exact composite beam");
+      bodies.add<Shell>("shell", "geometrically exact shell");
+      bodies.add<GeodesicBeam>("geodesic beam",
+                               "prototype: beam of two nodes an element that turns about one axis between them");
+      bodies.add<Mitc4Shell>("MITC4 shell", "prototype: shell of four nodes an element with the shear of its sides");
+      return bodies;
+    }
+
+
+
+    Registry<Item>
+    catalogue_of_loads()
+    {
+      Registry<Item> loads;
+      loads.add<Gravity>("gravity", "weight of everything");
+      loads.add<ConcentratedLoad>("point load", "force and moment at a point of a body");
+      loads.add<LineLoad>("line load", "force and moment per length of a beam or an edge");
+      loads.add<AreaLoad>("area load", "force and moment per area of a shell");
+      loads.add<Pressure>("pressure", "force along the normal of a shell that follows it");
+      loads.add<SteadyRotation>("steady rotation", "rotation of the model, or of a joint with what it carries along");
+      return loads;
+    }
+
+
+
+    Registry<Item>
+    catalogue_of_states()
+    {
+      Registry<Item> states;
+      states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
+      states.add<Control>("control", "a number that keeps its value in motion, for trim to choose");
+      states.add<PidController>("PID", "a controller by error, integral and rate, between limits");
+      states.add<TransferFunction>("transfer function", "output by input, a quotient of polynomials of s");
+      states.add<StateSpace>("state space", "outputs by inputs, with matrices A, B, C, D");
+      states.add<Delay>("delay", "what the input was some time ago, by a Pade approximant");
+      return states;
+    }
+
+
+
+    Registry<Item>
+    catalogue_of_airfoils()
+    {
+      Registry<Item> airfoils;
+      airfoils.add<AnalyticAirfoil>("analytic", "coefficients in closed form");
+      airfoils.add<C81Airfoil>("C81", "tables of coefficients over angle of attack and Mach number");
+      airfoils.add<AeroDynAirfoil>("AeroDyn", "polars in the format of AeroDyn");
+      return airfoils;
+    }
+
+
+
+    Registry<Item>
+    catalogue_of_aerodynamics()
+    {
+      Registry<Item> aerodynamics;
+      aerodynamics.add<Air>("air", "density, speed of sound and wind");
+      aerodynamics.add<PrescribedInflow>("prescribed inflow", "flow through a rotor's disk, given");
+      aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
+      aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
+      aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");
+      aerodynamics.add<HelicalWake>("helical wake", "flow of vortex lines behind blades, a prescribed wake");
+      aerodynamics.add<AnnularInflow>(
+        "annular inflow", "blade elements: momentum of each annulus, tip loss, high thrust, two states a station");
+      return aerodynamics;
+    }
+
+
+
+    std::shared_ptr<Integrators>
+    catalogue_of_integrators()
+    {
+      const auto integrators = std::make_shared<Integrators>();
+      integrators->add<StageIntegrator>("family", "the energy preserving and decaying schemes of this program");
+      integrators->add<GeneralisedAlpha>("generalised alpha", "on the nodal frames, of index 3");
+      integrators->add<TrapezoidalRule>("trapezoidal", "the trapezoidal rule, Newmark's method without dissipation");
+      integrators->add<EnergyDecaying>("energy decaying", "the textbook scheme, in inertial velocities");
+      integrators->add<BdfIndex2>("BDF index 2", "SUNDIALS' formulas of variable order and inner step, stabilised");
+      integrators->add<BdfIndex1>("BDF index 1", "the same with constraints on accelerations");
+      return integrators;
+    }
   } // namespace
 
 
 
   Catalogue::Catalogue()
+    : integrators(catalogue_of_integrators())
   {
-    Registry<Item> materials;
-    materials.add<IsotropicMaterial>("isotropic", "material with the same stiffness in all directions");
-    materials.add<OrthotropicMaterial>("orthotropic", "material with three planes of symmetry, as a ply");
-    materials.add<AnisotropicMaterial>("anisotropic", "material of any stiffness");
-
-    Registry<Item> layups;
+    Registry<Item> layups, surfaces;
     layups.add<Layup>("layup", "plies one upon the other");
-
-    const Registry<Item> sections = catalogue_of_sections();
-
-    Registry<Item> bodies;
-    bodies.add<RigidBody>("rigid body", "one node with mass and inertia");
-    bodies.add<Beam>("beam", "geometrically exact composite beam");
-    bodies.add<Shell>("shell", "geometrically exact shell");
-    bodies.add<GeodesicBeam>("geodesic beam",
-                             "prototype: beam of two nodes an element that turns about one axis between them");
-    bodies.add<Mitc4Shell>("MITC4 shell", "prototype: shell of four nodes an element with the shear of its sides");
-
-    const Registry<Item> joints = catalogue_of_joints();
-
-    Registry<Item> loads;
-    loads.add<Gravity>("gravity", "weight of everything");
-    loads.add<ConcentratedLoad>("point load", "force and moment at a point of a body");
-    loads.add<LineLoad>("line load", "force and moment per length of a beam or an edge");
-    loads.add<AreaLoad>("area load", "force and moment per area of a shell");
-    loads.add<Pressure>("pressure", "force along the normal of a shell that follows it");
-    loads.add<SteadyRotation>("steady rotation", "rotation of the model, or of a joint with what it carries along");
-
-    Registry<Item> states;
-    states.add<FirstOrder>("first order", "a state with a rate: a filter, a lag, an integral");
-    states.add<Control>("control", "a number that keeps its value in motion, for trim to choose");
-    states.add<PidController>("PID", "a controller by error, integral and rate, between limits");
-    states.add<TransferFunction>("transfer function", "output by input, a quotient of polynomials of s");
-    states.add<StateSpace>("state space", "outputs by inputs, with matrices A, B, C, D");
-    states.add<Delay>("delay", "what the input was some time ago, by a Pade approximant");
-
-    Registry<Item> airfoils;
-    airfoils.add<AnalyticAirfoil>("analytic", "coefficients in closed form");
-    airfoils.add<C81Airfoil>("C81", "tables of coefficients over angle of attack and Mach number");
-    airfoils.add<AeroDynAirfoil>("AeroDyn", "polars in the format of AeroDyn");
-
-    Registry<Item> aerodynamics;
-    aerodynamics.add<Air>("air", "density, speed of sound and wind");
-    aerodynamics.add<PrescribedInflow>("prescribed inflow", "flow through a rotor's disk, given");
-    aerodynamics.add<UniformInflow>("uniform inflow", "mean flow through a rotor's disk, with its time constant");
-    aerodynamics.add<PittPetersInflow>("Pitt-Peters inflow", "mean flow and its gradients, three states");
-    aerodynamics.add<PetersHeInflow>("Peters-He inflow", "harmonics and radial shapes, any number of states");
-    aerodynamics.add<HelicalWake>("helical wake", "flow of vortex lines behind blades, a prescribed wake");
-    aerodynamics.add<AnnularInflow>(
-      "annular inflow", "blade elements: momentum of each annulus, tip loss, high thrust, two states a station");
-
-    Registry<Item> surfaces;
     surfaces.add<Surface>("lifting line", "wing or blade on a beam or a rigid body");
-
-    groups = {{"Materials", "material", materials},
+    groups = {{"Materials", "material", catalogue_of_materials()},
               {"Layups", "layup", layups, "layup"},
-              {"Sections", "section", sections},
-              {"States", "state", states, "first order"},
-              {"Bodies", "body", bodies},
-              {"Joints", "joint", joints},
-              {"Airfoils", "airfoil", airfoils},
-              {"Aerodynamics", "air or inflow", aerodynamics},
+              {"Sections", "section", catalogue_of_sections()},
+              {"States", "state", catalogue_of_states(), "first order"},
+              {"Bodies", "body", catalogue_of_bodies()},
+              {"Joints", "joint", catalogue_of_joints()},
+              {"Airfoils", "airfoil", catalogue_of_airfoils()},
+              {"Aerodynamics", "air or inflow", catalogue_of_aerodynamics()},
               {"Surfaces", "surface", surfaces, "lifting line"},
-              {"Loads", "load", loads}}; // loads know what of the inertia has weight
-
-    integrators = std::make_shared<Integrators>();
-    integrators->add<StageIntegrator>("family", "the energy preserving and decaying schemes of this program");
-    integrators->add<GeneralisedAlpha>("generalised alpha", "on the nodal frames, of index 3");
-    integrators->add<TrapezoidalRule>("trapezoidal", "the trapezoidal rule, Newmark's method without dissipation");
-    integrators->add<EnergyDecaying>("energy decaying", "the textbook scheme, in inertial velocities");
-    integrators->add<BdfIndex2>("BDF index 2", "SUNDIALS' formulas of variable order and inner step, stabilised");
-    integrators->add<BdfIndex1>("BDF index 1", "the same with constraints on accelerations");
+              {"Loads", "load", catalogue_of_loads()}}; // loads know what of the inertia has weight
 
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");

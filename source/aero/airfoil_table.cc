@@ -1,6 +1,8 @@
 #include <samara/aero/airfoil_table.h>
 #include <samara/base/text_file.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +41,11 @@ namespace samara
     , values(values)
     , slopes(values.rows(), values.cols())
   {
+    Assert(angles.size() >= 2 && !machs.empty(), dealii::ExcMessage("A table has two angles and a Mach number."));
+    AssertDimension(values.rows(), angles.size());
+    AssertDimension(values.cols(), machs.size());
+    Assert(std::is_sorted(angles.begin(), angles.end()) && std::is_sorted(machs.begin(), machs.end()),
+           dealii::ExcMessage("Angles and Mach numbers of a table increase."));
     for (unsigned int j = 0; j < machs.size(); ++j)
       slopes.col(j) = monotone_slopes(angles, values.col(j));
   }

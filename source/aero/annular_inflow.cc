@@ -1,5 +1,7 @@
 #include <samara/aero/annular_inflow.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace samara
@@ -95,6 +97,7 @@ namespace samara
   void
   AnnularInflow::add_station(const unsigned int state, const double r, const double width)
   {
+    Assert(r > 0 && width > 0, dealii::ExcMessage("An annulus has an area."));
     annuli.push_back({state, r * width});
   }
 

@@ -1,5 +1,7 @@
 #include <samara/aero/external_inflow.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace samara
 {
   void
@@ -51,6 +53,7 @@ namespace samara
   {
     constexpr double     step = 1e-30;
     const unsigned int   n    = states.size();
+    AssertDimension(z.size(), n);
     std::vector<Complex> z_c(z.begin(), z.end()), b(n);
     std::vector<double>  A(3 * n);
     Derivatives          d;

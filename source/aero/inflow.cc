@@ -1,5 +1,7 @@
 #include <samara/aero/inflow.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace samara
@@ -202,6 +204,7 @@ namespace samara
   double
   PrescribedInflow::prescribed(const unsigned int k, const double time) const
   {
+    AssertIndexRange(k, components.size());
     return components[k](time);
   }
 

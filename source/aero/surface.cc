@@ -3,6 +3,8 @@
 #include <samara/aero/surface.h>
 #include <samara/base/composite_rule.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -308,6 +310,23 @@ namespace samara
           }
       return sum;
     }
+
+    /** The two airfoils on both sides of @p s, and the share of the second. */
+    template <typename Placed>
+    void
+    blend(const std::vector<Placed> &airfoils, const double s, SectionOfWing &section)
+    {
+      Assert(!airfoils.empty(), dealii::ExcMessage("A station has an airfoil."));
+      unsigned int i = 0;
+      while (i + 2 < airfoils.size() && airfoils[i + 1].s <= s)
+        ++i;
+      section.airfoil = airfoils[i].airfoil;
+      if (airfoils.size() > 1)
+        {
+          section.next  = airfoils[i + 1].airfoil;
+          section.share = std::min(1., std::max(0., (s - airfoils[i].s) / (airfoils[i + 1].s - airfoils[i].s)));
+        }
+    }
   } // namespace
 
 
@@ -368,15 +387,7 @@ namespace samara
     station.three_quarters = into_F * (x - axis + (offset(s) - 0.5 * station.section.chord) * nose);
 
     station.section.lift_factor = lift_factor(s);
-    unsigned int i              = 0;
-    while (i + 2 < airfoils.size() && airfoils[i + 1].s <= s)
-      ++i;
-    station.section.airfoil = airfoils[i].airfoil;
-    if (airfoils.size() > 1)
-      {
-        station.section.next  = airfoils[i + 1].airfoil;
-        station.section.share = std::min(1., std::max(0., (s - airfoils[i].s) / (airfoils[i + 1].s - airfoils[i].s)));
-      }
+    blend(airfoils, s, station.section);
     return station;
   }
 

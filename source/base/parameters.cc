@@ -1,4 +1,5 @@
 #include <samara/base/parameters.h>
+#include <samara/base/pattern_in_words.h>
 #include <samara/base/text.h>
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace samara
   namespace
   {
     using dealii::ExcMessage;
-    using dealii::Patterns::PatternBase;
 
     /** What stands in the last brackets; "1" if nothing does. */
     std::string
@@ -26,18 +26,6 @@ namespace samara
       return unit == "-" ? "1" : unit;
     }
 
-    /** The words of a selection; none if the pattern is something else. */
-    std::vector<std::string>
-    choices_of(const PatternBase &pattern)
-    {
-      if (dynamic_cast<const dealii::Patterns::Selection *>(&pattern) == nullptr)
-        return {};
-      const std::string head = "[Selection ", text = pattern.description(PatternBase::Machine);
-      if (text.compare(0, head.size(), head) != 0)
-        return {}; // Bool is a Selection, too
-      return split_top_level(text.substr(head.size(), text.rfind(']') - head.size()), '|');
-    }
-
     /** Whether all of some numbers are zero; false of any other text. */
     bool
     is_zero_vector(const std::string &text)
@@ -47,66 +35,6 @@ namespace samara
         double number = 1;
         return text_to_number(trim(part), number) && number == 0;
       });
-    }
-
-    /** "three", as long as one would write it so. */
-    std::string
-    count_in_words(const std::string &number)
-    {
-      const std::string words[] = {"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
-      return number.size() == 1 ? words[number[0] - '0'] : number;
-    }
-
-    std::string
-    between(const std::string &text, const std::string &begin, const std::string &end)
-    {
-      const auto first = text.find(begin), last = text.rfind(end);
-      return first == std::string::npos || last == std::string::npos ?
-               "" :
-               text.substr(first + begin.size(), last - first - begin.size());
-    }
-
-    /** "a number of at least 0" for "[Double 0...MAX_DOUBLE (inclusive)]", as deal.II tells it to machines. */
-    std::string
-    in_words(const std::string &pattern)
-    {
-      const auto starts = [&](const std::string &head) { return pattern.compare(0, head.size(), head) == 0; };
-      const auto bounds = [](const std::string &range) -> std::pair<std::string, std::string> {
-        const auto dots = range.find("...");
-        return dots == std::string::npos ? std::make_pair("", "") :
-                                           std::make_pair(range.substr(0, dots), range.substr(dots + 3));
-      };
-      if (starts("[Double") || starts("[Integer"))
-        {
-          const bool        is_double = starts("[Double");
-          const std::string largest   = is_double ? "MAX_DOUBLE" : "2147483647";
-          const auto [low, high] =
-            bounds(between(pattern, is_double ? "[Double " : "[Integer range ", " (inclusive)]"));
-          const bool has_low  = !low.empty() && low != "-MAX_DOUBLE" && low != "-2147483648",
-                     has_high = !high.empty() && high != largest;
-          return (is_double ? "a number" : "a whole number") + (has_low && has_high ? " from " + low + " to " + high :
-                                                                has_low             ? " of at least " + low :
-                                                                has_high            ? " of at most " + high :
-                                                                                      "");
-        }
-      if (starts("[List of <"))
-        {
-          std::string each = in_words(between(pattern, "[List of <", "> of length "));
-          const auto [low, high] =
-            bounds(between(pattern.substr(pattern.rfind("> of length ")), "> of length ", " (inclusive)"));
-          if (const auto number = each.find("number"); starts("[List of <[List"))
-            each = "lists of " + each;
-          else if (number != std::string::npos)
-            each = each.insert(number + 6, "s").substr(2); // without "a "
-          if (low == "1" && high == "1")
-            return in_words(between(pattern, "[List of <", "> of length "));
-          if (low == high)
-            return count_in_words(low) + " " + each;
-          if (high != std::to_string(dealii::Patterns::List::max_int_value))
-            return count_in_words(low) + " to " + count_in_words(high) + " " + each;
-          return (low == "0" ? "" : count_in_words(low) + " or more ") + each;
-        }
-      return starts("[Bool") ? "true or false" : pattern;
     }
 
     /** A bar would end the cell of a table. */
@@ -366,7 +294,7 @@ namespace samara
       throw std::invalid_argument("<" + users_text + "> is not a choice" + did_you_mean(users_text, choices));
     const bool is_plain = declaration.unit.empty() || declaration.unit == "1";
     throw std::invalid_argument("<" + users_text + "> is not accepted: wanted is " +
-                                in_words(declaration.pattern->description(PatternBase::Machine)) +
+                                in_words(*declaration.pattern) +
                                 (is_plain ? "" : ", in [" + declaration.unit + "]") + ".");
   }
 

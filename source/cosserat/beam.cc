@@ -157,20 +157,71 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Numbers of the nodes of each cell in the order of ElementTable; cells of these degrees share those at @p ends.
+     */
+    std::vector<std::vector<dealii::types::global_dof_index>>
+    dofs_of_cells(const std::vector<dealii::Point<3>> &ends, const std::vector<unsigned int> &degrees)
+    {
+      AssertDimension(ends.size(), degrees.size() + 1);
+      std::vector<dealii::CellData<1>> cell_data(degrees.size());
+      for (unsigned int i = 0; i < degrees.size(); ++i)
+        cell_data[i].vertices = {i, i + 1};
+      dealii::Triangulation<1, 3> triangulation;
+      triangulation.create_triangulation(ends, cell_data, {});
+      dealii::DoFHandler<1, 3>       dof_handler(triangulation);
+      dealii::hp::FECollection<1, 3> elements_by_degree;
+      for (unsigned int p = 1; p <= *std::max_element(degrees.begin(), degrees.end()); ++p)
+        elements_by_degree.push_back(dealii::FE_Q<1, 3>(p));
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        cell->set_active_fe_index(degrees[cell->active_cell_index()] - 1);
+      dof_handler.distribute_dofs(elements_by_degree);
+
+      std::vector<std::vector<dealii::types::global_dof_index>> result(degrees.size());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          auto &dofs = result[cell->active_cell_index()];
+          dofs.resize(degrees[cell->active_cell_index()] + 1);
+          cell->get_dof_indices(dofs);
+        }
+      return result;
+    }
+
+
+
+    /** Add the inertia of an element to its nodes: @p inertias are per length, at the nodes. */
+    void
+    lump_inertia(const ElementTable<1>      &table,
+                 const std::vector<Frame>   &frames,
+                 const std::vector<Matrix6> &inertias,
+                 Model                      &model)
+    {
+      for (unsigned int a = 0; a < table.n_nodes; ++a)
+        {
+          Vector3 dx = Vector3::Zero();
+          for (unsigned int b = 0; b < table.n_nodes; ++b)
+            dx += table.gradient_at_nodes[0](a, b) * model.position(frames[b]);
+          model.add_inertia(frames[a], table.node_weights(a) * dx.norm() * inertias[a]);
+        }
+    }
+  } // namespace
+
+
+
   void
   Beam::make_nodes_and_elements()
   {
-    std::vector<dealii::Point<3>>    vertices;
-    std::vector<dealii::CellData<1>> cell_data;
-    for (unsigned int i = 0; i <= cells.size(); ++i)
+    std::vector<dealii::Point<3>> ends;
+    std::vector<unsigned int>     degrees;
+    const auto                    add_end = [&](const double s) {
+      const Vector3 x = curve->position(s);
+      ends.emplace_back(x(0), x(1), x(2));
+    };
+    add_end(0);
+    for (const Cell &c : cells)
       {
-        const Vector3 x = curve->position(i == 0 ? 0. : cells[i - 1].end);
-        vertices.emplace_back(x(0), x(1), x(2));
-      }
-    unsigned int highest = 0;
-    for (unsigned int i = 0; i < cells.size(); ++i)
-      {
-        const double h = cells[i].end - cells[i].start, size = std::max(curve->length(), vertices[i].norm());
+        const double h = c.end - c.start, size = std::max(curve->length(), ends.back().norm());
         if (h < 1e-9 * size)
           {
             model->complaints.add(
@@ -180,60 +231,42 @@ namespace samara
                 " m: its strains would lose their digits. Put the origin near it; is a unit wrong?");
             return;
           }
-        cell_data.emplace_back();
-        cell_data.back().vertices = {i, i + 1};
-        highest                   = std::max(highest, cells[i].degree);
+        degrees.push_back(c.degree);
+        add_end(c.end);
       }
-    dealii::Triangulation<1, 3> triangulation;
-    triangulation.create_triangulation(vertices, cell_data, {});
-    dealii::DoFHandler<1, 3>       dof_handler(triangulation);
-    dealii::hp::FECollection<1, 3> elements_by_degree;
-    for (unsigned int p = 1; p <= highest; ++p)
-      elements_by_degree.push_back(dealii::FE_Q<1, 3>(p));
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      cell->set_active_fe_index(cells[cell->active_cell_index()].degree - 1);
-    dof_handler.distribute_dofs(elements_by_degree);
 
     // nodes are numbered along the beam, in the order of the cells
-    std::vector<int>                                               node_of_dof(dof_handler.n_dofs(), -1);
+    const auto                                                     dofs = dofs_of_cells(ends, degrees);
+    std::map<dealii::types::global_dof_index, unsigned int>        node_of_dof;
     std::map<unsigned int, std::shared_ptr<const ElementTable<1>>> tables;
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (unsigned int i = 0; i < cells.size(); ++i)
       {
-        const Cell &c = cells[cell->active_cell_index()];
+        const Cell &c = cells[i];
         auto       &t = tables[c.degree];
         if (t == nullptr)
           t = std::make_shared<ElementTable<1>>(c.degree);
-        table = t;
-        std::vector<dealii::types::global_dof_index> dofs(table->n_nodes);
-        cell->get_dof_indices(dofs);
+        table               = t;
         const double middle = 0.5 * (c.start + c.end);
 
         std::vector<Frame> frames(table->n_nodes);
         for (unsigned int a = 0; a < table->n_nodes; ++a)
           {
-            const double  s = c.start + table->nodes[a][0] * (c.end - c.start);
-            const Matrix3 D = triad_at(s, middle);
-            if (node_of_dof[dofs[a]] < 0)
+            const double  s           = c.start + table->nodes[a][0] * (c.end - c.start);
+            const Matrix3 D           = triad_at(s, middle);
+            const auto [node, is_new] = node_of_dof.emplace(dofs[i][a], node_frames.size());
+            if (is_new)
               {
-                node_of_dof[dofs[a]] = node_frames.size();
                 node_frames.push_back(model->add_node(name, curve->position(s), D));
                 node_abscissae.push_back(s);
               }
-            frames[a] = node_frames[node_of_dof[dofs[a]]];
+            frames[a] = node_frames[node->second];
             // beyond a corner the section's axes are turned against those of the shared node
             const Matrix3 Q = model->triad(frames[a]).transpose() * D;
             if ((Q - Matrix3::Identity()).norm() > 1e-13)
               frames[a] = frames[a].then(Vector3::Zero(), Q);
           }
 
-        const std::vector<Matrix6> inertias = inertias_of(c);
-        for (unsigned int a = 0; a < table->n_nodes; ++a)
-          {
-            Vector3 dx = Vector3::Zero();
-            for (unsigned int b = 0; b < table->n_nodes; ++b)
-              dx += table->gradient_at_nodes[0](a, b) * model->position(frames[b]);
-            model->add_inertia(frames[a], table->node_weights(a) * dx.norm() * inertias[a]);
-          }
+        lump_inertia(*table, frames, inertias_of(c), *model);
         add_element(*model, frames, materials_of_cell(c));
       }
     if (!rigid)

@@ -27,6 +27,34 @@ namespace samara
           }
       return result;
     }
+
+
+
+    /** Values at @p points of what is known at product_points(): polynomials of Lagrange, (points, product points). */
+    template <int dim>
+    Eigen::MatrixXd
+    interpolation_from_products(const Quadrature<1>                   &along,
+                                const Quadrature<1>                   &across,
+                                const unsigned int                     alpha,
+                                const std::vector<dealii::Point<dim>> &points)
+    {
+      const auto abscissae = [](const Quadrature<1> &rule) {
+        std::vector<double> x;
+        for (const auto &point : rule.get_points())
+          x.push_back(point[0]);
+        return x;
+      };
+      const std::vector<double> x = abscissae(along), y = abscissae(across);
+      Eigen::MatrixXd           L(points.size(), x.size() * (dim == 1 ? 1 : y.size()));
+      for (unsigned int g = 0; g < L.rows(); ++g)
+        for (unsigned int t = 0; t < L.cols(); ++t)
+          {
+            L(g, t) = lagrange(x, t % x.size(), points[g][alpha]);
+            if (dim == 2)
+              L(g, t) *= lagrange(y, t / x.size(), points[g][1 - alpha]);
+          }
+      return L;
+    }
   } // namespace
 
 
@@ -71,21 +99,7 @@ namespace samara
               dN(alpha * n_tying + t, a) = fe.shape_grad(a, tying[t])[alpha];
             }
 
-        const auto abscissae = [](const Quadrature<1> &rule) {
-          std::vector<double> x;
-          for (const auto &point : rule.get_points())
-            x.push_back(point[0]);
-          return x;
-        };
-        Eigen::MatrixXd L(n_points, n_tying);
-        for (unsigned int g = 0; g < n_points; ++g)
-          for (unsigned int t = 0; t < n_tying; ++t)
-            {
-              L(g, t) = lagrange(abscissae(along), t % degree, points[g][alpha]);
-              if (dim == 2)
-                L(g, t) *= lagrange(abscissae(across), t / degree, points[g][1 - alpha]);
-            }
-        interpolation.push_back(L);
+        interpolation.push_back(interpolation_from_products<dim>(along, across, alpha, points));
 
         Eigen::MatrixXd at_points(n_points, n_nodes), at_nodes(n_nodes, n_nodes);
         for (unsigned int a = 0; a < n_nodes; ++a)

@@ -213,55 +213,80 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Vertices of a mesh in the plane of a section. */
+    struct PlaneMesh
+    {
+      std::vector<Place> x;
+      Place              middle;
+      double             size = 0;
+
+      /** @p scale: what one in the file is [m]. @throws std::invalid_argument if they do not lie in a plane z. */
+      PlaneMesh(const ImportedMesh &mesh, const double scale, const std::string &file)
+      {
+        for (const Vector3 &vertex : mesh.vertices)
+          x.emplace_back(scale * vertex(0), scale * vertex(1));
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const auto &cell : mesh.quadrilaterals)
+          for (const unsigned int v : cell)
+            {
+              middle += x[v] / (4. * mesh.quadrilaterals.size());
+              low  = std::min(low, scale * mesh.vertices[v](2));
+              high = std::max(high, scale * mesh.vertices[v](2));
+              size = std::max(size, x[v].distance(x[mesh.quadrilaterals[0][0]]));
+            }
+        if (high - low > 1e-6 * size)
+          throw std::invalid_argument("the cells of " + file + " do not lie in a plane z = const");
+      }
+    };
+
+
+
+    /** Of layers at a place, as a group says: at an angle in degrees, or along curves of the mesh. */
+    std::function<Eigen::Vector2d(const Place &)>
+    tangent_of(const std::string &layer, const ImportedMesh &mesh, const PlaneMesh &plane, const std::string &file)
+    {
+      double degrees = 0;
+      if (text_to_number(layer, degrees))
+        {
+          const Eigen::Vector2d t(std::cos(degrees * M_PI / 180), std::sin(degrees * M_PI / 180));
+          return [t](const Place &) { return t; };
+        }
+      const auto lines = mesh.lines.find(layer);
+      if (lines == mesh.lines.end())
+        {
+          std::vector<std::string> known;
+          for (const auto &line : mesh.lines)
+            known.push_back(line.first);
+          throw std::invalid_argument("<" + layer + "> is neither an angle nor a group of curves in " + file +
+                                      did_you_mean(layer, known));
+        }
+      const auto nearest = std::make_shared<NearestTangent>(lines->second, plane.x, plane.middle);
+      return [nearest](const Place &place) { return (*nearest)(place); };
+    }
+  } // namespace
+
+
+
   void
   MeshSection::add_cells(const ImportedMesh &mesh, Model &model, SectionShape &shape) const
   {
-    const auto         group_of = groups_of_cells(mesh);
-    std::vector<Place> x;
-    Place              middle;
-    for (const Vector3 &vertex : mesh.vertices)
-      x.emplace_back(scale * vertex(0), scale * vertex(1));
-    double low = std::numeric_limits<double>::infinity(), high = -low, size = 0;
-    for (const auto &cell : mesh.quadrilaterals)
-      for (const unsigned int v : cell)
-        {
-          middle += x[v] / (4. * mesh.quadrilaterals.size());
-          low  = std::min(low, scale * mesh.vertices[v](2));
-          high = std::max(high, scale * mesh.vertices[v](2));
-          size = std::max(size, x[v].distance(x[mesh.quadrilaterals[0][0]]));
-        }
-    if (high - low > 1e-6 * size)
-      throw std::invalid_argument("the cells of " + file + " do not lie in a plane z = const");
-
+    const auto                                                 group_of = groups_of_cells(mesh);
+    const PlaneMesh                                            plane(mesh, scale, file);
     std::vector<std::function<Eigen::Vector2d(const Place &)>> tangents;
     std::vector<Ply>                                           plies;
     for (const auto &group : groups)
       {
         plies.push_back({material_number(model, shape, "Groups", group.material), group.angle * M_PI / 180});
-        double degrees = 0;
-        if (text_to_number(group.layer, degrees))
-          {
-            const Eigen::Vector2d t(std::cos(degrees * M_PI / 180), std::sin(degrees * M_PI / 180));
-            tangents.emplace_back([t](const Place &) { return t; });
-            continue;
-          }
-        const auto lines = mesh.lines.find(group.layer);
-        if (lines == mesh.lines.end())
-          {
-            std::vector<std::string> known;
-            for (const auto &line : mesh.lines)
-              known.push_back(line.first);
-            throw std::invalid_argument("<" + group.layer + "> is neither an angle nor a group of curves in " + file +
-                                        did_you_mean(group.layer, known));
-          }
-        const auto nearest = std::make_shared<NearestTangent>(lines->second, x, middle);
-        tangents.emplace_back([nearest](const Place &place) { return (*nearest)(place); });
+        tangents.push_back(tangent_of(group.layer, mesh, plane, file));
       }
 
-    const bool has_triangles = std::any_of(mesh.quadrilaterals.begin(),
+    const bool  has_triangles = std::any_of(mesh.quadrilaterals.begin(),
                                            mesh.quadrilaterals.end(),
                                            [](const auto &cell) { return cell[2] == cell[3]; });
-    shape.finest             = size;
+    const auto &x             = plane.x;
+    shape.finest              = plane.size;
     for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
       {
         const auto                &cell = mesh.quadrilaterals[c];

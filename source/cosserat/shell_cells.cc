@@ -100,6 +100,115 @@ namespace samara
                length * (s * (1 - s) * (1 - s) * t[0] - s * s * (1 - s) * t[1]);
       }
     };
+
+
+
+    using Ends = std::pair<unsigned int, unsigned int>;
+
+    Ends
+    ends_of(const unsigned int a, const unsigned int b)
+    {
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+    /** Corners of a cell in the order of its sides: along the second coordinate at 0 and 1, then along the first. */
+    constexpr unsigned int ends[4][2] = {{0, 3}, {1, 2}, {0, 1}, {3, 2}};
+
+    /** Where a node of a cell lies: in it, on a side, or at a corner. */
+    struct PlaceInCell
+    {
+      double u, v;
+      bool   on_u, on_v;
+
+      explicit PlaceInCell(const dealii::Point<2> &at)
+        : u(at[0])
+        , v(at[1])
+        , on_u(u < 1e-12 || u > 1 - 1e-12)
+        , on_v(v < 1e-12 || v > 1 - 1e-12)
+      {}
+
+      unsigned int
+      corner() const
+      {
+        return u < 0.5 ? (v < 0.5 ? 0 : 3) : (v < 0.5 ? 1 : 2);
+      }
+      unsigned int
+      side() const
+      {
+        return on_u ? (u < 0.5 ? 0 : 1) : (v < 0.5 ? 2 : 3);
+      }
+    };
+
+
+
+    /** The nodes that are made of a mesh: those at corners and on sides once for all cells that have them. */
+    class SharedNodes
+    {
+    public:
+      explicit SharedNodes(std::vector<Vector3> &nodes)
+        : nodes(nodes)
+      {}
+
+      /** The node of the cell with the corners @p q at a place, which is at @p x unless it is a corner. */
+      unsigned int
+      number(const ImportedMesh &mesh, const std::array<unsigned int, 4> &q, const PlaceInCell &at, const Vector3 &x)
+      {
+        if (at.on_u && at.on_v)
+          return once(of_vertex, q[at.corner()], mesh.vertices[q[at.corner()]]);
+        if (!at.on_u && !at.on_v)
+          return add(x);
+        const unsigned int i = q[ends[at.side()][0]], j = q[ends[at.side()][1]];
+        const double       s = at.on_u ? at.v : at.u;
+        // Gauss–Lobatto nodes are symmetric
+        return once(of_side[ends_of(i, j)], std::lround(1e6 * (i < j ? s : 1 - s)), x);
+      }
+
+    private:
+      using Numbers = std::map<unsigned int, unsigned int>;
+      std::vector<Vector3>   &nodes;
+      Numbers                 of_vertex;
+      std::map<Ends, Numbers> of_side; ///< by the place along it, from the smaller end
+
+      unsigned int
+      add(const Vector3 &x)
+      {
+        nodes.push_back(x);
+        return nodes.size() - 1;
+      }
+      unsigned int
+      once(Numbers &numbers, const unsigned int key, const Vector3 &x)
+      {
+        const auto found = numbers.find(key);
+        return found != numbers.end() ? found->second : numbers[key] = add(x);
+      }
+    };
+
+
+
+    /** The curves of all sides. */
+    std::map<Ends, SideCurve>
+    curves_of_sides(const ImportedMesh &mesh, const double crease)
+    {
+      std::map<Ends, SideCurve> curves;
+      const auto                normals = corner_normals(mesh, crease);
+      for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
+        for (const auto &side : ends)
+          {
+            const auto  &q = mesh.quadrilaterals[c];
+            unsigned int i = side[0], j = side[1];
+            if (q[i] == q[j])
+              throw std::invalid_argument("a cell has a corner twice: it is a triangle");
+            const Ends key = ends_of(q[i], q[j]);
+            if (q[i] != key.first)
+              std::swap(i, j);
+            auto &curve = curves[key];
+            curve.x[0]  = mesh.vertices[key.first];
+            curve.x[1]  = mesh.vertices[key.second];
+            curve.add_normal(0, normals[c][i]);
+            curve.add_normal(1, normals[c][j]);
+          }
+      return curves;
+    }
   } // namespace
 
 
@@ -107,81 +216,30 @@ namespace samara
   void
   ShellMesh::add_cells(const ImportedMesh &mesh, const bool curved, const double crease)
   {
-    using Ends         = std::pair<unsigned int, unsigned int>;
-    const auto ends_of = [](const unsigned int a, const unsigned int b) {
-      return Ends(std::min(a, b), std::max(a, b));
-    };
-    std::map<Ends, SideCurve>         curves;
+    const std::map<Ends, SideCurve>   curves = curves_of_sides(mesh, crease);
     std::map<Ends, std::vector<Side>> sides;
-    const auto                        normals = corner_normals(mesh, crease);
-    // corners of a cell in the order of its sides: along the second coordinate at 0 and 1, then along the first
-    constexpr unsigned int ends[4][2] = {{0, 3}, {1, 2}, {0, 1}, {3, 2}};
-    for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
-      for (unsigned int side = 0; side < 4; ++side)
-        {
-          const auto  &q = mesh.quadrilaterals[c];
-          unsigned int i = ends[side][0], j = ends[side][1];
-          if (q[i] == q[j])
-            throw std::invalid_argument("a cell has a corner twice: it is a triangle");
-          const Ends key = ends_of(q[i], q[j]);
-          if (q[i] != key.first)
-            std::swap(i, j);
-          auto &curve = curves[key];
-          curve.x[0]  = mesh.vertices[key.first];
-          curve.x[1]  = mesh.vertices[key.second];
-          curve.add_normal(0, normals[c][i]);
-          curve.add_normal(1, normals[c][j]);
-          sides[key].push_back({static_cast<unsigned int>(cells.size()) + c, side});
-        }
-
-    std::map<unsigned int, unsigned int>                 of_vertex;
-    std::map<Ends, std::map<unsigned int, unsigned int>> of_side; // by the number along it, from the smaller end
-    const auto                                           add = [&](const Vector3 &x) {
-      nodes.push_back(x);
-      return static_cast<unsigned int>(nodes.size() - 1);
-    };
-    const auto at_side = [&](const Ends &key, const double s) {
-      const SideCurve &curve = curves.at(key);
-      return curved ? curve.at(s) : Vector3((1 - s) * curve.x[0] + s * curve.x[1]);
-    };
+    SharedNodes                       shared(nodes);
     for (const auto &q : mesh.quadrilaterals)
       {
-        const auto along = [&](const unsigned int side, const double s) {
+        const auto along = [&](const unsigned int side, const double from_first) {
           const unsigned int i = q[ends[side][0]], j = q[ends[side][1]];
-          return at_side(ends_of(i, j), i < j ? s : 1 - s);
+          const SideCurve   &curve = curves.at(ends_of(i, j));
+          const double       s     = i < j ? from_first : 1 - from_first;
+          return curved ? curve.at(s) : Vector3((1 - s) * curve.x[0] + s * curve.x[1]);
         };
+        for (unsigned int side = 0; side < 4; ++side)
+          sides[ends_of(q[ends[side][0]], q[ends[side][1]])].push_back({static_cast<unsigned int>(cells.size()), side});
         cells.emplace_back();
         cells.back().patch = n_patches;
-        for (const auto &at : table.nodes)
+        for (const auto &unit : table.nodes)
           {
-            const double u = at[0], v = at[1];
-            const bool   on_u = u < 1e-12 || u > 1 - 1e-12, on_v = v < 1e-12 || v > 1 - 1e-12;
+            const PlaceInCell at(unit);
+            const double      u = at.u, v = at.v;
             // of the four sides (Coons)
             const Vector3 x = (1 - u) * along(0, v) + u * along(1, v) + (1 - v) * along(2, u) + v * along(3, u) -
                               (1 - u) * (1 - v) * mesh.vertices[q[0]] - u * (1 - v) * mesh.vertices[q[1]] -
                               u * v * mesh.vertices[q[2]] - (1 - u) * v * mesh.vertices[q[3]];
-            unsigned int node;
-            if (on_u && on_v)
-              {
-                const unsigned int vertex = q[u < 0.5 ? (v < 0.5 ? 0 : 3) : (v < 0.5 ? 1 : 2)];
-                const auto         found  = of_vertex.find(vertex);
-                node                      = found != of_vertex.end() ? found->second : add(mesh.vertices[vertex]);
-                of_vertex[vertex]         = node;
-              }
-            else if (on_u || on_v)
-              {
-                const unsigned int side = on_u ? (u < 0.5 ? 0 : 1) : (v < 0.5 ? 2 : 3);
-                const unsigned int i = q[ends[side][0]], j = q[ends[side][1]];
-                const double       s      = on_u ? v : u;
-                const unsigned int number = std::lround(1e6 * (i < j ? s : 1 - s)); // Gauss–Lobatto nodes are symmetric
-                auto              &others = of_side[ends_of(i, j)];
-                const auto         found  = others.find(number);
-                node                      = found != others.end() ? found->second : add(x);
-                others[number]            = node;
-              }
-            else
-              node = add(x);
-            cells.back().nodes.push_back(node);
+            cells.back().nodes.push_back(shared.number(mesh, q, at, x));
           }
       }
     name_edges(mesh, sides);

@@ -135,10 +135,12 @@ namespace samara
 
 
 
-    class BristleForce : public Evaluated<BristleForce, Force>
+    /** The forces of bristles, or the rates of their deflections. */
+    template <typename Kind, bool is_rate>
+    class BristleTerm : public Evaluated<BristleTerm<Kind, is_rate>, Kind>
     {
     public:
-      BristleForce(Layout &layout, const Layout::Friction &friction)
+      BristleTerm(Layout &layout, const Layout::Friction &friction)
         : equations(layout, friction)
       {}
 
@@ -150,22 +152,38 @@ namespace samara
           return;
         const auto values = equations.values_at(point);
         for (unsigned int i = 0; i < equations.n; ++i)
-          r[equations.block.row(i)] += values.force[i];
+          if (is_rate)
+            r[equations.block.row(equations.first_state + i)] -= values.rate[i];
+          else
+            r[equations.block.row(i)] += values.force[i];
       }
 
       void
       tangent(const Point<double> &point, SparseMatrix &K) const override
       {
         if (point.stops)
-          equations.add_slopes(point, false, false, K);
+          equations.add_slopes(point, is_rate, false, K);
       }
 
       void
       damping(const Point<double> &point, SparseMatrix &C) const override
       {
         if (point.stops)
-          equations.add_slopes(point, false, true, C);
+          equations.add_slopes(point, is_rate, true, C);
       }
+
+    protected:
+      BristleEquations equations;
+    };
+
+
+
+    using BristleRate = BristleTerm<StateEquation, true>;
+
+    class BristleForce : public BristleTerm<Force, false>
+    {
+    public:
+      using BristleTerm::BristleTerm;
 
       bool
       has_potential() const override
@@ -182,47 +200,6 @@ namespace samara
           square += point.states[i] * point.states[i];
         return 0.5 * equations.friction.law.bristle_stiffness * square;
       }
-
-    private:
-      BristleEquations equations;
-    };
-
-
-
-    class BristleRate : public Evaluated<BristleRate, StateEquation>
-    {
-    public:
-      BristleRate(Layout &layout, const Layout::Friction &friction)
-        : equations(layout, friction)
-      {}
-
-      template <typename Number>
-      void
-      residual_at(const Point<Number> &point, Number *r) const
-      {
-        if (!point.stops)
-          return;
-        const auto values = equations.values_at(point);
-        for (unsigned int i = 0; i < equations.n; ++i)
-          r[equations.block.row(equations.first_state + i)] -= values.rate[i];
-      }
-
-      void
-      tangent(const Point<double> &point, SparseMatrix &K) const override
-      {
-        if (point.stops)
-          equations.add_slopes(point, true, false, K);
-      }
-
-      void
-      damping(const Point<double> &point, SparseMatrix &C) const override
-      {
-        if (point.stops)
-          equations.add_slopes(point, true, true, C);
-      }
-
-    private:
-      BristleEquations equations;
     };
   } // namespace
 

@@ -43,6 +43,9 @@ namespace samara
     bool are_any() const;
 
   private:
+    /** Stiffnesses or viscosities of the springs, and those of stops that are touched. */
+    void
+    add(const Point<double> &point, double FreeMotion::*of_motion, double ContactLaw::*of_stop, SparseMatrix &A) const;
     const std::vector<FreeMotion *> &used;
     const std::vector<Stop>         &stops;
     const Block                     &block;
@@ -207,14 +210,25 @@ namespace samara
 
 
   void
-  Joint::Springs::tangent(const Point<double> &point, SparseMatrix &K) const
+  Joint::Springs::add(const Point<double> &point,
+                      double FreeMotion::*of_motion,
+                      double ContactLaw::*of_stop,
+                      SparseMatrix       &A) const
   {
     if (!point.material)
       return;
     for (unsigned int i = 0; i < used.size(); ++i)
-      block.add_entry(12 + i, 12 + i, used[i]->spring, K);
+      block.add_entry(12 + i, 12 + i, used[i]->*of_motion, A);
     for (const auto &s : stops)
-      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_law.stiffness, K);
+      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_law.*of_stop, A);
+  }
+
+
+
+  void
+  Joint::Springs::tangent(const Point<double> &point, SparseMatrix &K) const
+  {
+    add(point, &FreeMotion::spring, &ContactLaw::stiffness, K);
   }
 
 
@@ -222,12 +236,7 @@ namespace samara
   void
   Joint::Springs::damping(const Point<double> &point, SparseMatrix &C) const
   {
-    if (!point.material)
-      return;
-    for (unsigned int i = 0; i < used.size(); ++i)
-      block.add_entry(12 + i, 12 + i, used[i]->damper, C);
-    for (const auto &s : stops)
-      block.add_entry(12 + s.motion, 12 + s.motion, touches(point, s) * motion_of(s).stop_law.damping, C);
+    add(point, &FreeMotion::damper, &ContactLaw::damping, C);
   }
 
 

@@ -1,5 +1,7 @@
 #include <samara/loads/surface_loads.h>
 
+#include <deal.II/base/exceptions.h>
+
 namespace samara
 {
   const SurfaceBody &
@@ -35,6 +37,7 @@ namespace samara
           {
             const SurfaceRule   &rule = *cell.rule;
             const unsigned int   n    = cell.frames.size();
+            AssertDimension(rule.N.cols(), n);
             std::vector<Vector3> x;
             for (const auto &frame : cell.frames)
               x.push_back(model.position(frame));

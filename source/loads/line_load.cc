@@ -3,6 +3,8 @@
 #include <samara/loads/loads.h>
 #include <samara/loads/surface_loads.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -116,6 +118,7 @@ namespace samara
   LineLoad::add_span(const Span &span)
   {
     const unsigned int n        = span.frames.size();
+    AssertDimension(span.abscissae.size(), n);
     Eigen::VectorXd    weights  = Eigen::VectorXd::Zero(n), N(n);
     Eigen::MatrixXd    products = Eigen::MatrixXd::Zero(n, n);
     for (const auto &[s, ds] : composite_rule(breaks_of(variation, span), points_a_piece))

@@ -1,5 +1,7 @@
 #include <samara/loads/loads.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace samara
@@ -30,6 +32,9 @@ namespace samara
                        const Eigen::VectorXd    &weights,
                        const Eigen::MatrixXd    &products)
   {
+    AssertDimension(frames.size(), weights.size());
+    Assert(products.rows() == weights.size() && products.cols() == weights.size(),
+           dealii::ExcDimensionMismatch(products.rows(), weights.size()));
     if (is_follower())
       spans.push_back({frames, products});
     else

@@ -1,4 +1,4 @@
-// Where the layups, webs and ends of an airfoil's skins are, and how its skins are cut into cells.
+// Where the layups, webs and ends of an airfoil's skins are.
 
 #include <samara/base/text.h>
 #include <samara/section/airfoil_mesh.h>
@@ -340,98 +340,6 @@ namespace samara
                    ", and the outline has a radius of " + number_to_text("%.4g", 1 / curvature) +
                    " m there: a skin must be thinner than that",
                  outline->place(s));
-        }
-  }
-
-
-
-  namespace
-  {
-    /** Depths that are one but for round-off only once. */
-    std::vector<double>
-    ascending_depths(std::vector<double> depths, const double same)
-    {
-      std::sort(depths.begin(), depths.end());
-      std::vector<double> result;
-      for (const double x : depths)
-        if (result.empty() || x - result.back() > same)
-          result.push_back(x);
-      return result;
-    }
-  } // namespace
-
-
-
-  void
-  AirfoilMesh::cut_strips()
-  {
-    double              thickest = 0;
-    std::vector<double> all(1, 0.);
-    for (const Strip &strip : strips)
-      {
-        double sum = 0;
-        for (const WallPly &ply : strip.wall)
-          all.push_back(sum += ply.thickness);
-        thickest = std::max(thickest, sum);
-      }
-    const double same = 1e-6 * thickest;
-    all               = ascending_depths(all, same);
-    for (Strip &strip : strips)
-      {
-        for (const double d : all)
-          {
-            if (d > strip.thickness + same)
-              break;
-            const double last = strip.depths.empty() ? 0 : strip.depths.back();
-            for (unsigned int k = 1; k < design.fineness.per_ply && !strip.depths.empty(); ++k)
-              strip.depths.push_back(last + (d - last) * k / design.fineness.per_ply);
-            strip.depths.push_back(d);
-          }
-        strip.thickness = strip.depths.back();
-
-        // cells: not longer than a part of the chord, nor turning by more than 20 degrees
-        constexpr unsigned int fine = 64;
-        constexpr double       turn = 0.35;
-        std::vector<double>    sum(1, 0.);
-        const double           h = (strip.b - strip.a) / fine;
-        for (unsigned int i = 0; i < fine; ++i)
-          sum.push_back(sum.back() + h * std::max(design.fineness.along / outline->chord,
-                                                  std::abs(outline->curvature(strip.a + h * (i + 0.5))) / turn));
-        const unsigned int n = std::max(1., std::ceil(sum.back() - 1e-6));
-        strip.s.push_back(strip.a);
-        for (unsigned int k = 1, i = 0; k < n; ++k)
-          {
-            while (sum[i + 1] < sum.back() * k / n)
-              ++i;
-            strip.s.push_back(strip.a + h * (i + (sum.back() * k / n - sum[i]) / (sum[i + 1] - sum[i])));
-          }
-        strip.s.push_back(strip.b);
-      }
-    // over webs they are cut where the web's plies are
-    for (unsigned int web = 0; web < design.webs.size(); ++web)
-      for (const bool upper : {false, true})
-        {
-          const double a = faces[4 * web + (upper ? 2 : 0)], b = faces[4 * web + (upper ? 3 : 1)];
-          for (Strip &strip : strips)
-            if (strip.a < 0.5 * (a + b) && strip.b > 0.5 * (a + b))
-              {
-                const Wall  &wall  = design.webs[web].wall;
-                const double total = thickness_of(wall);
-                double       sum   = 0;
-                strip.s.assign(1, upper ? strip.b : strip.a);
-                for (const WallPly &ply : wall)
-                  {
-                    for (unsigned int k = 1; k <= design.fineness.per_ply; ++k)
-                      {
-                        const double v = (sum + ply.thickness * k / design.fineness.per_ply) / total;
-                        strip.s.push_back(upper ? strip.b - v * (strip.b - strip.a) :
-                                                  strip.a + v * (strip.b - strip.a));
-                      }
-                    sum += ply.thickness;
-                  }
-                strip.s.back() = upper ? strip.a : strip.b;
-                std::sort(strip.s.begin(), strip.s.end());
-              }
         }
   }
 

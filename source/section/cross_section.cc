@@ -144,6 +144,75 @@ namespace samara
 
 
 
+    /**
+     * The integrals of a cell. Those of all points stand one below the other, for large products are fast; of S N there
+     * are only the rows that are not zero.
+     */
+    class CellIntegrals
+    {
+    public:
+      CellIntegrals(const dealii::FiniteElement<2> &fe, const unsigned int n_points)
+        : E(fe.n_dofs_per_cell(), fe.n_dofs_per_cell())
+        , C(E)
+        , M(E)
+        , R(E.rows(), 6)
+        , L(E.rows(), 6)
+        , fe(fe)
+        , at(E.rows())
+        , B(6 * n_points, E.rows())
+        , SN(3 * n_points, E.rows())
+        , QB(6 * n_points, E.rows())
+        , QSN(6 * n_points, E.rows())
+        , rows_of_QSN(3 * n_points, E.rows())
+        , QSZ(6 * n_points, 6)
+        , rows_of_QSZ(3 * n_points, 6)
+      {}
+
+      Eigen::MatrixXd E, C, M, R, L;
+
+      /** Take point @p q with the stiffness @p Q there; Q S Z of it is returned. */
+      Matrix6
+      add(const dealii::FEValues<2> &values, const unsigned int q, const Vector3 &k, const double g, const Matrix6 &Q)
+      {
+        const double w = values.JxW(q);
+        at.fill(values, q, k, g);
+        const Matrix6 QSZ_q               = Q * S_times(shift_to(values.quadrature_point(q)));
+        B.middleRows<6>(6 * q)            = at.B;
+        QB.middleRows<6>(6 * q).noalias() = (w * g * Q) * at.B;
+        QSZ.middleRows<6>(6 * q)          = w * QSZ_q;
+        for (unsigned int a = 0; a < fe.n_dofs_per_cell(); ++a)
+          {
+            const int row             = row_of_S[fe.system_to_component_index(a).first];
+            QSN.block<6, 1>(6 * q, a) = w * at.SN(row, a) * Q.col(row);
+          }
+        for (int i = 0; i < 3; ++i)
+          {
+            SN.row(3 * q + i)          = at.SN.row(row_of_S[i]);
+            rows_of_QSN.row(3 * q + i) = QSN.row(6 * q + row_of_S[i]) / g;
+            rows_of_QSZ.row(3 * q + i) = w / g * QSZ_q.row(row_of_S[i]);
+          }
+        return QSZ_q;
+      }
+
+      /** When all points have been added. */
+      void
+      multiply()
+      {
+        E.noalias() = B.transpose() * QB;
+        C.noalias() = B.transpose() * QSN;
+        M.noalias() = SN.transpose() * rows_of_QSN;
+        R.noalias() = B.transpose() * QSZ;
+        L.noalias() = SN.transpose() * rows_of_QSZ;
+      }
+
+    private:
+      const dealii::FiniteElement<2> &fe;
+      Operators                       at;
+      Eigen::MatrixXd                 B, SN, QB, QSN, rows_of_QSN, QSZ, rows_of_QSZ;
+    };
+
+
+
     /** What is left of the warping when the rigid motion nearest to it, by least squares, is taken away. */
     void
     remove_rigid_motions(std::vector<CrossSection::StressPoint> &points)
@@ -197,65 +266,41 @@ namespace samara
     L = R;
     inertia.setZero();
 
-    const dealii::QGauss<2> quadrature(mesh.degree + 1);
-    dealii::FEValues<2>     values(mesh.mapping,
+    const dealii::QGauss<2>                      quadrature(mesh.degree + 1);
+    dealii::FEValues<2>                          values(mesh.mapping,
                                fe,
                                quadrature,
                                dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
                                  dealii::update_JxW_values | dealii::update_jacobians);
-    const unsigned int      n = fe.n_dofs_per_cell(), n_points = quadrature.size();
-    Operators               at(n);
-    // those of all points one below the other, for large products are fast; of S N only the rows that are not zero
-    Eigen::MatrixXd B(6 * n_points, n), SN(3 * n_points, n), QB(6 * n_points, n), QSN(6 * n_points, n),
-      rows_of_QSN(3 * n_points, n), QSZ(6 * n_points, 6), rows_of_QSZ(3 * n_points, 6), E_cell(n, n), C_cell(n, n),
-      M_cell(n, n), R_cell(n, 6), L_cell(n, 6);
-    std::vector<dealii::types::global_dof_index> numbers(n);
+    CellIntegrals                                integrals(fe, quadrature.size());
+    std::vector<dealii::types::global_dof_index> numbers(fe.n_dofs_per_cell());
     for (const auto &cell : dofs.active_cell_iterators())
       {
         values.reinit(cell);
         const unsigned int     index    = cell->active_cell_index();
         const SectionMaterial &material = materials.at(mesh.ply(index).material);
-        for (unsigned int q = 0; q < n_points; ++q)
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
           {
             const dealii::Point<2> place = values.quadrature_point(q);
-            const Matrix6          Q =
-              elasticity::turned(material.stiffness, mesh.material_axes(index, place, jacobian(values, q)));
-            const double g = root_g(k, place), w = values.JxW(q);
+            const double           g = root_g(k, place), w = values.JxW(q);
             if (!(g > 0.01))
               throw std::invalid_argument("the curvature of the beam is too large for the depth of the section: its "
                                           "centre lies in the section or near it");
-            at.fill(values, q, k, g);
-            const Eigen::Matrix<double, 3, 6> Z  = shift_to(place);
-            const Matrix6                     SZ = S_times(Z), QSZ_q = Q * SZ;
-            B.middleRows<6>(6 * q)            = at.B;
-            QB.middleRows<6>(6 * q).noalias() = (w * g * Q) * at.B;
-            QSZ.middleRows<6>(6 * q)          = w * QSZ_q;
-            for (unsigned int a = 0; a < n; ++a)
-              {
-                const int row             = row_of_S[fe.system_to_component_index(a).first];
-                QSN.block<6, 1>(6 * q, a) = w * at.SN(row, a) * Q.col(row);
-              }
-            for (int i = 0; i < 3; ++i)
-              {
-                SN.row(3 * q + i)          = at.SN.row(row_of_S[i]);
-                rows_of_QSN.row(3 * q + i) = QSN.row(6 * q + row_of_S[i]) / g;
-                rows_of_QSZ.row(3 * q + i) = w / g * QSZ_q.row(row_of_S[i]);
-              }
-            A += w / g * SZ.transpose() * QSZ_q;
+            const Matrix6 Q =
+              elasticity::turned(material.stiffness, mesh.material_axes(index, place, jacobian(values, q)));
+            const Matrix6                     QSZ = integrals.add(values, q, k, g, Q);
+            const Eigen::Matrix<double, 3, 6> Z   = shift_to(place);
+            A += w / g * S_times(Z).transpose() * QSZ;
             inertia += w * g * material.density * Z.transpose() * Z;
             area += w;
           }
-        E_cell.noalias() = B.transpose() * QB;
-        C_cell.noalias() = B.transpose() * QSN;
-        M_cell.noalias() = SN.transpose() * rows_of_QSN;
-        R_cell.noalias() = B.transpose() * QSZ;
-        L_cell.noalias() = SN.transpose() * rows_of_QSZ;
+        integrals.multiply();
         cell->get_dof_indices(numbers);
-        add_cell(numbers, {{&E_cell, &C_cell, &M_cell}}, {{&E, &C, &M}});
-        for (unsigned int i = 0; i < n; ++i)
+        add_cell(numbers, {{&integrals.E, &integrals.C, &integrals.M}}, {{&E, &C, &M}});
+        for (unsigned int i = 0; i < numbers.size(); ++i)
           {
-            R.row(numbers[i]) += R_cell.row(i);
-            L.row(numbers[i]) += L_cell.row(i);
+            R.row(numbers[i]) += integrals.R.row(i);
+            L.row(numbers[i]) += integrals.L.row(i);
           }
       }
   }

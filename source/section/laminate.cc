@@ -1,6 +1,8 @@
 #include <samara/section/elasticity.h>
 #include <samara/section/laminate.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <stdexcept>
 
 namespace samara
@@ -135,7 +137,10 @@ namespace samara
   Vector6
   Laminate::stress(const unsigned int index, const double z, const Vector6 &strains, const Eigen::Vector2d &Q) const
   {
-    const Layer          &layer = layers.at(index);
+    AssertIndexRange(index, layers.size());
+    const Layer          &layer = layers[index];
+    Assert(layer.bottom - 1e-9 * thickness <= z && z <= layer.top + 1e-9 * thickness,
+           dealii::ExcMessage("A height in another layer."));
     const Vector3         plane = layer.reduced * (strains.head<3>() + z * strains.tail<3>());
     const Eigen::Vector2d tau   = shear_stresses(layer, z) * Q;
     Vector6               s     = Vector6::Zero();

@@ -1,5 +1,7 @@
 #include <samara/section/patches.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace samara
@@ -20,6 +22,7 @@ namespace samara
   std::vector<double>
   equal_intervals(const unsigned int n)
   {
+    Assert(n > 0, dealii::ExcMessage("There is one interval at least."));
     std::vector<double> ends;
     for (unsigned int i = 0; i <= n; ++i)
       ends.push_back(double(i) / n);
@@ -57,6 +60,7 @@ namespace samara
   std::vector<SectionPatch>
   ring_patches(const double inner, const double outer, const unsigned int n_around, const unsigned int n_through)
   {
+    Assert(0 < inner && inner < outer, dealii::ExcMessage("A ring has a hole and a wall."));
     return {{[=](const double u, const double v) {
                const double r = outer + v * (inner - outer), angle = 2 * M_PI * u;
                return Place(r * std::cos(angle), r * std::sin(angle));

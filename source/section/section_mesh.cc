@@ -1,5 +1,6 @@
 #include <samara/section/section_mesh.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -32,25 +33,13 @@ namespace samara
     std::vector<dealii::CellData<2>> data;
     for (unsigned int k = 0; k < patches.size(); ++k)
       {
-        const SectionPatch &patch = patches[k];
-        names.push_back(patch.name);
-        tangents.push_back(patch.tangent);
-        for (unsigned int j = 0; j + 1 < patch.v.size(); ++j)
-          for (unsigned int i = 0; i + 1 < patch.u.size(); ++i)
+        names.push_back(patches[k].name);
+        tangents.push_back(patches[k].tangent);
+        for (unsigned int j = 0; j + 1 < patches[k].v.size(); ++j)
+          for (unsigned int i = 0; i + 1 < patches[k].u.size(); ++i)
             {
-              Cell                            cell{k, i, j, {}, patch.ply(i, j)};
-              std::array<dealii::Point<2>, 4> corners;
-              for (unsigned int c = 0; c < 4; ++c)
-                {
-                  cell.parameters[c] = {patch.u[i + c % 2], patch.v[j + c / 2]};
-                  corners[c]         = patch.place(cell.parameters[c][0], cell.parameters[c][1]);
-                }
-              if (turning_sense(corners) < 0)
-                {
-                  // the patch is mirrored: go round the other way
-                  std::swap(corners[1], corners[2]);
-                  std::swap(cell.parameters[1], cell.parameters[2]);
-                }
+              cells.push_back({k, i, j, {}, patches[k].ply(i, j)});
+              const auto          corners = set_corners(patches[k], cells.back());
               dealii::CellData<2> corner_numbers(4);
               for (unsigned int c = 0; c < 4; ++c)
                 {
@@ -58,7 +47,6 @@ namespace samara
                   places.push_back(corners[c]);
                 }
               data.push_back(corner_numbers);
-              cells.push_back(cell);
             }
       }
     if (cells.empty())
@@ -74,19 +62,7 @@ namespace samara
         if (std::adjacent_find(corners.begin(), corners.end()) != corners.end())
           throw std::invalid_argument(name_of(cells[c]) + " has two corners in one place");
       }
-
-    // lines must have the same direction in both cells they belong to; corners change their order, parameters with them
-    const std::vector<dealii::CellData<2>> before = data;
-    dealii::GridTools::consistently_order_cells(data);
-    for (unsigned int c = 0; c < cells.size(); ++c)
-      {
-        const auto old = cells[c].parameters;
-        for (unsigned int k = 0; k < 4; ++k)
-          {
-            const auto &from       = before[c].vertices;
-            cells[c].parameters[k] = old[std::find(from.begin(), from.end(), data[c].vertices[k]) - from.begin()];
-          }
-      }
+    order_consistently(data);
     triangulation.create_triangulation(places, data, nothing);
 
     const auto unit_points = dealii::FE_Q<2>(degree).get_unit_support_points();
@@ -101,6 +77,46 @@ namespace samara
       return support;
     });
     check();
+  }
+
+
+
+  std::array<dealii::Point<2>, 4>
+  SectionMesh::set_corners(const SectionPatch &patch, Cell &cell)
+  {
+    std::array<dealii::Point<2>, 4> corners;
+    for (unsigned int c = 0; c < 4; ++c)
+      {
+        cell.parameters[c] = {patch.u[cell.i + c % 2], patch.v[cell.j + c / 2]};
+        corners[c]         = patch.place(cell.parameters[c][0], cell.parameters[c][1]);
+      }
+    if (turning_sense(corners) < 0)
+      {
+        // the patch is mirrored: go round the other way
+        std::swap(corners[1], corners[2]);
+        std::swap(cell.parameters[1], cell.parameters[2]);
+      }
+    return corners;
+  }
+
+
+
+  void
+  SectionMesh::order_consistently(std::vector<dealii::CellData<2>> &data)
+  {
+    // lines must have the same direction in both cells they belong to; corners change their order, parameters with them
+    AssertDimension(data.size(), cells.size());
+    const std::vector<dealii::CellData<2>> before = data;
+    dealii::GridTools::consistently_order_cells(data);
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      {
+        const auto old = cells[c].parameters;
+        for (unsigned int k = 0; k < 4; ++k)
+          {
+            const auto &from       = before[c].vertices;
+            cells[c].parameters[k] = old[std::find(from.begin(), from.end(), data[c].vertices[k]) - from.begin()];
+          }
+      }
   }
 
 
@@ -128,6 +144,7 @@ namespace samara
   Matrix3
   SectionMesh::material_axes(const unsigned int cell, const dealii::Point<2> &place, const Eigen::Matrix2d &J) const
   {
+    AssertIndexRange(cell, cells.size());
     const auto     &p = cells[cell].parameters;
     Eigen::Vector2d t;
     if (const auto &tangent = tangents[cells[cell].patch])

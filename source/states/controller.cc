@@ -1,5 +1,7 @@
 #include <samara/states/controller.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace samara
@@ -69,6 +71,7 @@ namespace samara
   void
   Controller::connect(Layout &layout)
   {
+    Assert(rates.size() == numbers.size(), dealii::ExcMessage("find_signals() comes before connect()."));
     rows.clear();
     for (unsigned int i = 0; i < numbers.size(); ++i)
       {

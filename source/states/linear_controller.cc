@@ -1,5 +1,7 @@
 #include <samara/states/controller.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace samara
@@ -7,6 +9,7 @@ namespace samara
   void
   LinearController::add_states(Model &model, const Eigen::VectorXd &initial, const double scale)
   {
+    AssertDimension(initial.size(), A.rows());
     for (unsigned int i = 0; i < A.rows(); ++i)
       add_state(model, "state " + std::to_string(i + 1), "", initial(i), scale);
   }
@@ -16,6 +19,8 @@ namespace samara
   SignalPointer
   LinearController::combination(Model &model, const Eigen::RowVectorXd &a, const Eigen::RowVectorXd &b) const
   {
+    AssertDimension(a.size(), A.rows());
+    AssertDimension(b.size(), laws.size());
     std::vector<Summand> summands;
     for (unsigned int i = 0; i < a.size(); ++i)
       if (a(i) != 0)

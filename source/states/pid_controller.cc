@@ -1,5 +1,7 @@
 #include <samara/states/controller.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace samara
@@ -145,6 +147,8 @@ namespace samara
   SignalPointer
   PidController::rate(Model &model, const unsigned int i) const
   {
+    Assert(static_cast<int>(i) == filter_state || static_cast<int>(i) == integral_state,
+           dealii::ExcMessage("A state is that of the filter or of the integral."));
     if (static_cast<int>(i) == filter_state)
       return sum_of_signals({{1 / filter_time, error(model)}, {-1 / filter_time, state(i)}});
     std::vector<Summand> summands = {{integral, error(model)}};

@@ -1,6 +1,7 @@
 #ifndef samara_tests_aero_models_h
 #define samara_tests_aero_models_h
 
+#include <cmath>
 #include <string>
 
 namespace samara::aero_models
@@ -105,24 +106,25 @@ subsection Bodies
                           entries));
   }
 
-  /** Four blades on a body that turns at 30 rad/s about z; hub, inflow and wind as given. */
+  /** Blades from 0.6 to 3 m, as many as wanted, on a body that turns at 30 rad/s about z, in the inflow <flow>. */
   inline std::string
-  four_bladed_rotor(const std::string &inflow,
-                    const std::string &hub,
-                    const std::string &wind = "0, 0, 0",
-                    const std::string &more = "")
+  turning_rotor(const unsigned int n,
+                const std::string &blade,
+                const std::string &airfoils,
+                const std::string &aerodynamics)
   {
+    const auto at = [](const double x, const double y) {
+      const auto text = [](const double z) { return number_to_text(std::abs(z) < 1e-15 ? 0. : z); };
+      return text(x) + ", " + text(y) + ", 0";
+    };
     std::string surfaces;
-    for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int k = 0; k < n; ++k)
       {
-        const int  x = k == 0 ? 1 : k == 2 ? -1 : 0, y = k == 1 ? 1 : k == 3 ? -1 : 0;
-        const auto at = [&](const double r) { return number_to_text(x * r) + ", " + number_to_text(y * r) + ", 0"; };
+        const double c = std::cos(2 * M_PI * k / n), s = std::sin(2 * M_PI * k / n);
         surfaces += subsection("blade " + std::to_string(k + 1),
-                               "    set Body = rotor\n    set Line = " + at(0.6) + "; " + at(3) +
-                                 "\n    set Leading edge = " + number_to_text(-y) + ", " + number_to_text(x) +
-                                 ", 0\n    set Chord = 0.2\n    set Twist = 10 deg - 1.2 deg*s\n"
-                                 "    set Airfoils = plain\n    set Inflow = flow\n    set Unsteady = quasi-steady\n" +
-                                 more);
+                               "    set Body = rotor\n    set Line = " + at(0.6 * c, 0.6 * s) + "; " +
+                                 at(3 * c, 3 * s) + "\n    set Leading edge = " + at(-s, c) +
+                                 "\n    set Inflow = flow\n    set Unsteady = quasi-steady\n" + blade);
       }
     return R"(
 subsection Bodies
@@ -147,12 +149,22 @@ subsection Loads
     set Speed = 30
   end
 end
-)" + airfoils() +
-           subsection("Aerodynamics",
-                      air(wind) +
-                        subsection("flow",
-                                   "    set Type = " + inflow + "\n    set Hub = " + hub + "\n    set Radius = 3\n")) +
-           subsection("Surfaces", surfaces);
+)" + airfoils +
+           subsection("Aerodynamics", aerodynamics) + subsection("Surfaces", surfaces);
+  }
+
+  /** Four blades of it; hub, inflow and wind as given. */
+  inline std::string
+  four_bladed_rotor(const std::string &inflow,
+                    const std::string &hub,
+                    const std::string &wind = "0, 0, 0",
+                    const std::string &more = "")
+  {
+    return turning_rotor(
+      4,
+      "    set Chord = 0.2\n    set Twist = 10 deg - 1.2 deg*s\n    set Airfoils = plain\n" + more,
+      airfoils(),
+      air(wind) + subsection("flow", "    set Type = " + inflow + "\n    set Hub = " + hub + "\n    set Radius = 3\n"));
   }
 } // namespace samara::aero_models
 

@@ -40,41 +40,7 @@ namespace
   std::string
   rotor(const unsigned int n, const std::string &wind, const std::string &flow, const std::string &entries)
   {
-    std::string surfaces;
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        const double c = std::cos(2 * M_PI * k / n), s = std::sin(2 * M_PI * k / n);
-        const auto   at = [&](const double x, const double y) {
-          return number_to_text(x) + ", " + number_to_text(y) + ", 0";
-        };
-        surfaces += subsection("blade " + std::to_string(k + 1),
-                               "    set Body = rotor\n    set Line = " + at(0.6 * c, 0.6 * s) + "; " +
-                                 at(3 * c, 3 * s) + "\n    set Leading edge = " + at(-s, c) +
-                                 "\n    set Inflow = flow\n    set Unsteady = quasi-steady\n" + entries);
-      }
-    return R"(
-subsection Bodies
-  subsection rotor
-    set Type    = rigid body
-    set Mass    = 5
-    set Inertia = 2, 2, 4
-  end
-end
-subsection Joints
-  subsection shaft
-    set Type   = revolute
-    set Body A = ground
-    set Body B = rotor.centre
-    set Axis   = 0, 0, 1
-  end
-end
-subsection Loads
-  subsection turning
-    set Type  = steady rotation
-    set Joint = shaft
-    set Speed = 30
-  end
-end
+    const std::string airfoils = R"(
 subsection Airfoils
   subsection ideal
     set Type       = analytic
@@ -89,12 +55,13 @@ subsection Airfoils
     set Drag       = 0.01, 0, 0.4
   end
 end
-)" +
-           subsection(
-             "Aerodynamics",
-             air(wind) +
-               subsection("flow", "    set Type = annular inflow\n    set Hub = ground\n    set Radius = 3\n" + flow)) +
-           subsection("Surfaces", surfaces);
+)";
+    return turning_rotor(
+      n,
+      entries,
+      airfoils,
+      air(wind) +
+        subsection("flow", "    set Type = annular inflow\n    set Hub = ground\n    set Radius = 3\n" + flow));
   }
 } // namespace
 

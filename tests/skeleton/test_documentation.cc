@@ -18,6 +18,20 @@ namespace
     text << in.rdbuf();
     return text.str();
   }
+
+  /** Lines that are neither empty nor comments. */
+  unsigned int
+  lines_of_code(const std::string &file)
+  {
+    std::string text = content(file);
+    for (auto at = text.find("/*"); at != std::string::npos; at = text.find("/*"))
+      text.erase(at, text.find("*/", at) + 2 - at);
+    std::istringstream in(text);
+    unsigned int       n = 0;
+    for (std::string line; std::getline(in, line);)
+      n += line.substr(0, line.find("//")).find_first_not_of(' ') != std::string::npos;
+    return n;
+  }
 } // namespace
 
 
@@ -48,6 +62,26 @@ TEST(Documentation, EveryKindHasAReferenceOfItsOwn)
       print_reference(reference, "bem");
     },
     InputError);
+}
+
+
+
+// What a new joint, load, ... costs is said where one reads how it is made.
+TEST(Documentation, PagesSayHowLongSkeletonsAre)
+{
+  for (const auto &[page, room] : {std::make_pair("joint", "joints"),
+                                   std::make_pair("element", "cosserat"),
+                                   std::make_pair("load", "loads"),
+                                   std::make_pair("state", "states"),
+                                   std::make_pair("analysis", "analysis"),
+                                   std::make_pair("integrator", "time")})
+    {
+      const std::string  name = std::string(room) + "/skeleton";
+      const unsigned int n = lines_of_code("include/samara/" + name + ".h") + lines_of_code("source/" + name + ".cc");
+      EXPECT_NE(content("doc/how_to/" + std::string(page) + ".md").find(std::to_string(n) + " lines of code"),
+                std::string::npos)
+        << page << ": the skeleton has " << n << " lines of code";
+    }
 }
 
 

@@ -94,6 +94,7 @@ namespace samara
     std::map<std::string, NamedPoint> named;
     std::vector<Matrix3>              node_axes; ///< of the reference configuration, of the nodes of the mesh
 
+    void    add_material_parameters(Parameters &prm);
     void    make_laminate();
     bool    make_mesh();
     void    make_rule();

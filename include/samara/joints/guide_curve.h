@@ -35,12 +35,6 @@ namespace samara
       return arc_lengths.back();
     }
 
-    bool
-    is_closed() const
-    {
-      return closed;
-    }
-
     /** Arc length of the point nearest to @p x. */
     double nearest(const Vector3 &x) const;
 

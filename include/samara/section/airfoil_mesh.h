@@ -122,6 +122,11 @@ namespace samara
     double gap(double x) const;
     void   find_strips();
     void   cut_strips();
+    /** Into plies at the depths of all strips, into cells along it, and those over a web where the web's plies are. @{ */
+    void cut_through(Strip &strip, const std::vector<double> &depths, double same) const;
+    void cut_along(Strip &strip) const;
+    void cut_over_web(Strip &strip, const Wall &wall, bool upper) const;
+    /** @} */
     void   check_strips() const;
     void   check_inner_faces() const;
     void   check_webs(const std::vector<Place> &inner_face) const;

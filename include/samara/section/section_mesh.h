@@ -85,6 +85,11 @@ namespace samara
     std::string      name_of(const Cell &cell) const;
     dealii::Point<2> parameters_at(const Cell &cell, const dealii::Point<2> &unit) const;
     void             check() const;
+
+    /** Parameters of the corners of a cell, line by line, with a positive area; returns their places. */
+    static std::array<dealii::Point<2>, 4> set_corners(const SectionPatch &patch, Cell &cell);
+    /** Let lines have one direction in all cells, and parameters follow. */
+    void order_consistently(std::vector<dealii::CellData<2>> &data);
   };
 } // namespace samara
 
