@@ -88,6 +88,108 @@ namespace samara
         }
     }
 
+    /** The relative air, inertial and in the section's axes @p E. */
+    void
+    of_flow(const AtStation<double> &at, const Matrix3 &E)
+    {
+      relative.add<3>(Matrix3::Identity(), air);
+      V.add<3>(E.transpose(), relative);
+      V.add<3>(E.transpose() * skew(at.relative), turn);
+    }
+
+    /** Force and moment, inertial, of the loads in the section's axes @p E. */
+    void
+    of_forces(const AtStation<double> &at, const Matrix3 &E)
+    {
+      force.add<4>((Eigen::Matrix<double, 3, 4>() << E, Vector3::Zero()).finished(), loads);
+      force.add<3>(-skew(at.force), turn);
+      moment.add<4>((Eigen::Matrix<double, 3, 4>() << Matrix3::Zero(), at.axes.e1).finished(), loads);
+      moment.add<3>(-skew(at.moment), turn);
+    }
+
+    /** Forces and moments on the nodes, N_a D_aᵀ f and N_a (r_¼ × D_aᵀ f + D_aᵀ m), times @p weight. */
+    void
+    add_node_rows(const Station           &station,
+                  const Gathered<double>  &g,
+                  const AtStation<double> &at,
+                  const double             weight,
+                  Eigen::MatrixXd         &K,
+                  Eigen::MatrixXd         &C) const
+    {
+      const unsigned int n_twists = turn.place.cols();
+      const Matrix3      arm = skew(station.quarter), middle = skew(station.middle());
+      for (unsigned int a = 0; a < station.N.size(); ++a)
+        {
+          const Matrix3 D = weight * station.N[a] * g.frames.D[a].transpose();
+          const Vector3 f = D * at.force, m = D * at.moment, h = D * at.middle_force;
+          const auto    add =
+            [&](Eigen::MatrixXd &A, const unsigned int first, const auto &force, const auto &half, const auto &moment) {
+              A.block(6 * a, first, 3, force.cols()) += D * (force + half);
+              A.block(6 * a + 3, first, 3, force.cols()) += arm * D * force + middle * D * half + D * moment;
+            };
+          add(K, 0, force.place, middle_force.place, moment.place);
+          add(K, n_twists, force.states, middle_force.states, moment.states);
+          add(C, 0, force.twist, middle_force.twist, moment.twist);
+          K.block<3, 3>(6 * a, 6 * a + 3) += skew(Vector3(f + h));
+          K.block<3, 3>(6 * a + 3, 6 * a + 3) += arm * skew(f) + middle * skew(h) + skew(m);
+        }
+    }
+
+    /** Rates of the lags, b_i U/(c/2) (V₃ − x_i). */
+    void
+    add_lag_rows(const Station           &station,
+                 const Gathered<double>  &g,
+                 const AtStation<double> &at,
+                 const Air               &air,
+                 Eigen::MatrixXd         &K,
+                 Eigen::MatrixXd         &C) const
+    {
+      const unsigned int n_twists = turn.place.cols(), n_states = turn.states.cols();
+      for (unsigned int i = 0; i < lags::n; ++i)
+        {
+          const unsigned int       k = station.first_lag + i, row = n_twists + k;
+          const double             rate = -lags::b[i] * 2 / station.section.chord, U = lags::speed(at.V, air);
+          const double             lack  = at.V(2) - g.lags[k];
+          const Eigen::RowVector3d slope = rate * Eigen::RowVector3d(0., lack * at.V(1) / U, lack * at.V(2) / U + U);
+          K.row(row).head(n_twists) += slope * V.place;
+          K.row(row).tail(n_states) += slope * V.states;
+          K(row, row) -= rate * U;
+          C.row(row).head(n_twists) += slope * V.twist;
+        }
+    }
+
+    /** What the lift puts into the states of the inflow, with @p load_weights; by the flow through the @p disk, too, if
+     * shapes depend on it. */
+    void
+    add_inflow_rows(const Station             &station,
+                    const Gathered<double>    &g,
+                    const AtStation<double>   &at,
+                    const std::vector<double> &load_weights,
+                    const Change<5> *const     disk,
+                    Eigen::MatrixXd           &K,
+                    Eigen::MatrixXd           &C) const
+    {
+      const unsigned int n_twists = turn.place.cols(), n_states = turn.states.cols();
+      Change<1>          thrust(n_twists, n_states);
+      thrust.add<3>(at.thrust_axis.transpose(), force);
+      thrust.add<3>(at.force.transpose(), axis);
+      const double       F     = at.force.dot(at.thrust_axis);
+      const unsigned int first = n_twists + g.lags.size();
+      for (unsigned int k = 0; k < g.amplitudes.size(); ++k)
+        {
+          const double             c     = -station.weight * load_weights[k];
+          const Eigen::RowVector3d slope = c * F * by_place.row(k);
+          K.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.place + slope * on_disk.place;
+          K.row(first + k).tail(n_states) += c * at.shapes[k] * thrust.states;
+          C.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.twist;
+          if (disk != nullptr)
+            {
+              K.row(first + k).head(n_twists) += c * F * by_flow.row(k) * disk->place;
+              C.row(first + k).head(n_twists) += c * F * by_flow.row(k) * disk->twist;
+            }
+        }
+    }
+
     /** Rates of the angle of pressure and of the place of separation. */
     void
     add_stall_rows(const Station           &station,
@@ -367,12 +469,9 @@ namespace samara
       d.of_external(*external, g, at, n_lags, disk);
     else if (inflow != nullptr)
       d.of_inflow(*inflow, g, at, n_lags, disk);
-    d.relative.add<3>(Matrix3::Identity(), d.air);
-
     Matrix3 E;
     E << at.axes.e1, at.axes.e2, at.axes.e3;
-    d.V.add<3>(E.transpose(), d.relative);
-    d.V.add<3>(E.transpose() * skew(at.relative), d.turn);
+    d.of_flow(at, E);
 
     Eigen::Matrix<double, 4, 7> J =
       section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.kept, at.turning, at.flow);
@@ -389,46 +488,13 @@ namespace samara
         d.loads.states.col(station.first_lag + i) += lags::A[i] * J.col(3);
     J.col(2) += (has_lags ? 1 - lags::A[0] - lags::A[1] : 1.) * J.col(3);
     d.loads.add<3>(J.leftCols<3>(), d.V);
-    d.force.add<4>((Eigen::Matrix<double, 3, 4>() << E, Vector3::Zero()).finished(), d.loads);
-    d.force.add<3>(-skew(at.force), d.turn);
-    d.moment.add<4>((Eigen::Matrix<double, 3, 4>() << Matrix3::Zero(), at.axes.e1).finished(), d.loads);
-    d.moment.add<3>(-skew(at.moment), d.turn);
+    d.of_forces(at, E);
     if (station.virtual_mass > 0)
       d.of_virtual_mass(station, at, E);
 
-    // rows of nodes
-    const double weight = -point.factor * station.weight;
-    for (unsigned int a = 0; a < station.N.size(); ++a)
-      {
-        const Matrix3 D = weight * station.N[a] * g.frames.D[a].transpose(), arm = skew(station.quarter);
-        const Matrix3 middle = skew(station.middle());
-        const Vector3 f = D * at.force, m = D * at.moment, h = D * at.middle_force;
-        const auto    add =
-          [&](Eigen::MatrixXd &A, const unsigned int first, const auto &force, const auto &half, const auto &moment) {
-            A.block(6 * a, first, 3, force.cols()) += D * (force + half);
-            A.block(6 * a + 3, first, 3, force.cols()) += arm * D * force + middle * D * half + D * moment;
-          };
-        add(K, 0, d.force.place, d.middle_force.place, d.moment.place);
-        add(K, n_twists, d.force.states, d.middle_force.states, d.moment.states);
-        add(C, 0, d.force.twist, d.middle_force.twist, d.moment.twist);
-        K.block<3, 3>(6 * a, 6 * a + 3) += skew(Vector3(f + h));
-        K.block<3, 3>(6 * a + 3, 6 * a + 3) += arm * skew(f) + middle * skew(h) + skew(m);
-      }
-
-    // rows of lags
-    for (unsigned int i = 0; i < lags::n && has_lags; ++i)
-      {
-        const unsigned int       k = station.first_lag + i, row = n_twists + k;
-        const double             rate = -lags::b[i] * 2 / station.section.chord, U = lags::speed(at.V, *air);
-        const double             lack  = at.V(2) - g.lags[k];
-        const Eigen::RowVector3d slope = rate * Eigen::RowVector3d(0., lack * at.V(1) / U, lack * at.V(2) / U + U);
-        K.row(row).head(n_twists) += slope * d.V.place;
-        K.row(row).tail(n_states) += slope * d.V.states;
-        K(row, row) -= rate * U;
-        C.row(row).head(n_twists) += slope * d.V.twist;
-      }
-
-    // rows of dynamic stall
+    d.add_node_rows(station, g, at, -point.factor * station.weight, K, C);
+    if (has_lags)
+      d.add_lag_rows(station, g, at, *air, K, C);
     if (unsteady == Unsteady::dynamic_stall)
       d.add_stall_rows(station, g, at, *air, K, C);
 
@@ -437,28 +503,8 @@ namespace samara
         d.add_flow_rows(station, g, at, annular_slopes, K, C);
         add_still_air(station, g, at, K);
       }
-
-    // rows of the inflow
-    if (inflow == nullptr || inflow->states.empty())
-      return;
-    Change<1> thrust(n_twists, n_states);
-    thrust.add<3>(at.thrust_axis.transpose(), d.force);
-    thrust.add<3>(at.force.transpose(), d.axis);
-    const double       F     = at.force.dot(at.thrust_axis);
-    const unsigned int first = n_twists + n_lags;
-    for (unsigned int k = 0; k < g.amplitudes.size(); ++k)
-      {
-        const double             c     = -station.weight * inflow->load_weights[k];
-        const Eigen::RowVector3d slope = c * F * d.by_place.row(k);
-        K.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.place + slope * d.on_disk.place;
-        K.row(first + k).tail(n_states) += c * at.shapes[k] * thrust.states;
-        C.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.twist;
-        if (external != nullptr)
-          {
-            K.row(first + k).head(n_twists) += c * F * d.by_flow.row(k) * disk.place;
-            C.row(first + k).head(n_twists) += c * F * d.by_flow.row(k) * disk.twist;
-          }
-      }
+    if (inflow != nullptr && !inflow->states.empty())
+      d.add_inflow_rows(station, g, at, inflow->load_weights, external != nullptr ? &disk : nullptr, K, C);
   }
 
 

@@ -205,6 +205,14 @@ namespace samara
           model.add_inertia(frames[a], table.node_weights(a) * dx.norm() * inertias[a]);
         }
     }
+
+
+
+    dealii::Point<3>
+    point_of(const Vector3 &x)
+    {
+      return {x(0), x(1), x(2)};
+    }
   } // namespace
 
 
@@ -214,11 +222,7 @@ namespace samara
   {
     std::vector<dealii::Point<3>> ends;
     std::vector<unsigned int>     degrees;
-    const auto                    add_end = [&](const double s) {
-      const Vector3 x = curve->position(s);
-      ends.emplace_back(x(0), x(1), x(2));
-    };
-    add_end(0);
+    ends.push_back(point_of(curve->position(0)));
     for (const Cell &c : cells)
       {
         const double h = c.end - c.start, size = std::max(curve->length(), ends.back().norm());
@@ -232,7 +236,7 @@ namespace samara
             return;
           }
         degrees.push_back(c.degree);
-        add_end(c.end);
+        ends.push_back(point_of(curve->position(c.end)));
       }
 
     // nodes are numbered along the beam, in the order of the cells

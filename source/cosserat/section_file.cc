@@ -193,6 +193,22 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** The @p n numbers behind the colon of line @p i. */
+    std::vector<double>
+    behind_colon(const Lines &lines, const std::size_t i, const std::size_t n, const std::string &how_many)
+    {
+      const std::string        &line    = lines.all[i];
+      const std::vector<double> numbers = lines.numbers(i, std::min(line.find(':'), line.size() - 1) + 1);
+      if (numbers.size() != n)
+        lines.wrong(i, "here should be " + how_many + " numbers behind a colon");
+      return numbers;
+    }
+  } // namespace
+
+
+
   SectionFile
   SectionFile::read(const std::string &file)
   {
@@ -226,16 +242,12 @@ namespace samara
           }
         else if (starts_with(line, curvature_line))
           {
-            const auto numbers = lines.numbers(i, std::min(line.find(':'), line.size() - 1) + 1);
-            if (numbers.size() != 3)
-              lines.wrong(i, "here should be three numbers behind a colon");
-            result.curvature = Eigen::Map<const Vector3>(numbers.data());
+            const auto numbers = behind_colon(lines, i, 3, "three");
+            result.curvature   = Eigen::Map<const Vector3>(numbers.data());
           }
         else if (starts_with(line, trapeze_line))
           {
-            const auto numbers = lines.numbers(i, std::min(line.find(':'), line.size() - 1) + 1);
-            if (numbers.size() != 7)
-              lines.wrong(i, "here should be seven numbers behind a colon");
+            const auto numbers    = behind_colon(lines, i, 7, "seven");
             result.values.trapeze = {Eigen::Map<const Vector6>(numbers.data()), numbers[6]};
           }
         else if (starts_with(line, "Section "))

@@ -120,6 +120,41 @@ namespace samara
     constexpr unsigned int worth_keeping = 20000;
     /** after a correction so small that the matrix hardly changes, as long as the next ones shrink so fast. */
     constexpr double small_correction = 1e-2, fast = 0.1;
+
+
+
+    /** Whether all rows are numbers; the first that is none is told. */
+    bool
+    is_finite(const std::vector<double> &residual, const unsigned int n, NewtonResult &result)
+    {
+      const auto end = residual.begin() + n;
+      const auto bad = std::find_if(residual.begin(), end, [](const double r) { return !std::isfinite(r); });
+      if (bad == end)
+        return true;
+      result.fail(Failure::not_finite, "what acts there is not a finite number");
+      result.worst = bad - residual.begin();
+      return false;
+    }
+
+
+
+    /** Whether the tangent at @p state has factors. */
+    bool
+    factorize(const System &system, const State &state, SparseMatrix &K, LinearSolver &solver, NewtonResult &result)
+    {
+      system.tangent(state, K);
+      try
+        {
+          solver.factorize(K);
+        }
+      catch (const SingularMatrix &singular)
+        {
+          result.fail(Failure::singular, "the tangent matrix is singular");
+          result.worst = std::max(0, singular.unknown);
+          return false;
+        }
+      return true;
+    }
   } // namespace
 
 
@@ -141,29 +176,10 @@ namespace samara
         throw_if_interrupted();
         system.stresses(state, stress);
         system.residual(state, stress, residual);
-        if (const auto bad = std::find_if(residual.begin(),
-                                          residual.begin() + system.size(),
-                                          [](const double r) { return !std::isfinite(r); });
-            result.iterations == 0 && bad != residual.begin() + system.size())
-          {
-            result.fail(Failure::not_finite, "what acts there is not a finite number");
-            result.worst = bad - residual.begin();
-            return result;
-          }
-        try
-          {
-            if (!keeps_factors)
-              {
-                system.tangent(state, K);
-                solver.factorize(K);
-              }
-          }
-        catch (const SingularMatrix &singular)
-          {
-            result.fail(Failure::singular, "the tangent matrix is singular");
-            result.worst = std::max(0, singular.unknown);
-            return result;
-          }
+        if (result.iterations == 0 && !is_finite(residual, system.size(), result))
+          return result;
+        if (!keeps_factors && !factorize(system, state, K, solver, result))
+          return result;
         step.assign(residual.begin(), residual.begin() + system.size());
         for (auto &s : step)
           s = -s;

@@ -431,6 +431,79 @@ namespace samara
 
 
 
+  Point<double>
+  Projection::later_at(const State &state, const double by)
+  {
+    Point<double> point = state.point();
+    point.time += by;
+    if (moved_state_rates.empty())
+      return point;
+    system.state_rates(point, moved_state_rates.data());
+    point.state_rates = moved_state_rates.data();
+    return point;
+  }
+
+
+
+  void
+  Projection::forget_states_that_stay(const State &state, const double dt)
+  {
+    // rates of states are dear where there is air; laws of constraints name few states, and most of those are controls,
+    // which are still
+    const auto states_in_laws = states_of_constraints(system.layout);
+    const auto is_still       = [&](const Values &rates) {
+      return std::all_of(states_in_laws.begin(), states_in_laws.end(), [&](const int i) { return rates[i] == 0; });
+    };
+    bool all_still = is_still(state.state_rates);
+    moved_state_rates.assign(system.layout.n_states, 0.);
+    for (unsigned int i = 0; i < 2 && all_still && !states_in_laws.empty(); ++i)
+      {
+        const double by = i == 0 ? -dt : dt;
+        constraint_rates_after(state, by, later);
+        all_still = is_still(moved_state_rates);
+        later_at(state, by);
+        all_still = all_still && is_still(moved_state_rates);
+      }
+    if (all_still)
+      moved_state_rates.clear();
+  }
+
+
+
+  void
+  Projection::subtract_rates_of_rows(const State &state)
+  {
+    double fastest = 1e-3;
+    for (const auto node : bound)
+      fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[6 * node + 3]).norm());
+    for (const double rate : state.rates)
+      fastest = std::max(fastest, std::abs(rate));
+    const double dt = 1e-3 / fastest;
+    forget_states_that_stay(state, dt);
+    const auto on_path = difference(dt, [&](const double by) {
+      constraint_rates_after(state, by, later);
+      return later;
+    });
+    for (unsigned int i = 0; i < later.size(); ++i)
+      b[system.layout.of_multiplier(i)] -= on_path[i];
+    const auto is_driven = [&](const double by) {
+      system.constraint_time_rates(later_at(state, by), later.data());
+      return largest_of(later) > 0;
+    };
+    if (!(is_driven(0) || is_driven(-dt) || is_driven(dt) || is_driven(-2 * dt) || is_driven(2 * dt)))
+      return;
+    const double rates = std::max(largest_of(state.y), largest_of(state.rates));
+    const auto   in_time =
+      limit_of_differences(dt, state.time, rates * std::max(1., largest_of(state.q)), [&](const double by) {
+        constraint_rates(later_at(state, by), later);
+        return later;
+      });
+    for (unsigned int i = 0; i < later.size(); ++i)
+      b[system.layout.of_multiplier(i)] -= in_time[i];
+  }
+
+
+
   std::vector<double>
   Projection::accelerations_about_multipliers(State &state)
   {
@@ -443,65 +516,8 @@ namespace samara
     for (int i = 0; i < system.layout.of_multiplier(0); ++i)
       b[i] = -r[i];
 
-    // Ġ y by differences of fourth order over a time in which nothing turns by more than a thousandth; with it, what
-    // changes with time alone, however fast that is
-    double fastest = 1e-3;
-    for (const auto node : bound)
-      fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[6 * node + 3]).norm());
-    for (const double rate : state.rates)
-      fastest = std::max(fastest, std::abs(rate));
-    const double dt = 1e-3 / fastest;
     if (system.layout.n_multipliers > 0)
-      {
-        const auto later_at = [&](const double by) {
-          Point<double> point = state.point();
-          point.time += by;
-          if (moved_state_rates.empty())
-            return point;
-          system.state_rates(point, moved_state_rates.data());
-          point.state_rates = moved_state_rates.data();
-          return point;
-        };
-        // rates of states are dear where there is air; laws of constraints name few states, and most of those are
-        // controls, which are still
-        const auto states_in_laws = states_of_constraints(system.layout);
-        const auto is_still       = [&](const Values &rates) {
-          return std::all_of(states_in_laws.begin(), states_in_laws.end(), [&](const int i) { return rates[i] == 0; });
-        };
-        bool all_still = is_still(state.state_rates);
-        moved_state_rates.assign(system.layout.n_states, 0.);
-        for (unsigned int i = 0; i < 2 && all_still && !states_in_laws.empty(); ++i)
-          {
-            const double by = i == 0 ? -dt : dt;
-            constraint_rates_after(state, by, later);
-            all_still = is_still(moved_state_rates);
-            later_at(by);
-            all_still = all_still && is_still(moved_state_rates);
-          }
-        if (all_still)
-          moved_state_rates.clear();
-        const auto on_path = difference(dt, [&](const double by) {
-          constraint_rates_after(state, by, later);
-          return later;
-        });
-        for (unsigned int i = 0; i < later.size(); ++i)
-          b[system.layout.of_multiplier(i)] -= on_path[i];
-        const auto is_driven = [&](const double by) {
-          system.constraint_time_rates(later_at(by), later.data());
-          return largest_of(later) > 0;
-        };
-        if (is_driven(0) || is_driven(-dt) || is_driven(dt) || is_driven(-2 * dt) || is_driven(2 * dt))
-          {
-            const double rates = std::max(largest_of(state.y), largest_of(state.rates));
-            const auto   in_time =
-              limit_of_differences(dt, state.time, rates * std::max(1., largest_of(state.q)), [&](const double by) {
-                constraint_rates(later_at(by), later);
-                return later;
-              });
-            for (unsigned int i = 0; i < later.size(); ++i)
-              b[system.layout.of_multiplier(i)] -= in_time[i];
-          }
-      }
+      subtract_rates_of_rows(state);
     for (const auto i : system.released_multipliers())
       b[system.layout.of_multiplier(i)] = 0;
     // rates of states are known, and in Ġ y already

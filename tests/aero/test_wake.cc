@@ -242,7 +242,9 @@ TEST(SweptFactors, LeaveWhatTheySay)
         error = std::max(error, std::abs(x[i] - exact[i]));
       EXPECT_LT(error, factors.is_swept ? 3 * factors.left : 1e-10);
       if (factors.is_swept)
-        EXPECT_GT(error, 1e-6); // a sweep is not exact
+        {
+          EXPECT_GT(error, 1e-6); // a sweep is not exact
+        }
       // complex numbers
       std::vector<std::complex<double>>  values(A.values.begin(), A.values.end() - 1), z(exact.begin(), exact.end());
       SweptFactors<std::complex<double>> complex(A.pattern, {10, 11, 12});

@@ -80,7 +80,15 @@ namespace samara
     std::vector<double> solve_for_accelerations(State &state);
     /** The same where laws see the multipliers that the state has, to which those found are added. */
     std::vector<double> accelerations_about_multipliers(State &state);
-    void                constraint_rates(const Point<double> &point, std::vector<double> &rates) const;
+    /**
+     * Ġ y, taken off the rows of the multipliers: by differences of fourth order over a time in which nothing turns by
+     * more than a thousandth; with it, what changes with time alone, however fast that is.
+     */
+    void subtract_rates_of_rows(const State &state);
+    /** Where no state that laws of constraints name changes within dt, rates of states are not found any more. */
+    void          forget_states_that_stay(const State &state, double dt);
+    Point<double> later_at(const State &state, double by);
+    void          constraint_rates(const Point<double> &point, std::vector<double> &rates) const;
 
     /** Constraint rates at these twists where the nodes are after @p dt straight along their velocities. */
     void constraint_rates_after(const State &state, double dt, std::vector<double> &rates);
