@@ -47,7 +47,7 @@ content_of(const std::string &file)
 
 
 /** What @p action says when it throws a std::runtime_error. */
-template <typename Action>
+template <typename Action, typename = std::enable_if_t<std::is_invocable_v<const Action &>>>
 std::string
 complaint_of(const Action &action)
 {
