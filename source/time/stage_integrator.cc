@@ -97,7 +97,7 @@ namespace samara
   StepResult
   StageIntegrator::step(State &state, const double h)
   {
-    Assert(h > 0, dealii::ExcMessage("a step has a positive length"));
+    Assert(std::isfinite(h), dealii::ExcMessage("The length of a step is a number."));
     StepResult result;
     start_step(state, h);
     const bool converged = find_stages(state, h, result);
