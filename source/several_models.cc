@@ -89,18 +89,16 @@ namespace samara
 
 
 
-    /** All write what they have; who takes too long is killed with its Process. */
+    /** All write what they have, and that is told. */
     void
     stop(const std::vector<OneOfSeveral *> &running)
     {
-      constexpr std::chrono::seconds longest_patience(5);
+      std::vector<Process *> processes;
       for (const auto *one : running)
-        one->process->send(SIGTERM);
-      const auto asked_at = std::chrono::steady_clock::now();
-      for (auto *one : running)
+        processes.push_back(one->process.get());
+      end_all(processes);
+      for (const auto *one : running)
         {
-          while (!one->process->has_ended() && std::chrono::steady_clock::now() - asked_at < longest_patience)
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
           pass_on(one->told, std::cout);
           pass_on(one->complained, std::cerr);
         }

@@ -14,8 +14,6 @@ namespace samara
 {
   namespace
   {
-    constexpr std::chrono::seconds longest_patience(5); ///< with members that have been asked to end
-
     const char *const time_limit_text = "time limit of ";
 
     /** The first line of what a member complained about; the lines behind it are advice. */
@@ -216,13 +214,10 @@ namespace samara
     void
     Crew::stop() const
     {
+      std::vector<Process *> processes;
       for (const auto &run : running)
-        run.process->send(SIGTERM);
-      // what does not end by itself is killed with its Process
-      const auto asked_at = std::chrono::steady_clock::now();
-      for (const auto &run : running)
-        while (!run.process->has_ended() && std::chrono::steady_clock::now() - asked_at < longest_patience)
-          std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        processes.push_back(run.process.get());
+      end_all(processes);
       throw Interrupted("interrupted: " + std::to_string(n_done) + " of " + std::to_string(study.members.size()) +
                         " members are done; the same command goes on with the others");
     }

@@ -123,15 +123,7 @@ namespace samara
   std::vector<std::vector<std::string>>
   FloquetAnalysis::groups() const
   {
-    std::vector<std::vector<std::string>> result;
-    if (!trim(symmetry).empty())
-      for (const auto &group : split_top_level(symmetry, ';'))
-        {
-          result.emplace_back();
-          for (const auto &name : split_top_level(group, ','))
-            result.back().push_back(trim(name));
-        }
-    return result;
+    return groups_of_names(symmetry);
   }
 
 
@@ -156,11 +148,8 @@ namespace samara
   State
   FloquetAnalysis::first_state(const Context &context) const
   {
-    // a dynamic analysis leaves what moves already
-    if (!context.is_equilibrium && !context.state.held)
-      return context.state;
     // in a sweep a motion with another speed than that of its row would be a wrong result
-    return start_of_motion(context, {parameters.where(), 0., true, !context.sweep.empty()});
+    return motion_or_start(context, {parameters.where(), 0., true, !context.sweep.empty()});
   }
 
 

@@ -128,17 +128,10 @@ namespace samara
                                const State          &start,
                                const State          &end)
   {
-    const auto   missing = motion.gap(start, end);
-    unsigned int worst   = 0;
-    gap                  = 0;
-    for (unsigned int i = 0; i < missing.size(); ++i)
-      if (const double g = std::abs(missing[i]) / motion.scales[i]; !(g <= gap))
-        {
-          gap   = g;
-          worst = i;
-        }
+    const auto largest = motion.largest(motion.gap(start, end));
+    gap                = largest.size;
     const std::string text =
-      "the motion lacks " + number_to_text("%.1e", gap) + " to periodicity, most at " + motion.name_of(worst);
+      "the motion lacks " + number_to_text("%.1e", gap) + " to periodicity, most at " + motion.name_of(largest.entry);
     if (!(gap <= largest_gap))
       throw NotConverged(
         "harmonics: " + text +
@@ -186,11 +179,9 @@ namespace samara
       averages.push_back({PeriodAverage::mean, 0, probe});
     const auto loads = find_loads(context.system.model, averages);
 
-    const IntegratorSettings settings{spectral_radius, newton_tolerance, max_iterations, 1e-4, n_stages};
-    PeriodicMotion           motion(context, period, n_steps, settings, averages);
-    State                    start = !context.is_equilibrium && !context.state.held ? context.state :
-                                                                                      start_of_motion(context, {parameters.where(), 0.}),
-          end                      = start;
+    const IntegratorSettings         settings{spectral_radius, newton_tolerance, max_iterations, 1e-4, n_stages};
+    PeriodicMotion                   motion(context, period, n_steps, settings, averages);
+    State                            start = motion_or_start(context, {parameters.where(), 0.}), end = start;
     std::vector<std::vector<double>> values;
     for (unsigned int i = 0; i <= most_periods; ++i)
       {
@@ -199,11 +190,7 @@ namespace samara
         end = start;
         values.clear();
         motion.turn(end, [&](State &, unsigned int, const std::vector<double> &y) { values.push_back(y); });
-        const auto missing = motion.gap(start, end);
-        double     largest = 0;
-        for (unsigned int k = 0; k < missing.size(); ++k)
-          largest = std::max(largest, std::abs(missing[k]) / motion.scales[k]);
-        if (largest < closed_gap)
+        if (motion.largest(motion.gap(start, end)).size < closed_gap)
           break;
       }
     check_gap(context, motion, start, end);

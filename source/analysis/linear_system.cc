@@ -89,28 +89,11 @@ namespace samara
   std::vector<unsigned int>
   LinearSystemAnalysis::states_of_inputs(const System &system) const
   {
-    const auto controls = states_of_controls(system);
-    if (inputs.empty())
-      {
-        if (controls.empty())
-          throw InputError(
-            parameters.where() +
-            ": linear system: there are no inputs: make a state of type <control> for each, and let the law "
-            "of a force depend on it");
-        return controls;
-      }
-    std::vector<std::string> names;
-    for (const unsigned int i : controls)
-      names.push_back(system.model.states[i].name);
-    std::vector<unsigned int> result;
-    for (const auto &input : inputs)
-      {
-        const auto found = std::find(names.begin(), names.end(), input);
-        if (found == names.end())
-          throw InputError(parameters.where("Inputs") + ": <" + input + "> is no state of type <control>" +
-                           did_you_mean(input, names));
-        result.push_back(controls[found - names.begin()]);
-      }
+    const auto result = controls_by_name(system, inputs, parameters);
+    if (result.empty())
+      throw InputError(parameters.where() +
+                       ": linear system: there are no inputs: make a state of type <control> for each, and let the law "
+                       "of a force depend on it");
     return result;
   }
 

@@ -142,8 +142,7 @@ namespace samara
     const double  interval = n_between * step;
     const auto    scale    = scales_of_increment(system, interval);
     PeriodMap     map(system, {interval, n_between, n_stages, spectral_radius, newton_tolerance, max_iterations});
-    State         state   = !context.is_equilibrium && !context.state.held ? context.state :
-                                                                             start_of_motion(context, {parameters.where(), 0.});
+    State         state   = motion_or_start(context, {parameters.where(), 0.});
     const double  begin   = state.time + settle;
     auto          columns = first_columns(system, scale);
     // the first interval makes changes what the constraints allow

@@ -86,43 +86,12 @@ namespace samara
 
 
 
-  std::vector<unsigned int>
-  PeriodicLinearSystemAnalysis::states_of_inputs(const System &system) const
-  {
-    const auto                controls = states_of_controls(system);
-    std::vector<std::string>  names;
-    std::vector<unsigned int> result;
-    for (const unsigned int i : controls)
-      names.push_back(system.model.states[i].name);
-    if (inputs.empty())
-      return controls;
-    for (const auto &input : inputs)
-      {
-        const auto found = std::find(names.begin(), names.end(), input);
-        if (found == names.end())
-          throw InputError(parameters.where("Inputs") + ": <" + input + "> is no state of type <control>" +
-                           did_you_mean(input, names));
-        result.push_back(controls[found - names.begin()]);
-      }
-    return result;
-  }
-
-
-
   RepeatedParts
   PeriodicLinearSystemAnalysis::repeated_parts(const System &system) const
   {
-    std::vector<std::vector<std::string>> groups;
-    if (!trim(symmetry).empty())
-      for (const auto &group : split_top_level(symmetry, ';'))
-        {
-          groups.emplace_back();
-          for (const auto &name : split_top_level(group, ','))
-            groups.back().push_back(trim(name));
-        }
     try
       {
-        return RepeatedParts(system, groups, turning);
+        return RepeatedParts(system, groups_of_names(symmetry), turning);
       }
     catch (const std::invalid_argument &problem)
       {
@@ -135,9 +104,7 @@ namespace samara
   std::vector<State>
   PeriodicLinearSystemAnalysis::find_motion(const Context &context, SectionMap &whole, PeriodMap &sample)
   {
-    const State first = !context.is_equilibrium && !context.state.held ?
-                          context.state :
-                          start_of_motion(context, {parameters.where(), 0.});
+    const State first = motion_or_start(context, {parameters.where(), 0.});
     whole.settle(first, most_periods, settled_orbit);
     whole.correct(most_corrections, settled_orbit);
     gap                    = whole.gap.size;
@@ -163,7 +130,7 @@ namespace samara
     check(context.sweep, complaints);
     complaints.throw_if_any();
     const System      &system  = context.system;
-    const auto         numbers = states_of_inputs(system);
+    const auto         numbers = controls_by_name(system, inputs, parameters);
     const unsigned int n       = n_samples * n_steps;
     SectionMap         whole(system,
                      {period, n, n_stages, spectral_radius, newton_tolerance, max_iterations},

@@ -222,4 +222,16 @@ namespace samara
   {
     return increment(system, start, end, true);
   }
+
+
+
+  PeriodicMotion::Largest
+  PeriodicMotion::largest(const std::vector<double> &gap) const
+  {
+    Largest result = {0, 0};
+    for (unsigned int i = 0; i < gap.size() && !std::isnan(result.size); ++i)
+      if (const double size = std::abs(gap[i]) / scales[i]; !(size <= result.size))
+        result = {size, i};
+    return result;
+  }
 } // namespace samara

@@ -11,6 +11,22 @@
 
 namespace samara
 {
+  std::vector<std::vector<std::string>>
+  groups_of_names(const std::string &text)
+  {
+    std::vector<std::vector<std::string>> result;
+    if (!trim(text).empty())
+      for (const auto &group : split_top_level(text, ';'))
+        {
+          result.emplace_back();
+          for (const auto &name : split_top_level(group, ','))
+            result.back().push_back(trim(name));
+        }
+    return result;
+  }
+
+
+
   namespace
   {
     /** Where @p part stands in @p name as a word of its own, "blade 1" not in "blade 10"; npos: nowhere. */

@@ -153,4 +153,12 @@ namespace samara
     system.stresses(state, state.stress);
     return state;
   }
+
+
+
+  State
+  motion_or_start(const Context &context, const StartOfMotion &how)
+  {
+    return !context.is_equilibrium && !context.state.held ? context.state : start_of_motion(context, how);
+  }
 } // namespace samara

@@ -255,7 +255,7 @@ namespace samara
     result.end      = from;
     result.averages = averages_in_si(motion->turn(result.end, observer));
     result.gap      = motion->gap(from, result.end);
-    result.miss = result.largest_gap = 0;
+    result.miss     = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
       if (const double miss = std::abs(result.averages(k) - targets[k].value) / targets[k].scale;
           !(miss <= result.miss))
@@ -263,12 +263,9 @@ namespace samara
           result.miss         = miss;
           result.worst_target = k;
         }
-    for (unsigned int i = 0; i < result.gap.size(); ++i)
-      if (const double gap = std::abs(result.gap[i]) / motion->scales[i]; !(gap <= result.largest_gap))
-        {
-          result.largest_gap = gap;
-          result.worst_gap   = i;
-        }
+    const auto largest     = motion->largest(result.gap);
+    result.largest_gap     = largest.size;
+    result.worst_gap       = largest.entry;
     const auto coordinates = result.end.coordinates;
     motion->begin_again(from, result.end);
     result.turned.resize(coordinates.size());

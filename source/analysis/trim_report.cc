@@ -226,20 +226,13 @@ namespace samara
       next.coordinates[i] += look.turned[i];
     State      end      = next;
     const auto averages = averages_in_si(motion->turn(end));
-    const auto gap      = motion->gap(next, end);
-    double     largest = 0, miss = 0;
-    unsigned   worst = 0;
-    for (unsigned int i = 0; i < gap.size(); ++i)
-      if (const double g = std::abs(gap[i]) / motion->scales[i]; !(g <= largest))
-        {
-          largest = g;
-          worst   = i;
-        }
+    const auto largest  = motion->largest(motion->gap(next, end));
+    double     miss     = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
       miss = std::max(miss, std::abs(averages(k) - targets[k].value) / targets[k].scale);
-    if (!(std::max(largest, miss) < 100 * trim.tolerance))
+    if (!(std::max(largest.size, miss) < 100 * trim.tolerance))
       fail("the motion comes back after the period from t = " + number_to_text("%.6g", look.start.time) +
-           " s, but not after the next one, most " + motion->name_of(worst) +
+           " s, but not after the next one, most " + motion->name_of(largest.entry) +
            ": something that acts does not have this <Period>, or what was found is not stable");
   }
 } // namespace samara

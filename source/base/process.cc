@@ -15,6 +15,7 @@
 #include <cstring>
 #include <iostream>
 #include <stdexcept>
+#include <thread>
 
 namespace samara
 {
@@ -133,5 +134,19 @@ namespace samara
   Process::cpu_seconds() const
   {
     return cpu;
+  }
+
+
+
+  void
+  end_all(const std::vector<Process *> &processes)
+  {
+    constexpr std::chrono::seconds longest_patience(5);
+    for (const auto *process : processes)
+      process->send(SIGTERM);
+    const auto asked_at = std::chrono::steady_clock::now();
+    for (auto *process : processes)
+      while (!process->has_ended() && std::chrono::steady_clock::now() - asked_at < longest_patience)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 } // namespace samara

@@ -64,8 +64,7 @@ namespace samara
                  most_corrections = 10, most_states = 400;
 
   private:
-    std::vector<unsigned int> states_of_inputs(const System &system) const;
-    RepeatedParts             repeated_parts(const System &system) const;
+    RepeatedParts repeated_parts(const System &system) const;
     /** The motion at the samples, n_samples + 1 states. */
     std::vector<State> find_motion(const Context &context, SectionMap &whole, PeriodMap &sample);
     void               find_bases(SectionMap                   &whole,

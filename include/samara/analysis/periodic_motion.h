@@ -79,6 +79,14 @@ namespace samara
     /** What is not periodic between @p start and @p end a period later: the increment, without whole turns. */
     std::vector<double> gap(const State &start, const State &end) const;
 
+    /** The largest entry of a gap in its scale, and which it is; the first that is not a number if there is one. */
+    struct Largest
+    {
+      double       size;
+      unsigned int entry;
+    };
+    Largest largest(const std::vector<double> &gap) const;
+
     /** What a value of the probe of average @p k at a time counts. */
     double
     weighted(const unsigned int k, const double value, const double time) const

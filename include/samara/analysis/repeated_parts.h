@@ -8,6 +8,11 @@
 
 namespace samara
 {
+  /** "blade 1, blade 2; lag 1, lag 2": groups of names between semicolons, as a <Symmetry> is written. */
+  std::vector<std::vector<std::string>> groups_of_names(const std::string &text);
+
+
+
   /**
    * A model of which something is there Q times and comes round: after a part of the period, T/Q, each of the repeated
    * parts is where the next one was and moves as that did. The renumbering P takes the state there to that at the start

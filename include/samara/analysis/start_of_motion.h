@@ -24,6 +24,9 @@ namespace samara
    * to another time
    */
   State start_of_motion(const Context &context, const StartOfMotion &how);
+
+  /** The motion that a dynamic analysis has left, at its time; where there is none, the start of one. */
+  State motion_or_start(const Context &context, const StartOfMotion &how);
 } // namespace samara
 
 #endif

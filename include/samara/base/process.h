@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace samara
 {
@@ -58,6 +59,9 @@ namespace samara
     double                                cpu    = 0;
     std::chrono::steady_clock::time_point start;
   };
+
+  /** Ask all to end, and wait some seconds for what they write; what has not ended then is killed with its Process. */
+  void end_all(const std::vector<Process *> &processes);
 } // namespace samara
 
 #endif
