@@ -77,3 +77,26 @@ TEST(CoarseMeshes, BySectionsThatTurnInBetween)
       EXPECT_EQ(warns(scene), force > 1) << force << scene.stream.str();
     }
 }
+
+
+
+// The strip of doc/theory/element.md: 0.7 kN in tension, N (h/p)²/EI = 16.8 with 4 elements of degree 3.
+TEST(CoarseMeshes, UnderStrongTension)
+{
+  const std::string model =
+    "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = 7e6\n set GA2 = 2.2e6\n"
+    " set GA3 = 2.2e6\n set GJ = 0.4\n set EI2 = 0.29\n set EI3 = 2400\n set Mass = 0.27\n end\nend\n"
+    "subsection Bodies\n subsection strip\n set Type = beam\n set Points = 0, 0, 0; 1, 0, 0\n set Section = s\n"
+    " set Elements = 4\n set Degree = 3\n end\nend\n"
+    "subsection Joints\n subsection clamp\n set Type = rigid\n set Body A = ground\n set Body B = strip.start\n end\n"
+    "end\nsubsection Loads\n subsection pull\n set Type = point load\n set At = strip.end\n"
+    " set Force = 700, 0, 0\n end\nend\n";
+  for (const unsigned int elements : {4, 8})
+    {
+      Scene scene(model, mesh("strip", 3, elements));
+      scene.equilibrium();
+      const bool told = scene.stream.str().find("N (h/p)^2/EI = 16.8") != std::string::npos;
+      EXPECT_EQ(told, elements == 4) << scene.stream.str();
+      EXPECT_EQ(scene.stream.str().find("too soft in bending") != std::string::npos, elements == 4);
+    }
+}

@@ -202,6 +202,11 @@ namespace samara
     std::pair<const AnalysedSection *, Vector3> analysed_at(double s) const;
     std::optional<Probe> stress_probe(const std::string &path, const std::string &quantity, double s) const;
 
+    /** "beam <name> from s to s", relative abscissae. */
+    std::string range_of(const Cell &cell) const;
+    /** Of the first element too long for its tension, and how much too long; empty if none is. @p e: strains. */
+    std::string tensioned_place(const double *e) const;
+
     /** Everything known at an arc length: strains and section forces are polynomials through the Gauss points. */
     struct Local
     {
