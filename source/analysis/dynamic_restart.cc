@@ -207,6 +207,7 @@ namespace samara
         settings.tolerance     = tolerance;
         settings.duration      = tolerance_holds_for > 0 ? tolerance_holds_for : end_time - start_time;
         settings.length        = length > 0 ? length : StepError::length_of(system.model);
+        settings.end           = end_time;
         settings.smallest_step = smallest_step;
         settings.largest_step  = largest_step > 0 ? largest_step : 0.1 * (end_time - start_time);
         machinery.stepper =

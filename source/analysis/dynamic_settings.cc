@@ -154,6 +154,11 @@ namespace samara
         "Stages",
         "one stage with a <Spectral radius> below 1 is of the first order: adaptive steps would be of the size of "
         "the tolerance; take two <Stages> or more");
+    else if (n_stages == 1 && tolerance < 1e-5)
+      complain(
+        "Stages",
+        "adaptive steps of one stage are of the second order: for a <Tolerance> below 1e-5 they would be tens of "
+        "thousands, whose estimates do not add up to it; take two <Stages> or more");
     if (!(smallest_step > 0))
       complain("Smallest step", "the <Smallest step> of adaptive steps must be positive");
     else if (largest_step > 0 && smallest_step > largest_step)

@@ -211,6 +211,29 @@ namespace samara
 
 
 
+  double
+  StepError::shift(const State          &end,
+                   const StepDifference &difference,
+                   const double          dissipated,
+                   const double          energy,
+                   const double          remaining) const
+  {
+    if (system.layout.n_strains > 0 || !(energy > 0))
+      return 0;
+    double kinetic = 0, change = 0, speed = 0;
+    for (unsigned int node = 1; node < radius.size(); ++node)
+      {
+        const Matrix6                  &M = system.model.nodes[node].inertia;
+        const Eigen::Map<const Vector6> y(&end.y[6 * node]), v(&difference.neighbour.rate[6 * node - 6]);
+        kinetic += y.dot(M * y);
+        change += v.dot(M * v);
+        speed = std::max(speed, y.head<3>().norm());
+      }
+    return speed * remaining * std::min(dissipated, tableau.alpha * std::sqrt(kinetic * change)) / (4 * energy);
+  }
+
+
+
   void
   StepError::accept()
   {

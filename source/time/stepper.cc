@@ -383,7 +383,12 @@ namespace samara
         return true;
       }
     controller->update(energy_of_change(trial), error->largest_displacement(trial));
-    estimate            = error->of_step(trial, result.step.difference, h, controller->duration());
+    estimate = error->of_step(trial, result.step.difference, h, controller->duration()) +
+               error->shift(trial,
+                            result.step.difference,
+                            integrator.family()->alpha * result.step.indicator,
+                            controller->E_ref,
+                            controller->remaining(trial.time));
     const auto decision = controller->decide({estimate, result.step.indicator, result.step.work_defect}, h);
     if (!decision.accept)
       {

@@ -119,6 +119,21 @@ TEST(Tolerance, SliderCrankThroughItsDeadPoints)
 
 
 
+// A mechanism that nothing drives is late by the energy that its steps lose, more so with time: 25 to 57 tolerances
+// where that was not counted.
+TEST(Tolerance, EnergyThatIsLostMakesAMotionLate)
+{
+  expect_what_it_says({"four_bar", {"coupler 1.position x", "coupler 1.position y"}, {}, 2, 2.5e-3},
+                      {{3, 0.5}, {3, 0}, {2, 0}},
+                      {1e-2, 1e-3},
+                      0.1,
+                      18);
+  expect_what_it_says(
+    {"slider_crank", {"slider.position x"}, {}, 0.24, 2.5e-3}, {{3, 0.5}, {2, 0}}, {1e-2, 1e-3}, 0.02, 8);
+}
+
+
+
 // Waves along the beam are a hundred times faster than its bending: they are not resolved, and do not decide.
 TEST(Tolerance, Elbow)
 {

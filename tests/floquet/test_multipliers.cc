@@ -6,6 +6,7 @@
 
 #include <samara/analysis/floquet.h>
 
+#include "../debug.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -197,6 +198,8 @@ TEST(Multipliers, OfAnUnsymmetricShaft)
                              {0.001, 50.5, -0.04801260251}};
   for (const auto &[zeta, Omega, growth] : table)
     {
+      if (is_debug && Omega != 48.5)
+        continue;
       Floquet floquet(shaft,
                       {"Constants/zeta = " + digits(zeta),
                        "Constants/Omega = " + digits(Omega),

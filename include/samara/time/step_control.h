@@ -3,6 +3,7 @@
 
 #include <samara/time/tableau.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -88,6 +89,7 @@ namespace samara
       double tolerance      = 1e-4; ///< error of positions at the end over the length
       double duration       = 1;    ///< over which errors add up to the tolerance [s]
       double length         = 1;    ///< displacements count at least as this [m]
+      double end            = std::numeric_limits<double>::infinity(); ///< of the run [s]
       double smallest_step  = 1e-9; ///< s
       double largest_step   = std::numeric_limits<double>::infinity();
       double guard          = 0.1;  ///< relative error of an oscillation in a period
@@ -138,6 +140,13 @@ namespace samara
     duration() const
     {
       return settings.duration;
+    }
+
+    /** For how long an error at the given time matters [s]. */
+    double
+    remaining(const double time) const
+    {
+      return std::clamp(settings.end - time, 0., settings.duration);
     }
 
     /** Local error of the last step over what it may have. */

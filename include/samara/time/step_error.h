@@ -67,6 +67,21 @@ namespace samara
     double of_step(const State &end, const StepDifference &difference, double h, double duration);
     void   accept();
 
+    /**
+     * How far a step of a rigid mechanism shifts what follows by the energy that it dissipates: with less energy a free
+     * motion is late, more so with time [m].
+     *
+     *     e₄ = ½ |v| (remaining time) D/(2E),     D at most α |y|_M |δv|_M: what drives enforce loses nothing
+     *
+     * Half, as a motion that comes and goes is slower in the mean than where it loses most. E: @p energy, the largest so
+     * far. 0 for models with springs or elastic bodies, which lose mostly vibration.
+     */
+    double shift(const State          &end,
+                 const StepDifference &difference,
+                 double                dissipated,
+                 double                energy,
+                 double                remaining) const;
+
     /** All that later steps depend on, for restarts. @{ */
     std::vector<double> memory() const;
     void                set_memory(const std::vector<double> &memory);
