@@ -114,6 +114,7 @@ namespace samara
   SectionMap::step_nearer(const std::vector<double> &x)
   {
     const State start = map.states().front(), end = map.states().back();
+    bool        is_kept = true;
     for (double factor = 1; factor > smallest_part; factor /= 2)
       try
         {
@@ -124,6 +125,7 @@ namespace samara
           parts.align(trial, there);
           if (gap_between(trial, there).size < (1 - 0.1 * factor) * gap.size)
             {
+              is_kept = false; // a step may have a solution and no tangent
               keep(trial);
               return true;
             }
@@ -132,7 +134,10 @@ namespace samara
         {
           // too far
         }
-    parts.align(start, end);
+    if (!is_kept)
+      keep(start);
+    else
+      parts.align(start, end);
     return false;
   }
 

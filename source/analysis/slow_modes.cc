@@ -251,12 +251,13 @@ namespace samara
       };
 
       /**
-       * Of pairs the one with Im σ ≥ 0: the @p n_wanted with the largest share in the first @p n_first columns, and all
-       * others that have a share and do not decay. Where coefficients change much, as in parametric resonance, modes
-       * are not as many as at the start, and the one that grows must not be the one that is left out.
+       * Of pairs the one with Im σ ≥ 0: those with the largest share in the first @p n_first columns, until they span
+       * as many dimensions, a pair two and what is real one; and all others that have a share and do not decay. Where
+       * coefficients change much, modes are not as many as at the start: a pair becomes two real multipliers, and in a
+       * parametric resonance the one that grows must not be the one that is left out.
        */
       std::vector<Pair>
-      pairs(const unsigned int n_first, const unsigned int n_wanted, const double highest) const
+      pairs(const unsigned int n_first, const double highest) const
       {
         const MatrixXd                     H = V.transpose() * images;
         const Eigen::EigenSolver<MatrixXd> eigen(H);
@@ -273,12 +274,17 @@ namespace samara
               result.push_back(pair);
           }
         std::stable_sort(result.begin(), result.end(), [](const Pair &a, const Pair &b) { return a.share > b.share; });
-        if (result.size() > n_wanted)
-          result.erase(std::remove_if(result.begin() + n_wanted,
-                                      result.end(),
-                                      [](const Pair &p) { return std::abs(p.value) < no_decay; }),
-                       result.end());
-        return result;
+        unsigned int n         = 0;
+        const auto   is_beyond = [&](const Pair &pair) {
+          const bool beyond = n >= n_first;
+          n += pair.value.imag() > 0 ? 2 : 1;
+          return beyond && std::abs(pair.value) < no_decay;
+        };
+        std::vector<Pair> kept;
+        for (auto &pair : result)
+          if (!is_beyond(pair))
+            kept.push_back(std::move(pair));
+        return kept;
       }
 
       unsigned int
@@ -406,7 +412,7 @@ namespace samara
       {
         space.carry();
         const auto before = pairs;
-        pairs             = space.pairs(n_first, result.n_looked_for, which.highest);
+        pairs             = space.pairs(n_first, which.highest);
         find_changes(before, pairs);
       }
     while (grow(space, pairs, which));
