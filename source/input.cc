@@ -10,6 +10,7 @@
 #include <cctype>
 #include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace samara
@@ -39,11 +40,12 @@ namespace samara
             redundant,
             "No effect any more: redundant constraints need no entry. Models of earlier versions say refuse or drop.",
             dealii::Patterns::Selection("|refuse|drop"));
-    prm.add("Linear solver",
-            linear_solver,
-            "Library that factorises matrices. Automatic: KLU for beams and mechanisms, where it is the fastest; for what "
-            "fills more LU with pivots on the diagonal, or MUMPS where these are not accurate.",
-            dealii::Patterns::Selection("automatic|KLU|UMFPACK|MUMPS"));
+    prm.add(
+      "Linear solver",
+      linear_solver,
+      "Library that factorises matrices. Automatic: KLU for beams and mechanisms, where it is the fastest; for what "
+      "fills more LU with pivots on the diagonal, or MUMPS where these are not accurate.",
+      dealii::Patterns::Selection("automatic|KLU|UMFPACK|MUMPS"));
     prm.add("Threads",
             threads,
             "Most threads for loops over elements, used where a body has so many that it helps; 0: one a processor.",
@@ -172,10 +174,7 @@ namespace samara
 
 
 
-  Input::Input(const Catalogue                &catalogue,
-               InputFile                       file,
-               const std::vector<std::string> &overrides,
-               const Gaps               gaps)
+  Input::Input(const Catalogue &catalogue, InputFile file, const std::vector<std::string> &overrides, const Gaps gaps)
   {
     Outline    &outline    = file.outline;
     Complaints &complaints = file.complaints;
@@ -245,6 +244,7 @@ namespace samara
   {
     // subsections of analyses that are not asked for are checked all the same
     std::map<std::string, std::unique_ptr<Analysis>> all;
+    std::set<const Analysis *>                       faultless;
     for (const auto &kind : catalogue.analyses.kinds())
       {
         const std::string name     = subsection_of_analysis(kind);
@@ -256,7 +256,7 @@ namespace samara
           analysis->parameters.parse(*section, quantities, complaints);
         const bool is_asked_for = std::find(analysis_names.begin(), analysis_names.end(), kind) != analysis_names.end();
         if (is_asked_for && complaints.count() == before)
-          analysis->check(rotor_speeds, complaints);
+          faultless.insert(analysis.get());
       }
     for (const auto &kind : analysis_names)
       if (!catalogue.analyses.contains(kind))
@@ -271,6 +271,9 @@ namespace samara
         complaints.add(root.where("Analyses"), "the analysis <" + kind + "> is asked for twice");
       else
         analyses.push_back(std::move(all[kind]));
+    for (unsigned int i = 0; i < analyses.size(); ++i)
+      if (faultless.count(analyses[i].get()) > 0)
+        analyses[i]->check(i < n_swept(analyses) ? rotor_speeds : std::vector<double>(), complaints);
   }
 
 

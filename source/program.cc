@@ -11,8 +11,8 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
-#include <samara/several_models.h>
 #include <samara/section_report.h>
+#include <samara/several_models.h>
 #include <samara/study.h>
 #include <samara/trim_variants.h>
 
@@ -28,6 +28,39 @@ namespace samara
 {
   namespace
   {
+    /** The first @p n analyses at each speed of the sweep. */
+    template <typename Run>
+    void
+    run_sweep(const Input &input, const unsigned int n, Context &context, const Run &run_one)
+    {
+      const auto first = input.analyses.begin(), end = first + n;
+      std::for_each(first, end, [&](const auto &analysis) { analysis->start(context); });
+      for (const double speed : context.sweep)
+        {
+          context.speeds = context.speeds_at(speed);
+          context.log.line("speed " + short_text(speed) + " rad/s");
+          std::for_each(first, end, [&](const auto &analysis) { run_one(*analysis); });
+        }
+      std::for_each(first, end, [&](const auto &analysis) { analysis->finish(context); });
+    }
+
+
+
+    /** Speeds of the model, no sweep, nothing found yet. */
+    void
+    return_to_own_speed(Context &context)
+    {
+      context.speeds.clear();
+      for (const auto &rotation : context.system.model.rotations)
+        context.speeds.push_back(rotation.speed);
+      context.sweep.clear();
+      context.state          = context.system.reference();
+      context.is_equilibrium = false;
+    }
+
+
+
+    /** Analyses one by one; behind a sweep of those that can be swept, see n_swept(). */
     void
     run_all(const Input &input, Context &context)
     {
@@ -47,37 +80,37 @@ namespace samara
             throw InputError(with_place(error.complaints, analysis.parameters.where()));
           }
       };
-      auto       next         = input.analyses.begin();
-      const bool is_continued = context.restart;
-      if (is_continued)
+      auto next = input.analyses.begin();
+      if (context.restart)
         {
           // the state is in the checkpoint: what was done before it is not repeated, and its results are there
           next = std::find_if(next, input.analyses.end(), [](const auto &analysis) { return analysis->can_restart(); });
           if (next == input.analyses.end())
             throw InputError(input.where("Analyses") +
                              ": --restart: there is no dynamic analysis among the <Analyses>");
+          context.sweep.clear();
           run_one(**next++);
           context.restart = false;
         }
+      if (!context.sweep.empty())
+        {
+          const unsigned int n           = n_swept(input.analyses);
+          const bool         is_all      = n == input.analyses.size();
+          const bool         is_pictured = context.pictures;
+          context.pictures               = is_pictured && is_all; // else those at the model's own speed come later
+          run_sweep(input, n, context, run_one);
+          if (is_all)
+            return;
+          context.pictures = is_pictured;
+          return_to_own_speed(context);
+          context.log.line("at the model's own speed, " + short_text(context.speeds[0]) + " rad/s");
+        }
       std::for_each(next, input.analyses.end(), [&](const auto &analysis) { analysis->start(context); });
-      if (context.sweep.empty() || is_continued)
+      for (; next != input.analyses.end(); ++next)
         {
-          for (; next != input.analyses.end(); ++next)
-            {
-              run_one(**next);
-              (*next)->finish(context); // a run that is killed later keeps the results of this one
-            }
-          return;
+          run_one(**next);
+          (*next)->finish(context); // a run that is killed later keeps the results of this one
         }
-      for (const double speed : context.sweep)
-        {
-          context.speeds = context.speeds_at(speed);
-          context.log.line("speed " + short_text(speed) + " rad/s");
-          for (const auto &analysis : input.analyses)
-            run_one(*analysis);
-        }
-      for (const auto &analysis : input.analyses)
-        analysis->finish(context);
     }
 
 

@@ -35,6 +35,16 @@ namespace samara
 
 
 
+  unsigned int
+  n_swept(const std::vector<std::unique_ptr<Analysis>> &analyses)
+  {
+    const auto first =
+      std::find_if(analyses.begin(), analyses.end(), [](const auto &a) { return a->is_of_one_speed(); });
+    return first == analyses.begin() ? analyses.size() : first - analyses.begin();
+  }
+
+
+
   void
   CoarseMeshes::check(const Context &context, const State &state, const std::string &when)
   {

@@ -1,5 +1,6 @@
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
+#include <samara/analysis/mode_names.h>
 #include <samara/analysis/moving_axes.h>
 #include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/steady_loads.h>
@@ -103,6 +104,7 @@ namespace samara
   {
     const Steady steady = analyse(context);
     branches            = tracking.follow(modes, steady.linearization.M);
+    find_names(context);
     report(context);
     check_errors(context);
     if (!context.sweep.empty())
@@ -110,6 +112,21 @@ namespace samara
     if (context.pictures && context.is_shown() && !context.folder.empty())
       for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
         animate(context, k);
+  }
+
+
+
+  void
+  ModalAnalysis::find_names(const Context &context)
+  {
+    names.clear();
+    if (context.system.model.rotations.empty())
+      return;
+    State turning = context.state; // at rest, too, flap is what it is in rotation
+    set_steady_motion(context.system, turning, context.speeds_at(1.));
+    const ModeNames by_content(context.system, turning);
+    for (const auto &mode : modes)
+      names.push_back(by_content.of(mode));
   }
 
 
@@ -342,14 +359,15 @@ namespace samara
   {
     if (!fan)
       fan = std::make_unique<Table>(std::vector<std::string>{
-        "speed [rad/s]", "branch", "frequency [rad/s]", "damping ratio", "real [1/s]", "imaginary [rad/s]"});
+        "speed [rad/s]", "branch", "frequency [rad/s]", "damping ratio", "real [1/s]", "imaginary [rad/s]", "name"});
     for (unsigned int i = 0; i < modes.size(); ++i)
       fan->add_row({context.speeds[0],
                     branches[i],
                     modes[i].frequency(),
                     modes[i].damping_ratio(),
                     modes[i].lambda.real(),
-                    modes[i].lambda.imag()});
+                    modes[i].lambda.imag(),
+                    names.empty() ? "" : names[i]});
   }
 
 
@@ -384,7 +402,8 @@ namespace samara
                  "damping ratio",
                  "real [1/s]",
                  "imaginary [rad/s]",
-                 "estimated relative error"});
+                 "estimated relative error",
+                 "name"});
     for (unsigned int i = 0; i < modes.size(); ++i)
       {
         const Mode &m = modes[i];
@@ -394,7 +413,8 @@ namespace samara
                        m.damping_ratio(),
                        m.lambda.real(),
                        m.lambda.imag(),
-                       m.error});
+                       m.error,
+                       names.empty() ? "" : names[i]});
         std::ostringstream line;
         line << "  mode " << i + 1 << ": ";
         if (m.is_free())
@@ -402,6 +422,8 @@ namespace samara
         else
           line << short_text(m.frequency()) << " rad/s, damping ratio "
                << short_text(std::abs(m.damping_ratio()) < 10 * m.error + 1e-10 ? 0. : m.damping_ratio()) << "  (";
+        if (!names.empty() && !names[i].empty())
+          line << names[i] << "; ";
         const auto shares = participation(context.system, m);
         for (unsigned int k = 0; k < std::min<unsigned int>(3, shares.size()) && (k == 0 || shares[k].second > 0.02);
              ++k)

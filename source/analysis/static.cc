@@ -42,6 +42,9 @@ namespace samara
     processor_start = std::clock();
     has_told_motion = false;
     solver          = make_solver(context.system.layout.pattern);
+    for (auto *const old : {&history, &speed_history, &path_history, &limits_history})
+      old->reset(); // of a sweep before
+    pictures.reset();
     if (context.folder.empty())
       return;
     history = std::make_unique<History>(context.folder, "static", columns_of(context, "load factor", "1"));

@@ -4,6 +4,7 @@
 #include <samara/base/log.h>
 #include <samara/model/system.h>
 
+#include <memory>
 #include <optional>
 #include <set>
 
@@ -61,6 +62,16 @@ namespace samara
       return false;
     }
 
+    /**
+     * Whether it belongs to one speed, as a motion does: it and what comes behind it are not repeated in a sweep, see
+     * n_swept().
+     */
+    virtual bool
+    is_of_one_speed() const
+    {
+      return false;
+    }
+
     /** Before the first of several runs of a sweep. */
     virtual void
     start(Context &)
@@ -98,6 +109,13 @@ namespace samara
     finish(Context &)
     {}
   };
+
+  /**
+   * How many of the analyses of a run are done at each speed of a sweep: those before the first one that is of one
+   * speed. Then the whole run follows at the model's own speed. If nothing stands before it all of them are, and it
+   * refuses the sweep.
+   */
+  unsigned int n_swept(const std::vector<std::unique_ptr<Analysis>> &analyses);
 
   /**
    * Warn once of each item whose mesh is too coarse for a state, see Item::coarse_place(), and once of each doubt of an

@@ -43,6 +43,12 @@ namespace samara
       return true;
     }
 
+    bool
+    is_of_one_speed() const override
+    {
+      return true;
+    }
+
     std::optional<Effort>
     effort() const override
     {

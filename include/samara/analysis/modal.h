@@ -15,8 +15,8 @@ namespace samara
    * refused.
    *
    * Writes modes.csv, or modes_<speed>.csv for each speed of a sweep and fan.csv with all of them, where modes keep
-   * their number by their shape (MAC); mode_<k>.pvd shows a mode moving. Each mode has an estimate of its error: above
-   * 1e-6 of the frequency it is warned about, above 1e-2 refused.
+   * their number by their shape (MAC); blades' modes have names (ModeNames); mode_<k>.pvd shows a mode moving. Each
+   * mode has an estimate of its error: above 1e-6 of the frequency it is warned about, above 1e-2 refused.
    */
   class ModalAnalysis : public Analysis
   {
@@ -25,7 +25,8 @@ namespace samara
     void run(Context &context) override;
     void finish(Context &context) override;
 
-    std::vector<Mode> modes; ///< of the last run
+    std::vector<Mode>        modes; ///< of the last run
+    std::vector<std::string> names; ///< of these modes, see ModeNames; none if nothing turns
 
   protected:
     /** A steady motion about which small motions have constant coefficients, in axes with these spins. */
@@ -70,6 +71,7 @@ namespace samara
     void refuse_unsteady(const Context &context, const std::string &why) const;
     void check_mass(const System &system, const Linearization &linearization) const;
     void find(const Context &context, const Linearization &linearization);
+    void find_names(const Context &context);
     void check_axes(const Context &context, const MovingAxes &seen) const;
     void check_errors(const Context &context) const;
     void add_to_fan(const Context &context);

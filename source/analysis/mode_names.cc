@@ -1,0 +1,242 @@
+#include <samara/analysis/mode_names.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace samara
+{
+  namespace
+  {
+    constexpr unsigned int most_slices     = 24;
+    constexpr double       clear_share     = 0.6, ///< of the energy, from which on a word stands for all
+      least_motion                         = 0.1, ///< that counts when signs are compared, of the largest
+      least_slenderness                    = 2;   ///< of what is called a blade
+    constexpr const char *words_of_modes[] = {"flap", "lag", "torsion", "stretch"};
+
+    using Vector3c = Eigen::Vector3cd;
+
+
+
+    /** A node as a rigid body: place and velocity of its mass centre, spin, inertia about it, in inertial axes. */
+    struct MovingMass
+    {
+      double   m;
+      Vector3  at;
+      Matrix3  J;
+      Vector3c velocity, spin;
+
+      MovingMass(const System &system, const State &state, const Mode &mode, const unsigned int node)
+      {
+        const Matrix6 &inertia = system.model.nodes[node].inertia;
+        const Matrix3  D       = state.triad(node);
+        m                      = inertia(0, 0);
+        const Matrix3 c        = m > 0 ? Matrix3(-inertia.topRightCorner<3, 3>() / m) : Matrix3(Matrix3::Zero());
+        const int     row      = system.layout.of_node(node);
+        at                     = state.position(node) + D * Vector3(c(2, 1), c(0, 2), c(1, 0));
+        J                      = D * (inertia.bottomRightCorner<3, 3>() + m * c * c) * D.transpose();
+        spin                   = D.cast<std::complex<double>>() * mode.shape.segment<3>(row + 3);
+        velocity               = D.cast<std::complex<double>>() *
+                   (mode.shape.segment<3>(row) - c.cast<std::complex<double>>() * mode.shape.segment<3>(row + 3));
+      }
+    };
+
+
+
+    /** Part along a direction. */
+    std::complex<double>
+    part_along(const Vector3 &e, const Vector3c &v)
+    {
+      return (e.cast<std::complex<double>>().transpose() * v)(0, 0);
+    }
+
+
+
+    double
+    range_of(const std::vector<Vector3> &points, const Vector3 &e)
+    {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (const auto &p : points)
+        {
+          least = std::min(least, e.dot(p));
+          most  = std::max(most, e.dot(p));
+        }
+      return most - least;
+    }
+
+
+
+    /** How often a motion changes its sign, and one. */
+    unsigned int
+    parts_of_alternating_sign(const std::vector<std::complex<double>> &motion)
+    {
+      std::complex<double> greatest = 0;
+      for (const auto &value : motion)
+        if (std::abs(value) > std::abs(greatest))
+          greatest = value;
+      unsigned int n      = 1;
+      double       before = 0;
+      for (const auto &value : motion)
+        {
+          const double now = std::abs(greatest) > 0 ? (value / greatest).real() : 0.;
+          if (std::abs(now) < least_motion)
+            continue;
+          n += now * before < 0;
+          before = now;
+        }
+      return n;
+    }
+  } // namespace
+
+
+
+  ModeNames::ModeNames(const System &system, const State &turning)
+    : system(system)
+    , state(turning)
+  {
+    std::map<std::string, std::vector<unsigned int>> bodies;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      bodies[system.model.nodes[node].name].push_back(node);
+    for (const auto &[name, nodes] : bodies)
+      add_blade(nodes);
+  }
+
+
+
+  void
+  ModeNames::add_blade(const std::vector<unsigned int> &nodes)
+  {
+    Vector3 spin = Vector3::Zero(), mean = Vector3::Zero();
+    double  fastest = 0;
+    for (const auto node : nodes)
+      {
+        spin += state.motion[node].spin / nodes.size();
+        fastest = std::max(fastest, state.motion[node].spin.norm());
+      }
+    others.insert(others.end(), nodes.begin(), nodes.end());
+    const double speed = spin.norm();
+    if (nodes.size() < 2 || !(speed > 0.5 * fastest))
+      return;
+    Blade                blade;
+    std::vector<Vector3> arms;
+    blade.axis = spin / speed;
+    for (const auto node : nodes)
+      {
+        const Vector3 arm = state.motion[node].velocity.cross(spin) / (speed * speed); // from the axis
+        mean += arm / nodes.size();
+        arms.push_back(arm + blade.axis * blade.axis.dot(state.position(node)));
+      }
+    if (!(mean.norm() > 0))
+      return;
+    blade.along         = mean.normalized();
+    blade.circle        = blade.axis.cross(blade.along);
+    const double length = range_of(arms, blade.along);
+    if (!(length > least_slenderness * std::max(range_of(arms, blade.circle), range_of(arms, blade.axis))) ||
+        !(mean.norm() > 0.25 * length))
+      return;
+    double start = std::numeric_limits<double>::infinity();
+    for (const auto &arm : arms)
+      start = std::min(start, blade.along.dot(arm));
+    for (const auto &arm : arms)
+      blade.slices.push_back(
+        std::min<unsigned int>(most_slices - 1, most_slices * (blade.along.dot(arm) - start) / length));
+    blade.nodes    = nodes;
+    blade.n_slices = most_slices;
+    others.resize(others.size() - nodes.size());
+    blades.push_back(std::move(blade));
+  }
+
+
+
+  double
+  ModeNames::energy_of(const Mode &mode, const std::vector<unsigned int> &nodes) const
+  {
+    double sum = 0;
+    for (const auto node : nodes)
+      {
+        const Eigen::Matrix<Complex, 6, 1> z = mode.shape.segment<6>(system.layout.of_node(node));
+        sum += (z.adjoint() * system.model.nodes[node].inertia * z)(0, 0).real();
+      }
+    return sum;
+  }
+
+
+
+  ModeNames::Content
+  ModeNames::content_of(const Blade &blade, const Mode &mode) const
+  {
+    Content result;
+    result.total = energy_of(mode, blade.nodes);
+    for (unsigned int slice = 0; slice < blade.n_slices; ++slice)
+      {
+        std::vector<MovingMass> masses;
+        double                  m      = 0;
+        Vector3                 centre = Vector3::Zero();
+        Vector3c                p      = Vector3c::Zero();
+        for (unsigned int i = 0; i < blade.nodes.size(); ++i)
+          if (blade.slices[i] == slice)
+            {
+              masses.emplace_back(system, state, mode, blade.nodes[i]);
+              m += masses.back().m;
+              centre += masses.back().m * masses.back().at;
+              p += masses.back().m * masses.back().velocity;
+            }
+        if (!(m > 0))
+          continue;
+        Complex spin_momentum = 0;
+        double  J             = 0;
+        for (const auto &mass : masses)
+          {
+            const Vector3 arm = mass.at - centre / m;
+            spin_momentum +=
+              mass.m * part_along(blade.along.cross(arm), mass.velocity) + part_along(mass.J * blade.along, mass.spin);
+            J += mass.m * blade.along.cross(arm).squaredNorm() + blade.along.dot(mass.J * blade.along);
+          }
+        const std::array<double, n_families>  weights = {m, m, J, m};
+        const std::array<Complex, n_families> motion  = {part_along(blade.axis, p) / m,
+                                                         part_along(blade.circle, p) / m,
+                                                        J > 0 ? spin_momentum / J : Complex(0),
+                                                         part_along(blade.along, p) / m};
+        for (unsigned int f = 0; f < n_families; ++f)
+          result.energies[f] += weights[f] * std::norm(motion[f]);
+        result.motions.push_back(motion);
+      }
+    return result;
+  }
+
+
+
+  std::string
+  ModeNames::of(const Mode &mode) const
+  {
+    std::array<double, n_families> energies{};
+    double                         total = 0;
+    Content                        most; // of the blade that moves most
+    for (const auto &blade : blades)
+      {
+        const Content content = content_of(blade, mode);
+        total += content.total;
+        for (unsigned int f = 0; f < n_families; ++f)
+          energies[f] += content.energies[f];
+        if (content.total > most.total)
+          most = content;
+      }
+    if (!(total > energy_of(mode, others)))
+      return "";
+    double sum = 0;
+    for (const double e : energies)
+      sum += e;
+    if (sum < 0.5 * total)
+      return "local";
+    std::array<unsigned int, n_families> order = {0, 1, 2, 3};
+    std::sort(order.begin(), order.end(), [&](const auto i, const auto j) { return energies[i] > energies[j]; });
+    if (energies[order[0]] < clear_share * sum)
+      return std::string(words_of_modes[std::min(order[0], order[1])]) + "-" +
+             words_of_modes[std::max(order[0], order[1])];
+    std::vector<Complex> along;
+    for (const auto &motion : most.motions)
+      along.push_back(motion[order[0]]);
+    return words_of_modes[order[0]] + (" " + std::to_string(parts_of_alternating_sign(along)));
+  }
+} // namespace samara
