@@ -130,6 +130,53 @@ namespace samara
       std::stable_sort(result.begin(), result.end(), [&](const int a, const int b) { return key[a] < key[b]; });
       return result;
     }
+
+
+
+    /**
+     * The same elimination with each group behind all that it depends on and next to the last of these: the tree of the
+     * groups each one acts on first, branch by branch. Factors are filled alike.
+     */
+    std::vector<int>
+    branch_by_branch(const Groups &groups, const std::vector<int> &order)
+    {
+      const int        n = groups.size();
+      std::vector<int> place(n), parent(n, -1), ancestor(n, -1);
+      for (int i = 0; i < n; ++i)
+        place[order[i]] = i;
+      for (int i = 0; i < n; ++i)
+        for (int k = groups.neighbour_start[order[i]]; k < groups.neighbour_start[order[i] + 1]; ++k)
+          for (int j = place[groups.neighbours[k]], next; j >= 0 && j < i; j = next)
+            {
+              next        = ancestor[j]; // ways are shortened as they are gone
+              ancestor[j] = i;
+              if (next < 0)
+                parent[j] = i;
+            }
+      // children of each, the last one first, as a stack turns them round
+      std::vector<int> child(n, -1), sibling(n, -1), stack, result;
+      for (int i = 0; i < n; ++i)
+        if (parent[i] >= 0)
+          {
+            sibling[i]       = child[parent[i]];
+            child[parent[i]] = i;
+          }
+      for (int root = 0; root < n; ++root)
+        if (parent[root] < 0)
+          for (stack.push_back(root); !stack.empty();)
+            {
+              const int i = stack.back();
+              if (child[i] >= 0)
+                {
+                  stack.push_back(child[i]);
+                  child[i] = sibling[child[i]];
+                  continue;
+                }
+              result.push_back(order[i]);
+              stack.pop_back();
+            }
+      return result;
+    }
   } // namespace
 
 
@@ -138,7 +185,7 @@ namespace samara
   {
     AssertDimension(is_late.size(), pattern.size());
     const Groups           groups = groups_of(pattern, is_late);
-    const std::vector<int> order  = postponed(groups, fill_reducing_order(groups));
+    const std::vector<int> order  = branch_by_branch(groups, postponed(groups, fill_reducing_order(groups)));
     const int              n      = groups.size();
     std::vector<int>       place(n);
     member_start = {0};
@@ -152,7 +199,9 @@ namespace samara
       }
 
     // rows of L: the ways from the neighbours up the elimination tree, which they make on their way
-    std::vector<int> parent(n, -1), mark(n, -1), below(n, 0);
+    std::vector<int> mark(n, -1);
+    parent.assign(n, -1);
+    below.assign(n, 0);
     row_start = {0};
     for (int i = 0; i < n; ++i)
       {
@@ -177,6 +226,111 @@ namespace samara
           n_entries += 2. * left + 1;
           n_operations += double(left) * (left + 1);
         }
+  }
+
+
+
+  namespace
+  {
+    /** Consecutive groups, their unknowns, those behind them in their columns, and how many of these entries are zeros.
+     */
+    struct Supernode
+    {
+      int    first, end, n_columns, n_below;
+      double n_zeros;
+    };
+
+    /** A supernode with the one behind it that it acts on first. */
+    Supernode
+    united(const Supernode &s, const Supernode &next)
+    {
+      return {s.first,
+              next.end,
+              s.n_columns + next.n_columns,
+              next.n_below,
+              s.n_zeros + next.n_zeros + double(s.n_columns) * (next.n_columns + next.n_below - s.n_below)};
+    }
+
+    /** Few columns are worth many zeros: products of larger matrices are faster. */
+    bool
+    is_worth_its_zeros(const Supernode &s)
+    {
+      const double n = s.n_columns, share = s.n_zeros / (0.5 * n * (n + 1) + n * s.n_below);
+      return share < (n <= 24 ? 0.6 : n <= 64 ? 0.2 : n <= 160 ? 0.1 : 0.05);
+    }
+  } // namespace
+
+
+
+  std::vector<int>
+  DiagonalOrder::first_groups() const
+  {
+    const int              n = parent.size();
+    std::vector<Supernode> exact, all; // the second from the last one on
+    for (int g = 0; g < n; ++g)
+      {
+        const Supernode group = {g, g + 1, weight(g), below[g], 0};
+        if (g > 0 && parent[g - 1] == g && below[g - 1] == below[g] + weight(g))
+          exact.back() = united(exact.back(), group);
+        else
+          exact.push_back(group);
+      }
+    for (auto s = exact.rbegin(); s != exact.rend(); ++s)
+      {
+        all.push_back(*s);
+        while (all.size() > 1)
+          {
+            const Supernode &last = all.back(), &next = all[all.size() - 2];
+            const int        acts_on = parent[last.end - 1];
+            if (acts_on < 0 || acts_on >= next.end)
+              break;
+            const Supernode both = united(last, next);
+            if (!is_worth_its_zeros(both))
+              break;
+            all.pop_back();
+            all.back() = both;
+          }
+      }
+    std::vector<int> result;
+    for (auto s = all.rbegin(); s != all.rend(); ++s)
+      result.push_back(s->first);
+    result.push_back(n);
+    return result;
+  }
+
+
+
+  Supernodes
+  DiagonalOrder::supernodes() const
+  {
+    const std::vector<int> first_group = first_groups();
+    const int              n = parent.size(), n_supernodes = static_cast<int>(first_group.size()) - 1;
+    // the supernode a group is the last one of
+    std::vector<int>              ends_with(n, -1);
+    std::vector<std::vector<int>> groups_below(n_supernodes);
+    for (int s = 0; s < n_supernodes; ++s)
+      ends_with[first_group[s + 1] - 1] = s;
+    for (int i = 0; i < n; ++i)
+      for (int k = row_start[i]; k < row_start[i + 1]; ++k)
+        if (const int s = ends_with[rows[k]]; s >= 0)
+          groups_below[s].push_back(i);
+
+    Supernodes result;
+    result.order = members;
+    result.first.push_back(0);
+    result.row_start = result.value_start = {0};
+    for (int s = 0; s < n_supernodes; ++s)
+      {
+        result.first.push_back(member_start[first_group[s + 1]]);
+        for (int i = result.first[s]; i < result.first[s + 1]; ++i)
+          result.rows.push_back(i);
+        for (const int group : groups_below[s])
+          for (int i = member_start[group]; i < member_start[group + 1]; ++i)
+            result.rows.push_back(i);
+        result.row_start.push_back(result.rows.size());
+        result.value_start.push_back(result.value_start.back() + std::size_t(result.n_rows(s)) * result.n_columns(s));
+      }
+    return result;
   }
 
 

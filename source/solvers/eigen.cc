@@ -215,11 +215,12 @@ namespace samara
     unsigned int
     most_eigenvalues(const LinearMotion &motion)
     {
-      unsigned int n = 0;
+      const bool   is_viscous = motion.strains.is_viscous();
+      unsigned int n          = 0;
       for (unsigned int i = 0; i < motion.n_kinematic; ++i)
         {
           const int k = motion.M.pattern->position(i, i);
-          if (motion.strains.is_viscous() || (k >= 0 && motion.M.values[k] != 0.))
+          if (is_viscous || (k >= 0 && motion.M.values[k] != 0.))
             n += 2;
           else if (k >= 0 && motion.gyroscopic.values[k] != 0.)
             n += 1;

@@ -2,6 +2,7 @@
 #include <samara/solvers/diagonal_order.h>
 #include <samara/solvers/factorization.h>
 #include <samara/solvers/panel_factors.h>
+#include <samara/solvers/symmetric_factors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +18,91 @@ namespace samara
     constexpr double largest_error     = 1e-11;
     constexpr double smallest_of_pivot = 1e-14; ///< of pivots, relative: less may be a singular matrix
 
-    /** Factorisations that pivots on the diagonal may fail at before they are given up. */
+    /** Factorisations that pivots on the diagonal, or symmetric factors, may fail at before they are given up. */
     constexpr unsigned int most_refused = 3;
+
+    /** Passes that may make good what is not symmetric: factors of the whole matrix cost as much as many solutions. */
+    constexpr unsigned int most_passes = 4;
+
+
+
+    /**
+     * Factors of matrices that are symmetric, or nearly so, such as tangents near an equilibrium. Complex ones, those
+     * of the stages of a step, are taken as they come.
+     */
+    template <typename Number>
+    class SymmetricTrial
+    {
+    public:
+      void
+      set_order(const DiagonalOrder &)
+      {}
+      bool
+      factorize(const Pattern &, const Number *)
+      {
+        return false;
+      }
+      const PanelFactors<Number> &
+      get() const
+      {
+        return none;
+      }
+
+    private:
+      PanelFactors<Number> none;
+    };
+
+    template <>
+    class SymmetricTrial<double>
+    {
+    public:
+      void
+      set_order(const DiagonalOrder &order)
+      {
+        structure = order.supernodes();
+      }
+
+      /** Whether there are factors, and accurate ones. */
+      bool
+      factorize(const Pattern &pattern, const double *values)
+      {
+        if (n_refused == most_refused || !factors.split(pattern, values))
+          return false;
+        if (!structure.order.empty())
+          factors.set_order(std::move(structure));
+        structure = {};
+        const bool has_pivots =
+          factors.factorize(pattern, values) < 0 && factors.reciprocal_condition() >= smallest_of_pivot;
+        for (factors.n_passes = 0; has_pivots && factors.n_passes <= most_passes; ++factors.n_passes)
+          {
+            if (backward_error(pattern, values, factors) <= largest_error)
+              return true;
+            if (factors.is_symmetric())
+              break;
+          }
+        if (++n_refused == most_refused)
+          factors = SymmetricFactors();
+        return false;
+      }
+
+      const SymmetricFactors &
+      get() const
+      {
+        return factors;
+      }
+
+    private:
+      Supernodes       structure; ///< until it is needed
+      SymmetricFactors factors;
+      unsigned int     n_refused = 0;
+    };
 
 
 
     /**
      * What suits the pattern: KLU's pivots where the factors fill little; otherwise pivots on the diagonal,
-     * whose accuracy is measured at each factorisation, and MUMPS where it does not suffice.
+     * whose accuracy is measured at each factorisation, L D Lᵀ where the matrix is symmetric or nearly so, else L U;
+     * and MUMPS where it does not suffice.
      */
     template <typename Number>
     class Automatic : public Factorization<Number>
@@ -40,6 +118,9 @@ namespace samara
       {
         if (!is_chosen)
           choose(values);
+        is_symmetric = has_order && symmetric.factorize(pattern, values);
+        if (is_symmetric)
+          return;
         is_diagonal = has_order && n_refused < most_refused && factorize_on_diagonal(values);
         if (is_diagonal)
           return;
@@ -53,19 +134,23 @@ namespace samara
       void
       solve(Number *b) const override
       {
-        is_diagonal ? factors.solve(b) : other->solve(b);
+        is_symmetric ? symmetric.get().solve(b) : is_diagonal ? factors.solve(b) : other->solve(b);
       }
 
       int
       determinant_sign() const override
       {
-        return !is_diagonal ? other->determinant_sign() : factors.n_negative_pivots % 2 == 0 ? 1 : -1;
+        if (is_symmetric || is_diagonal)
+          return n_negative_pivots() % 2 == 0 ? 1 : -1;
+        return other->determinant_sign();
       }
 
       double
       reciprocal_condition() const override
       {
-        return is_diagonal ? factors.reciprocal_condition() : other->reciprocal_condition();
+        return is_symmetric ? symmetric.get().reciprocal_condition() :
+               is_diagonal  ? factors.reciprocal_condition() :
+                              other->reciprocal_condition();
       }
 
     private:
@@ -82,11 +167,19 @@ namespace samara
             const int k = pattern.position(j, j);
             is_late[j]  = k < 0 || values[k] == Number();
           }
-        const DiagonalOrder order(pattern, is_late);
-        if (order.n_operations < least_work_a_row * n)
-          return;
-        has_order = true;
-        factors.set_pivots(pattern, order.pivots());
+        order = std::make_unique<DiagonalOrder>(pattern, is_late);
+        if (has_order = order->n_operations >= least_work_a_row * n; has_order)
+          symmetric.set_order(*order);
+        else
+          order.reset();
+      }
+
+
+
+      int
+      n_negative_pivots() const
+      {
+        return is_symmetric ? symmetric.get().n_negative_pivots : factors.n_negative_pivots;
       }
 
 
@@ -94,14 +187,20 @@ namespace samara
       bool
       factorize_on_diagonal(const Number *values)
       {
+        if (order)
+          factors.set_pivots(pattern, order->pivots());
+        order.reset();
         return factors.factorize(values) < 0 && factors.reciprocal_condition() >= smallest_of_pivot &&
                backward_error(pattern, values, factors) <= largest_error;
       }
 
       const Pattern                         &pattern;
       const Ordering                         ordering;
-      bool                                   is_chosen = false, has_order = false, is_diagonal = false;
+      bool                                   is_chosen = false, has_order = false;
+      bool                                   is_symmetric = false, is_diagonal = false;
       unsigned int                           n_refused = 0;
+      std::unique_ptr<DiagonalOrder>         order; ///< until the panels are made
+      SymmetricTrial<Number>                 symmetric;
       PanelFactors<Number>                   factors;
       std::unique_ptr<Factorization<Number>> other;
     };

@@ -290,7 +290,7 @@ namespace samara
       {
         for (unsigned int j = 0; j < columns.size(); ++j)
           for (unsigned int i = 0; i < columns.size(); ++i)
-            if (sum(i, j) != 0.)
+            if (sum(i, j) != 0. || sum(j, i) != 0.) // a symmetric pattern, whatever rounds to zero
               entries.emplace_back(columns[i], columns[j], sum(i, j));
         columns.clear();
       }
@@ -323,8 +323,11 @@ namespace samara
 
     std::vector<Eigen::Triplet<double>> entries;
     for_entries([&](const int i, const int j, const double value) {
-      if (place[i] >= 0 && place[j] >= 0)
-        entries.emplace_back(place[i], place[j], value);
+      if (place[i] < 0 || place[j] < 0)
+        return;
+      entries.emplace_back(place[i], place[j], value);
+      if (i != j && A->pattern->position(j, i) < 0)
+        entries.emplace_back(place[j], place[i], 0.);
     });
     ElementSums      sums(entries);
     std::vector<int> unknowns;
@@ -365,7 +368,8 @@ namespace samara
       if (stiffness[g].size() > 0)
         {
           const unsigned int    first = points[g].first;
-          const Eigen::VectorXd s = stiffness[g] * Eigen::Map<const Eigen::VectorXd>(b + n + first, stiffness[g].rows());
+          const Eigen::VectorXd s =
+            stiffness[g] * Eigen::Map<const Eigen::VectorXd>(b + n + first, stiffness[g].rows());
           for (int i = 0; i < s.size(); ++i)
             for (unsigned int k = rows.start[first + i]; k < rows.start[first + i + 1]; ++k)
               b[rows.columns[k]] += rows.values[k] * s(i);

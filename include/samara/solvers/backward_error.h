@@ -1,7 +1,7 @@
 #ifndef samara_solvers_backward_error_h
 #define samara_solvers_backward_error_h
 
-#include <samara/solvers/panel_factors.h>
+#include <samara/model/matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@ namespace samara
    * The largest part of an equation that a solution leaves of it, by rows (Oettli & Prager 1964), for a right-hand
    * side with a known solution: what pivots that are too small for their rows have lost.
    */
-  template <typename Number>
+  template <typename Number, typename Factors>
   double
-  backward_error(const Pattern &pattern, const Number *values, const PanelFactors<Number> &factors)
+  backward_error(const Pattern &pattern, const Number *values, const Factors &factors)
   {
     const int           n = pattern.size();
     std::vector<Number> x(n), b(n);

@@ -2,6 +2,7 @@
 #define samara_solvers_diagonal_order_h
 
 #include <samara/solvers/panels.h>
+#include <samara/solvers/supernodes.h>
 
 namespace samara
 {
@@ -28,9 +29,22 @@ namespace samara
     /** Orders and places of entries for PanelFactors. */
     Pivots pivots() const;
 
+    /** Columns of L with the same rows together, for SymmetricFactors. */
+    Supernodes supernodes() const;
+
   private:
     std::vector<int> members, member_start; ///< unknowns, group by group in the order of elimination
     std::vector<int> rows, row_start;       ///< of L: groups before each one, ascending
+    std::vector<int> parent;                ///< the first group behind each one that it acts on; -1: none
+    std::vector<int> below;                 ///< unknowns behind each group in its column of L
+
+    int
+    weight(const int group) const
+    {
+      return member_start[group + 1] - member_start[group];
+    }
+    /** The first group of each supernode, and one more behind the last. */
+    std::vector<int> first_groups() const;
   };
 
   /** Whether entries (i, j) and (j, i) are in a pattern together. */
