@@ -3,6 +3,7 @@
 
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/linearization.h>
+#include <samara/analysis/mode_content.h>
 #include <samara/analysis/mode_tracking.h>
 #include <samara/analysis/moving_axes.h>
 #include <samara/output/table.h>
@@ -15,8 +16,8 @@ namespace samara
    * refused.
    *
    * Writes modes.csv, or modes_<speed>.csv for each speed of a sweep and fan.csv with all of them, where modes keep
-   * their number by their shape (MAC); mode_<k>.pvd shows a mode moving. Each mode has an estimate of its error: above
-   * 1e-6 of the frequency it is warned about, above 1e-2 refused.
+   * their number by their shape (MAC), and with a <Symmetry> names by their content; mode_<k>.pvd shows a mode moving.
+   * Each mode has an estimate of its error: above 1e-6 of the frequency it is warned about, above 1e-2 refused.
    */
   class ModalAnalysis : public Analysis
   {
@@ -25,7 +26,8 @@ namespace samara
     void run(Context &context) override;
     void finish(Context &context) override;
 
-    std::vector<Mode> modes; ///< of the last run
+    std::vector<Mode>        modes;    ///< of the last run
+    std::vector<ModeContent> contents; ///< of these; empty without a symmetry
 
   protected:
     /** A steady motion about which small motions have constant coefficients, in axes with these spins. */
@@ -42,7 +44,7 @@ namespace samara
     unsigned int n_modes = 10, n_animations = 4;
     double       shift = 0; ///< 0: found from the model
     bool         hold  = false;
-    std::string  axes = "automatic", unsteady = "refuse";
+    std::string  axes = "automatic", unsteady = "refuse", symmetry;
 
   private:
     ModeTracking              tracking;
@@ -72,6 +74,8 @@ namespace samara
     void find(const Context &context, const Linearization &linearization);
     void check_axes(const Context &context, const MovingAxes &seen) const;
     void check_errors(const Context &context) const;
+    /** Number the modes by branches, and name them by what the repeated parts do in them. */
+    void name(const Context &context, const Steady &steady);
     void add_to_fan(const Context &context);
     void report(Context &context) const;
     void animate(const Context &context, unsigned int k) const;
