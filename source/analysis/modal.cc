@@ -1,5 +1,6 @@
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
+#include <samara/analysis/mode_families.h>
 #include <samara/analysis/mode_names.h>
 #include <samara/analysis/moving_axes.h>
 #include <samara/analysis/prescribed_motion.h>
@@ -42,6 +43,10 @@ namespace samara
       "Where parts do not turn steadily, as a universal joint on a bend, or where loads change as they turn, as a weight "
       "across a shaft: refuse, or allow, and find the modes of the moment, if it is known that little changes.",
       Selection("refuse|allow"));
+    prm.add("Symmetry",
+            symmetry,
+            "Names of repeated parts in the order in which they come round, groups behind semicolons, as of a Floquet "
+            "analysis: blade 1, blade 2; lag 1, lag 2. Modes have names by what these do.");
     prm.add("Animations", n_animations, "Number of modes for which a moving picture is written.", Integer(0));
   }
 
@@ -103,8 +108,7 @@ namespace samara
   ModalAnalysis::run(Context &context)
   {
     const Steady steady = analyse(context);
-    branches            = tracking.follow(modes, steady.linearization.M);
-    find_names(context);
+    name(context, steady);
     report(context);
     check_errors(context);
     if (!context.sweep.empty())
@@ -117,16 +121,48 @@ namespace samara
 
 
   void
-  ModalAnalysis::find_names(const Context &context)
+  ModalAnalysis::name_families(const Context &context)
   {
-    names.clear();
     if (context.system.model.rotations.empty())
       return;
     State turning = context.state; // at rest, too, flap is what it is in rotation
     set_steady_motion(context.system, turning, context.speeds_at(1.));
     const ModeNames by_content(context.system, turning);
     for (const auto &mode : modes)
-      names.push_back(by_content.of(mode));
+      {
+        contents.emplace_back();
+        contents.back().family = by_content.of(mode);
+      }
+  }
+
+
+
+  void
+  ModalAnalysis::name(const Context &context, const Steady &steady)
+  {
+    contents.clear();
+    const auto groups = groups_of_names(symmetry);
+    if (groups.empty())
+      {
+        branches = tracking.follow(modes, steady.linearization.M);
+        name_families(context);
+        return;
+      }
+    try
+      {
+        const RepeatedParts parts(context.system, groups, {});
+        separate_patterns(context.system, parts, steady.state, modes);
+        branches = tracking.follow(modes, steady.linearization.M); // which puts equal modes in the order of branches
+        contents = contents_of(context.system, parts, steady.state, modes);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        throw InputError(parameters.where("Symmetry") + ": " + problem.what());
+      }
+    if (!modes.empty() &&
+        std::all_of(contents.begin(), contents.end(), [](const ModeContent &c) { return c.family.empty(); }))
+      context.log.warning(
+        "modal", "modes have no names by their content: the parts of the <Symmetry> do not turn about one axis");
   }
 
 
@@ -358,8 +394,14 @@ namespace samara
   ModalAnalysis::add_to_fan(const Context &context)
   {
     if (!fan)
-      fan = std::make_unique<Table>(std::vector<std::string>{
-        "speed [rad/s]", "branch", "frequency [rad/s]", "damping ratio", "real [1/s]", "imaginary [rad/s]", "name"});
+      fan = std::make_unique<Table>(std::vector<std::string>{"speed [rad/s]",
+                                                             "branch",
+                                                             "frequency [rad/s]",
+                                                             "damping ratio",
+                                                             "real [1/s]",
+                                                             "imaginary [rad/s]",
+                                                             "family",
+                                                             "pattern"});
     for (unsigned int i = 0; i < modes.size(); ++i)
       fan->add_row({context.speeds[0],
                     branches[i],
@@ -367,7 +409,8 @@ namespace samara
                     modes[i].damping_ratio(),
                     modes[i].lambda.real(),
                     modes[i].lambda.imag(),
-                    names.empty() ? "" : names[i]});
+                    contents.empty() ? "" : contents[i].family,
+                    contents.empty() ? "" : contents[i].pattern});
   }
 
 
@@ -403,10 +446,14 @@ namespace samara
                  "real [1/s]",
                  "imaginary [rad/s]",
                  "estimated relative error",
-                 "name"});
+                 "family",
+                 "share of family",
+                 "pattern",
+                 "share of pattern"});
     for (unsigned int i = 0; i < modes.size(); ++i)
       {
-        const Mode &m = modes[i];
+        const Mode       &m       = modes[i];
+        const ModeContent content = contents.empty() ? ModeContent() : contents[i];
         table.add_row({i + 1,
                        m.frequency(),
                        m.frequency() / (2 * M_PI),
@@ -414,7 +461,10 @@ namespace samara
                        m.lambda.real(),
                        m.lambda.imag(),
                        m.error,
-                       names.empty() ? "" : names[i]});
+                       content.family,
+                       content.family_share,
+                       content.pattern,
+                       content.pattern_share});
         std::ostringstream line;
         line << "  mode " << i + 1 << ": ";
         if (m.is_free())
@@ -422,8 +472,8 @@ namespace samara
         else
           line << short_text(m.frequency()) << " rad/s, damping ratio "
                << short_text(std::abs(m.damping_ratio()) < 10 * m.error + 1e-10 ? 0. : m.damping_ratio()) << "  (";
-        if (!names.empty() && !names[i].empty())
-          line << names[i] << "; ";
+        if (!content.family.empty())
+          line << content.family << (content.pattern.empty() ? "" : ", ") << content.pattern << "; ";
         const auto shares = participation(context.system, m);
         for (unsigned int k = 0; k < std::min<unsigned int>(3, shares.size()) && (k == 0 || shares[k].second > 0.02);
              ++k)

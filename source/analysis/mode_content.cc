@@ -223,6 +223,29 @@ namespace samara
 
 
 
+  std::vector<Eigen::MatrixXcd>
+  ContentOfModes::energies_of_patterns(const Eigen::MatrixXcd &shapes) const
+  {
+    std::vector<Eigen::MatrixXcd> result;
+    if (chains.empty())
+      return result;
+    constexpr int    n_numbers = Motion::RowsAtCompileTime;
+    Eigen::MatrixXcd of_part(n_numbers * chains.size(), shapes.cols());
+    for (unsigned int m = 0; m < n_parts; ++m)
+      {
+        of_part.setZero();
+        for (int j = 0; j < shapes.cols(); ++j)
+          for (unsigned int i = 0; i < chains.size(); ++i)
+            for (unsigned int k = 0; k < n_parts; ++k)
+              of_part.block<n_numbers, 1>(n_numbers * i, j) +=
+                std::polar(1., 2 * M_PI * m * k / n_parts) * motion_of(orbit[0], shapes.col(j), chains[i][k], true);
+        result.emplace_back(of_part.adjoint() * of_part / double(n_parts));
+      }
+    return result;
+  }
+
+
+
   ModeContent
   ContentOfModes::of(const std::vector<Eigen::VectorXcd> &increments, const double frequency) const
   {

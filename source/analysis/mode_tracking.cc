@@ -51,7 +51,9 @@ namespace samara
         const Eigen::LLT<Eigen::MatrixXcd> gram(shapes.adjoint() * M_shapes);
         if (gram.info() != Eigen::Success)
           continue;
-        Eigen::MatrixXcd in_group(k, previous.size());
+        // columns of no branch where there are none yet: shapes become orthogonal all the same, as otherwise a branch
+        // that lies in the others would find nothing to go on with at the next speed
+        Eigen::MatrixXcd in_group = Eigen::MatrixXcd::Zero(k, std::max<std::size_t>(1, previous.size()));
         for (unsigned int j = 0; j < previous.size(); ++j)
           {
             const double norm = std::sqrt(std::abs(previous[j].shape.dot(weighted(M, previous[j].shape))));
@@ -71,8 +73,7 @@ namespace samara
   ModeTracking::follow(std::vector<Mode> &modes, const SparseMatrix &M)
   {
     std::vector<unsigned int> branches(modes.size(), 0);
-    if (!previous.empty())
-      turn_equal_modes(modes, M);
+    turn_equal_modes(modes, M);
     std::vector<double> energies;
     for (const auto &mode : previous)
       energies.push_back(mode.shape.dot(weighted(M, mode.shape)).real());

@@ -18,8 +18,8 @@ namespace
     auto &modal = scene.analysis<ModalAnalysis>();
     modal.run(scene.context);
     std::vector<std::pair<std::string, double>> result;
-    for (unsigned int i = 0; i < modal.names.size(); ++i)
-      result.emplace_back(modal.names[i], modal.modes[i].frequency());
+    for (unsigned int i = 0; i < modal.contents.size(); ++i)
+      result.emplace_back(modal.contents[i].family, modal.modes[i].frequency());
     return result;
   }
 

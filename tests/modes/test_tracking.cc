@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "modes.h"
 
@@ -21,7 +23,8 @@ namespace
 
   struct TrackedMode
   {
-    double speed, branch, frequency;
+    double      speed, branch, frequency;
+    std::string family, pattern;
   };
 
   std::vector<TrackedMode>
@@ -33,13 +36,41 @@ namespace
     std::getline(in, line);
     while (std::getline(in, line))
       {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream words(line);
-        TrackedMode        row;
-        words >> row.speed >> row.branch >> row.frequency;
-        rows.push_back(row);
+        std::istringstream       words(line);
+        std::vector<std::string> cells(8);
+        for (auto &cell : cells)
+          std::getline(words, cell, ',');
+        rows.push_back({std::stod(cells[0]), std::stod(cells[1]), std::stod(cells[2]), cells[6], cells[7]});
       }
     return rows;
+  }
+
+
+
+  /** The fan of a model at some speeds. */
+  std::vector<TrackedMode>
+  fan_of(Scene &scene, const std::vector<double> &at)
+  {
+    const std::string folder = "tracking_" + std::to_string(getpid());
+    std::filesystem::create_directory(folder);
+    scene.context.folder   = folder;
+    scene.context.pictures = false;
+    scene.context.sweep    = at;
+    auto &statics          = scene.analysis<StaticAnalysis>();
+    auto &modal            = scene.analysis<ModalAnalysis>();
+    statics.start(scene.context);
+    modal.start(scene.context);
+    for (const double speed : at)
+      {
+        scene.context.speeds = scene.context.speeds_at(speed);
+        statics.run(scene.context);
+        modal.run(scene.context);
+      }
+    modal.finish(scene.context);
+    scene.input.analyses.clear(); // they write until they end
+    const auto fan = read_fan(folder + "/fan.csv");
+    std::filesystem::remove_all(folder);
+    return fan;
   }
 } // namespace
 
@@ -47,28 +78,10 @@ namespace
 
 TEST(Tracking, BranchesCross)
 {
-  const std::string folder = "tracking_" + std::to_string(getpid());
-  std::filesystem::create_directory(folder);
-  {
-    Scene scene("prm/benchmarks/rotating_beam.prm",
-                {"Constants/eta = 1", "Sections/slender/EI3 = 4", "Modal/Animations = 0"});
-    scene.context.folder   = folder;
-    scene.context.pictures = false;
-    scene.context.sweep    = speeds;
-    auto &statics          = scene.analysis<StaticAnalysis>();
-    auto &modal            = scene.analysis<ModalAnalysis>();
-    statics.start(scene.context);
-    modal.start(scene.context);
-    for (const double speed : speeds)
-      {
-        scene.context.speeds = scene.context.speeds_at(speed);
-        statics.run(scene.context);
-        modal.run(scene.context);
-      }
-    modal.finish(scene.context);
-  }
-  const auto fan = read_fan(folder + "/fan.csv");
-  std::filesystem::remove_all(folder);
+  Scene      scene("prm/benchmarks/rotating_beam.prm",
+              {"Constants/eta = 1", "Sections/slender/EI3 = 4", "Modal/Animations = 0"});
+  const auto fan = fan_of(scene, speeds);
+  EXPECT_EQ(fan.at(0).family, "");
 
   for (unsigned int i = 0; i < speeds.size(); ++i)
     for (const unsigned int branch : {1, 2})
@@ -113,4 +126,56 @@ TEST(Tracking, EqualFrequenciesOnTheWay)
       std::vector<Mode> after = {mode(1.8, b), mode(1.9, a)};
       EXPECT_EQ(tracking.follow(after, M), (std::vector<unsigned int>{2, 1})) << angle;
     }
+}
+
+
+
+// Four blades that do not feel each other have each mode four times, and any combination of these is one. Branches are
+// not lost among them, and with a symmetry each is one pattern of one family over all speeds.
+TEST(Tracking, EqualBlades)
+{
+  const std::vector<double> at = {5.6, 16.8, 28};
+  for (const std::string symmetry : {"", "blade 1, blade 2, blade 3, blade 4"})
+    {
+      Scene      scene("prm/rotorcraft/puma_fan.prm", {"Modal/Symmetry = " + symmetry, "Modal/Modes = 12"});
+      const auto fan = fan_of(scene, at);
+      std::map<double, std::vector<TrackedMode>> branches;
+      for (const auto &row : fan)
+        branches[row.branch].push_back(row);
+      EXPECT_EQ(fan.size(), 36u);
+      EXPECT_EQ(branches.size(), 12u) << symmetry;
+      std::map<std::string, std::set<std::string>> patterns;
+      for (const auto &[number, rows] : branches)
+        for (const auto &row : rows)
+          {
+            EXPECT_EQ(row.family, rows[0].family) << number;
+            EXPECT_EQ(row.pattern, rows[0].pattern) << number;
+            patterns[row.family].insert(row.pattern);
+          }
+      const std::set<std::string> all = {"collective", "progressive", "regressive", "differential"};
+      if (symmetry.empty())
+        EXPECT_EQ(patterns, (std::map<std::string, std::set<std::string>>{{"", {""}}}));
+      else
+        EXPECT_EQ(patterns,
+                  (std::map<std::string, std::set<std::string>>{{"flap 1", all}, {"flap 2", all}, {"lag 1", all}}));
+    }
+}
+
+
+
+TEST(Tracking, SymmetryOfUnknownParts)
+{
+  Scene scene("prm/rotorcraft/puma_fan.prm",
+              {"Modal/Symmetry = blade 1, blade 2, blade 3, blade 5", "Modal/Modes = 4"});
+  scene.equilibrium();
+  std::string said;
+  try
+    {
+      scene.modes();
+    }
+  catch (const InputError &problem)
+    {
+      said = problem.what();
+    }
+  EXPECT_NE(said.find("<blade 5:"), std::string::npos) << said;
 }

@@ -3,6 +3,7 @@
 
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/linearization.h>
+#include <samara/analysis/mode_content.h>
 #include <samara/analysis/mode_tracking.h>
 #include <samara/analysis/moving_axes.h>
 #include <samara/output/table.h>
@@ -15,8 +16,9 @@ namespace samara
    * refused.
    *
    * Writes modes.csv, or modes_<speed>.csv for each speed of a sweep and fan.csv with all of them, where modes keep
-   * their number by their shape (MAC); blades' modes have names (ModeNames); mode_<k>.pvd shows a mode moving. Each
-   * mode has an estimate of its error: above 1e-6 of the frequency it is warned about, above 1e-2 refused.
+   * their number by their shape (MAC). Modes of rotors have names by their content, with a <Symmetry> patterns, too;
+   * mode_<k>.pvd shows a mode moving. Each mode has an estimate of its error: above 1e-6 of the frequency it is warned
+   * about, above 1e-2 refused.
    */
   class ModalAnalysis : public Analysis
   {
@@ -25,8 +27,8 @@ namespace samara
     void run(Context &context) override;
     void finish(Context &context) override;
 
-    std::vector<Mode>        modes; ///< of the last run
-    std::vector<std::string> names; ///< of these modes, see ModeNames; none if nothing turns
+    std::vector<Mode>        modes;    ///< of the last run
+    std::vector<ModeContent> contents; ///< of these; families alone without a <Symmetry>, none if nothing turns
 
   protected:
     /** A steady motion about which small motions have constant coefficients, in axes with these spins. */
@@ -43,7 +45,7 @@ namespace samara
     unsigned int n_modes = 10, n_animations = 4;
     double       shift = 0; ///< 0: found from the model
     bool         hold  = false;
-    std::string  axes = "automatic", unsteady = "refuse";
+    std::string  axes = "automatic", unsteady = "refuse", symmetry;
 
   private:
     ModeTracking              tracking;
@@ -71,9 +73,11 @@ namespace samara
     void refuse_unsteady(const Context &context, const std::string &why) const;
     void check_mass(const System &system, const Linearization &linearization) const;
     void find(const Context &context, const Linearization &linearization);
-    void find_names(const Context &context);
     void check_axes(const Context &context, const MovingAxes &seen) const;
     void check_errors(const Context &context) const;
+    /** Number the modes by branches, and name them by what the repeated parts do in them, or by what each blade does. */
+    void name(const Context &context, const Steady &steady);
+    void name_families(const Context &context);
     void add_to_fan(const Context &context);
     void report(Context &context) const;
     void animate(const Context &context, unsigned int k) const;

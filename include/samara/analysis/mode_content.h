@@ -42,6 +42,12 @@ namespace samara
      */
     ModeContent of(const std::vector<Eigen::VectorXcd> &increments, double frequency) const;
 
+    /**
+     * Of motions at the first state, columns of @p shapes, the energy of the repeated parts in each pattern, m = 0 to
+     * Q − 1 as in doc/theory/floquet.md: yᴴ E_m y of the combination y. Empty if nothing is named.
+     */
+    std::vector<Eigen::MatrixXcd> energies_of_patterns(const Eigen::MatrixXcd &shapes) const;
+
   private:
     using Complex = std::complex<double>;
     /** Displacements along axis, circle, radius, and rotations about circle, axis, radius. */
