@@ -1,4 +1,4 @@
-#include <samara/analysis/check.h>
+#include <samara/analysis/draw_shape.h>
 #include <samara/analysis/near_redundancy.h>
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
@@ -11,8 +11,8 @@
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program.h>
-#include <samara/several_models.h>
 #include <samara/section_report.h>
+#include <samara/several_models.h>
 #include <samara/study.h>
 #include <samara/trim_variants.h>
 
@@ -227,6 +227,17 @@ namespace samara
 
 
 
+    /** Motions that nothing holds, as pictures of modes. */
+    void
+    draw_free(const System &system, const ModelCheck &counts, const std::string &folder, Log &log)
+    {
+      constexpr unsigned int most = 8;
+      if (const std::string text = draw_free_motions(system, counts, folder, most); !text.empty())
+        log.line(text);
+    }
+
+
+
     /** What a check finds; with a folder for results, the mechanism as a graph and as a drawing, too. */
     void
     tell_check(const Options &options, const System &system, const ModelCheck &counts, Log &log)
@@ -245,6 +256,7 @@ namespace samara
           flush(out, file);
         }
       log.line("mechanism.dot and mechanism.svg are in " + options.output);
+      draw_free(system, counts, options.output, log);
     }
 
 
@@ -341,6 +353,8 @@ namespace samara
     if (input.assembled)
       input.assembled->write(folder + "/assembly.csv");
     tell(options, input, system, counts, log);
+    if (input.pictures && input.has_analysis("static") && !options.restart)
+      draw_free(system, counts, folder, log);
     std::vector<double> speeds;
     for (const auto &rotation : input.model.rotations)
       speeds.push_back(rotation.speed);

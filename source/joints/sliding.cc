@@ -40,9 +40,9 @@ namespace samara
     prm.add(
       "At the ends",
       ends,
-      "What is at the ends of the beam: the end of the run, or stops, with the <Stop stiffness> and what else is said of "
-      "stops of the displacement.",
-      dealii::Patterns::Selection("end the run|stop"));
+      "What is at the ends of the beam: the end of the run; stops, with the <Stop stiffness> and what else is said of "
+      "stops of the displacement; or that B leaves the beam there, and nothing holds it any more (in time).",
+      dealii::Patterns::Selection("end the run|stop|leave"));
     prm.turns("Position", Turning::given_position);
     free_displacement(0);
     add_motions(prm);
@@ -109,6 +109,8 @@ namespace samara
     free.front().check_parameters(parameters.subsection("displacement"), m.complaints);
     if (ends == "stop")
       add_stops_at_ends(m);
+    if (may_leave())
+      check_leaving(m);
     use_coordinate(m, "displacement");
     free.front().add_bristles(m, name);
   }
@@ -258,6 +260,8 @@ namespace samara
     size(const Point<Number> &point) const
     {
       Number sum(0);
+      if (joint.is_far(std::real(point.coordinates[joint.coordinate()])))
+        return sum;
       for (const auto i : multipliers)
         sum += point.multipliers[i] * point.multipliers[i];
       return std::sqrt(sum);
@@ -271,7 +275,7 @@ namespace samara
   {
     if (path == "force")
       return std::make_shared<Reaction>(*this);
-    return path == "displacement"      ? coordinate_signal(coordinate(), 0.) :
+    return path == "displacement"      ? displacement_signal() :
            path == "displacement rate" ? rate_signal(coordinate()) :
                                          nullptr;
   }
@@ -325,6 +329,8 @@ namespace samara
   Vector6
   SlidingJoint::action_on_b(const State &state) const
   {
+    if (has_left(state))
+      return Vector6::Zero();
     const double        S  = start + state.coordinates[coordinate()];
     const auto          at = rail->place(rail->weights(S), state.q.data());
     const Matrix3       E = frame_b.triad(state.q.data()), axes = orthonormal(at.d[0]);
@@ -347,8 +353,10 @@ namespace samara
   {
     if (path == "displacement" || path == "arc length")
       return Probe{path, "m", OfPlaces{[this, from = path == "displacement" ? 0. : start](const State &state) {
-                     return from + state.coordinates[coordinate()];
+                     return from + displacement(state.coordinates[coordinate()]);
                    }}};
+    if (path == "attached" && may_leave())
+      return Probe{path, "1", OfPlaces{[this](const State &state) { return has_left(state) ? 0. : 1.; }}};
     if (path == "displacement rate")
       return Probe{path, "m/s", OfVelocities{{[this](const State &state) { return state.rates[coordinate()]; }}}};
     if (path == "force")
@@ -368,6 +376,8 @@ namespace samara
       "displacement", "displacement rate", "arc length", "force", "force 1", "force 2", "force 3"};
     if (!cosines.empty())
       names.insert(names.end(), {"moment 1", "moment 2", "moment 3"});
+    if (may_leave())
+      names.push_back("attached");
     return names;
   }
 
