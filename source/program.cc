@@ -302,10 +302,15 @@ namespace samara
       catch (const NotConverged &problem)
         {
           // motions go on where nothing holds them; only an equilibrium wants them held
-          const std::string text = problem.what();
+          std::string text = problem.what();
+          if (const Layout &layout = context.system.layout;
+              text.find("static analysis") == 0 && (!layout.contact_groups.empty() || !layout.stops.empty()))
+            text +=
+              "\n  What only a contact or a stop holds has no stiffness before that is pressed: draw it pressed in by a "
+              "little (<Overlap = allowed> of groups), hold it by a weak spring, or let a damped motion come to rest";
           if (counts.n_free_motions == 0 || text.find("static analysis") != 0 ||
               text.find("finite") != std::string::npos)
-            throw;
+            throw NotConverged(text);
           throw NotConverged(text + "\n  " + counts.free_motions_text());
         }
     }

@@ -94,7 +94,7 @@ namespace samara
     prm.add(
       "Beams",
       beams,
-      "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, in motions only, and surfaces at stations.");
+      "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, not in modes, and surfaces at stations.");
     prm.add("Stations",
             stations,
             "Places at which each element of a beam touches planes, cylinders, tubes and hollow balls.",

@@ -5,6 +5,7 @@
 #include <samara/model/drawing.h>
 #include <samara/model/probe_needs.h>
 #include <samara/model/signal.h>
+#include <samara/model/surface.h>
 
 #include <cmath>
 #include <complex>
@@ -26,7 +27,7 @@ namespace samara
   void
   SlidingJoint::add_parameters(Parameters &prm)
   {
-    prm.add("Body A", body_a, "The beam, without a point.");
+    prm.add("Body A", body_a, "The beam, without a point; or a line of a shell, shell.edge u0 or shell.line v 0.5.");
     prm.add("Body B", body_b, "Frame that slides along it: body.point, or ground.");
     prm.add("Position",
             position,
@@ -139,11 +140,15 @@ namespace samara
   {
     try
       {
-        body_of_rail = &m.find<Body>(body_a, "body");
-        auto pieces  = body_of_rail->spans();
+        const auto dot = body_a.find('.');
+        body_of_rail   = &m.find<Body>(trim(body_a.substr(0, dot)), "body");
+        auto pieces    = dot == std::string::npos ? body_of_rail->spans() : line_of_shell(trim(body_a.substr(dot + 1)));
         if (pieces.empty())
-          throw std::invalid_argument("<" + body_a +
-                                      "> is no beam: there is no line along which something could slide");
+          throw std::invalid_argument(
+            "<" + body_a + "> is no beam: there is no line along which something could slide" +
+            (dynamic_cast<const SurfaceBody *>(body_of_rail) == nullptr ?
+               "" :
+               "; of a shell say which, <" + body_a + ".edge u0> or <" + body_a + ".line v 0.5>"));
         rail = std::make_unique<Rail>(std::move(pieces));
         return true;
       }
@@ -152,6 +157,21 @@ namespace samara
         complain(m, "Body A", problem.what());
         return false;
       }
+  }
+
+
+
+  std::vector<Span>
+  SlidingJoint::line_of_shell(const std::string &line) const
+  {
+    const auto *const shell = dynamic_cast<const SurfaceBody *>(body_of_rail);
+    if (shell == nullptr)
+      throw std::invalid_argument("<" + body_a + ">: what slides along the whole of <" + body_of_rail->name +
+                                  "> has <Body A = " + body_of_rail->name + ">, without a point");
+    if (!cosines.empty())
+      throw std::invalid_argument("along <" + body_a +
+                                  "> only a <sliding point> goes: the axes of a shell do not follow its lines");
+    return shell->edge(line);
   }
 
 

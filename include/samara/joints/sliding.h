@@ -8,9 +8,9 @@
 namespace samara
 {
   /**
-   * A frame of B slides along a flexible beam A (the paper, section 2.2; doc/theory/sliding.md). The abscissa S on the
-   * beam is an unknown without inertia. Rows, with position x(S) and directors d_k(S) of the beam, see Rail, and the
-   * frame x_B, E_i of B:
+   * A frame of B slides along a flexible beam A, or along a line of a shell's mesh, through its nodes (the paper,
+   * section 2.2; doc/theory/sliding.md). The abscissa S on the beam is an unknown without inertia. Rows, with position
+   * x(S) and directors d_k(S) of the beam, see Rail, and the frame x_B, E_i of B:
    *
    *     position               x_B − x(S) = 0, along the axes E has in the reference configuration
    *     sleeve                 E₂·d₁(S) = E₃·d₁(S) = 0
@@ -142,9 +142,11 @@ namespace samara
     void                    check_leaving(Model &model);
 
     bool find_rail(Model &model);
-    bool find_start(Model &model, const Frame &b);
-    bool check_corners(Model &model);
-    bool check_bodies();
+    /** Pieces of a shell's edge, or of a line of its mesh. */
+    std::vector<Span> line_of_shell(const std::string &line) const;
+    bool              find_start(Model &model, const Frame &b);
+    bool              check_corners(Model &model);
+    bool              check_bodies();
     /** Stops at the ends of the beam, where those are wanted and the user has set none. */
     void add_stops_at_ends(Model &model);
 
