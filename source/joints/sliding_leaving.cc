@@ -90,7 +90,7 @@ namespace samara
   bool
   SlidingJoint::has_left(const State &state) const
   {
-    return is_far(state.coordinates[coordinate()]);
+    return !state.held && is_far(state.coordinates[coordinate()]);
   }
 
 

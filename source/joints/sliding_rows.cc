@@ -109,7 +109,14 @@ namespace samara
     const FreeMotion   &motion;
     const Rail         &rail;
 
-    /** What stands for all rows once B has left the beam. */
+    /** In statics nothing leaves: an iterate far away is no solution. */
+    template <typename Number>
+    bool
+    has_left(const Point<Number> &point) const
+    {
+      return !point.held && joint.is_far(std::real(point.coordinates[joint.coordinate()]));
+    }
+    /** What stands for all rows then. */
     void add_tangent_of_parked(SparseMatrix &K) const;
 
     template <typename Number>
@@ -162,7 +169,7 @@ namespace samara
     const Number *const lambda = point.multipliers + joint.first_multiplier;
 
     thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
-    if (joint.is_far(std::real(sigma)))
+    if (has_left(point))
       {
         const unsigned int s = 6 * rail.pieces()[0].frames.size() + 6;
         local.setZero(s + 1 + joint.n_rows);
@@ -254,7 +261,7 @@ namespace samara
   SlidingJoint::Rows::tangent(const Point<double> &point, SparseMatrix &K) const
   {
     const double sigma = point.coordinates[joint.coordinate()];
-    if (joint.is_far(sigma))
+    if (has_left(point))
       return add_tangent_of_parked(K);
     const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
     const auto                  f = forces(point.multipliers + joint.first_multiplier, sigma);
@@ -310,7 +317,7 @@ namespace samara
   SlidingJoint::Rows::rates(const Point<double> &point, double *rates) const
   {
     const double sigma = point.coordinates[joint.coordinate()], v = point.rates[joint.coordinate()];
-    if (joint.is_far(sigma))
+    if (has_left(point))
       {
         rates[joint.first_multiplier] = v;
         return;
@@ -348,7 +355,7 @@ namespace samara
   void
   SlidingJoint::Rows::time_rates(const Point<double> &point, double *rates) const
   {
-    if (motion.is_prescribed && !joint.is_far(point.coordinates[joint.coordinate()]))
+    if (motion.is_prescribed && !has_left(point))
       rates[joint.first_multiplier + joint.n_rows] = -motion.prescribed_rate(point);
   }
 
