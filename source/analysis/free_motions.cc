@@ -1,6 +1,7 @@
 // Motions without strain that no constraint prevents. What can only be strained or move as one rigid body (beams) has
 // six unknowns, however fine its mesh.
 
+#include <samara/analysis/analysis.h>
 #include <samara/analysis/check.h>
 #include <samara/base/text.h>
 #include <samara/solvers/from_eigen.h>
