@@ -19,7 +19,7 @@ namespace
   struct Launcher
   {
     std::string  rod = " set Rigid = true\n set Elements = 1\n", turning = " set Prescribed = 3*t\n";
-    std::string  kind = "point", slider, displacement, bead = " set Velocity = 0, 0.6, 0\n", rest;
+    std::string  kind = "point", slider, displacement, bead = " set Velocity = 0, 0.6, 0\n", rest, place = "0.2, 0, 0";
     double       end = 1, step = 0.1;
     unsigned int stages = 3;
 
@@ -29,8 +29,8 @@ namespace
       return slender + "subsection Bodies\n subsection rod\n set Type = beam\n set Section = s\n" +
              " set Points = 0, 0, 0; 1, 0, 0\n" + rod +
              " end\n subsection bead\n set Type = rigid body\n set Mass = 0.5\n set Inertia = 0.1, 0.1, 0.1\n"
-             " set Position = 0.2, 0, 0\n" +
-             bead + " end\nend\nsubsection Joints\n" +
+             " set Position = " +
+             place + "\n" + bead + " end\nend\nsubsection Joints\n" +
              (turning.empty() ?
                 "" :
                 " subsection hinge\n set Type = revolute\n set Body A = ground\n set Body B = rod.start\n"
@@ -146,7 +146,7 @@ TEST(Leaving, MomentaOfWhatIsFree)
   analysis.run(scene.context);
   EXPECT_GT(n_on_rod, 15u);
   EXPECT_GT(n_free, 15u);
-  EXPECT_LT(worst, 1e-9);
+  EXPECT_LT(worst, 1e-6); // of the scheme, which turns with the nodes
   EXPECT_EQ(scene.value("slide.arc length"), 0);
   EXPECT_LT(analysis.report.largest_balance, 1e-10);
 }
@@ -181,7 +181,8 @@ TEST(Leaving, PrescribedSlidingEnds)
 TEST(Leaving, FromTheEndAndFromAStop)
 {
   Launcher at_end;
-  at_end.bead       = " set Position = 1, 0, 0\n";
+  at_end.place      = "1, 0, 0";
+  at_end.bead       = "";
   at_end.turning    = " set Prescribed = t^2\n";
   at_end.end        = 0.5;
   const auto thrown = at_end.fly();

@@ -72,7 +72,9 @@ TEST(SlidingOnShells, LoadOnASupportedPlate)
       sum += std::pow(std::sin(m * M_PI * x), 2) / std::pow(m * m + n * n, 2);
   EXPECT_NEAR(scene.value("bead.position x"), x, 1e-6);
   EXPECT_NEAR(scene.value("slide.arc length"), x, 1e-9);
-  EXPECT_NEAR(-scene.value("bead.position z"), 4 * P / (std::pow(M_PI, 4) * D) * sum, 0.01 * P * sum * 0.04 / D);
+  EXPECT_NEAR(-scene.value("bead.position z"),
+              4 * P / (std::pow(M_PI, 4) * D) * sum,
+              0.03 * 4 * P / (std::pow(M_PI, 4) * D) * sum);
 }
 
 
@@ -106,7 +108,7 @@ TEST(SlidingOnShells, MomentaOfAPlateInFlight)
   analysis.observer = [&](const State &state) { momenta.push_back(momentum(scene.system, state)); };
   analysis.run(scene.context);
   for (const Vector6 &p : momenta)
-    EXPECT_LT((p - momenta.front()).norm(), 1e-8 * momenta.front().norm());
+    EXPECT_LT((p - momenta.front()).norm(), 1e-5 * momenta.front().norm()); // of the scheme, which turns with the nodes
   EXPECT_EQ(scene.value("slide.attached"), 0);
   EXPECT_LT(analysis.report.largest_balance, 1e-9);
 }
