@@ -153,6 +153,23 @@ TEST(Leaving, MomentaOfWhatIsFree)
 
 
 
+// The example, a flexible boom, is near the rigid one, and its energy account closes.
+TEST(Leaving, Example)
+{
+  Scene scene("prm/examples/leaving.prm");
+  auto &analysis = scene.analysis<DynamicAnalysis>();
+  analysis.start(scene.context);
+  analysis.run(scene.context);
+  EXPECT_EQ(scene.value("slider.attached"), 0);
+  const double  Omega = 3, t = std::acosh(5) / Omega, v = 0.2 * Omega * std::sinh(Omega * t);
+  const Vector3 along(std::cos(Omega * t), std::sin(Omega * t), 0), across(-along(1), along(0), 0);
+  EXPECT_LT((place_of_bead(scene) - along - (1 - t) * (v * along + Omega * across)).norm(), 0.02);
+  EXPECT_LT(analysis.report.largest_balance, 1e-8);
+  EXPECT_NE(scene.stream.str().find("<bead> has left <boom>"), std::string::npos);
+}
+
+
+
 // Pushed out by a drive on a turning rod, with its axes held: at 0.4 s it lets go of all of them, flies straight and
 // goes on turning with Ω. What the drive has done is the energy that the bead has then.
 TEST(Leaving, PrescribedSlidingEnds)
