@@ -1,4 +1,4 @@
-#include <samara/analysis/check.h>
+#include <samara/analysis/draw_shape.h>
 #include <samara/analysis/near_redundancy.h>
 #include <samara/automatic_mesh.h>
 #include <samara/base/interrupt.h>
@@ -260,6 +260,17 @@ namespace samara
 
 
 
+    /** Motions that nothing holds, as pictures of modes. */
+    void
+    draw_free(const System &system, const ModelCheck &counts, const std::string &folder, Log &log)
+    {
+      constexpr unsigned int most = 8;
+      if (const std::string text = draw_free_motions(system, counts, folder, most); !text.empty())
+        log.line(text);
+    }
+
+
+
     /** What a check finds; with a folder for results, the mechanism as a graph and as a drawing, too. */
     void
     tell_check(const Options &options, const System &system, const ModelCheck &counts, Log &log)
@@ -278,6 +289,7 @@ namespace samara
           flush(out, file);
         }
       log.line("mechanism.dot and mechanism.svg are in " + options.output);
+      draw_free(system, counts, options.output, log);
     }
 
 
@@ -323,10 +335,15 @@ namespace samara
       catch (const NotConverged &problem)
         {
           // motions go on where nothing holds them; only an equilibrium wants them held
-          const std::string text = problem.what();
+          std::string text = problem.what();
+          if (const Layout &layout = context.system.layout;
+              text.find("static analysis") == 0 && (!layout.contact_groups.empty() || !layout.stops.empty()))
+            text +=
+              "\n  What only a contact or a stop holds has no stiffness before that is pressed: draw it pressed in by a "
+              "little (<Overlap = allowed> of groups), hold it by a weak spring, or let a damped motion come to rest";
           if (counts.n_free_motions == 0 || text.find("static analysis") != 0 ||
               text.find("finite") != std::string::npos)
-            throw;
+            throw NotConverged(text);
           throw NotConverged(text + "\n  " + counts.free_motions_text());
         }
     }
@@ -374,6 +391,8 @@ namespace samara
     if (input.assembled)
       input.assembled->write(folder + "/assembly.csv");
     tell(options, input, system, counts, log);
+    if (input.pictures && input.has_analysis("static") && !options.restart)
+      draw_free(system, counts, folder, log);
     std::vector<double> speeds;
     for (const auto &rotation : input.model.rotations)
       speeds.push_back(rotation.speed);

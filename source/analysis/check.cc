@@ -38,13 +38,19 @@ namespace samara
 
 
   void
-  require_couplings(const System &system)
+  require_couplings(const System &system, const bool for_statics)
   {
     for (const ContactGroup *group : system.layout.contact_groups)
-      if (!group->is_coupled)
+      if (group->has_nearest_places() && !for_statics)
         throw InputError(group->item->parameters.where() + ": " + group->name +
-                         " may touch in more pairs of nodes than the matrices of statics and modes hold (a thousand): make "
-                         "smaller groups, or let a damped motion come to rest");
+                         " has beams that balls or other beams touch; where they do moves along the beams, which the "
+                         "matrices of modes and linear systems do not know: they would be wrong. Look at the motion in "
+                         "time, or hold balls to single contacts");
+      else if (!group->is_coupled)
+        throw InputError(
+          group->item->parameters.where() + ": " + group->name +
+          " may touch in more pairs of nodes than the matrices of statics and modes hold (a thousand): make "
+          "smaller groups, or let a damped motion come to rest");
   }
 
 

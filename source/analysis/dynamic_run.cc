@@ -1,11 +1,12 @@
 // A run of the dynamic analysis, from its start or a checkpoint to its end: steps, what is counted of them, and files.
 
 #include <samara/analysis/dynamic_parts.h>
-#include <samara/analysis/start_of_motion.h>
 #include <samara/analysis/near_redundancy.h>
+#include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
 #include <samara/base/text.h>
+#include <samara/model/contact_group.h>
 
 #include <algorithm>
 #include <chrono>
@@ -68,7 +69,7 @@ namespace samara
     const double      begin; ///< [s]
     Report            before_machinery;
     unsigned int      n_since_fresh = 0, n_factorizations = 0;
-    bool              is_saved;
+    bool              is_saved, is_ringing                = false; ///< whether that has been told
     Clock::time_point last_progress = clock_start, last_checkpoint = clock_start;
     State             before; ///< where the step began, for the second estimate
     SingularPositions singular;
@@ -77,6 +78,7 @@ namespace samara
     void   open_account();
     void   step();
     void   count(const Advance &advance, double from);
+    void   warn_of_ringing();
     double second_estimate(double from);
     void   write_step(const Advance &advance, double from, double second);
     void   show_progress();
@@ -222,6 +224,8 @@ namespace samara
     const double  from    = state.time;
     const Advance advance = machinery.stepper->advance(state, goal);
     count(advance, from);
+    for (const std::string &text : advance.left)
+      context.log.line(text);
     singular.look(state);
     write_step(advance, from, second_estimate(from));
     if (!is_adaptive && state.time < goal - 1e-9 * analysis.step)
@@ -261,6 +265,32 @@ namespace samara
         report.length = machinery.stepper->controller->size;
       }
     report.turn = std::max(report.turn, advance.h * largest_spin(state));
+    warn_of_ringing();
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::warn_of_ringing()
+  {
+    // what sticks has velocities that change their sign from step to step; Newton's method finds none, and steps are
+    // halved
+    constexpr unsigned int times_more = 20, not_at_once = 200;
+    const Layout          &layout = system.layout;
+    if (is_ringing || is_adaptive || analysis.spectral_radius < 1 ||
+        analysis.report.n_steps < not_at_once + times_more * (analysis.n_grid + 1) ||
+        (layout.frictions.empty() && std::none_of(layout.contact_groups.begin(),
+                                                  layout.contact_groups.end(),
+                                                  [](const ContactGroup *group) { return group->has_friction; })))
+      return;
+    is_ringing = true;
+    context.log.warning(
+      "",
+      "t = " + number_to_text("%.6g", state.time) + " s: " + std::to_string(analysis.report.n_steps) +
+        " steps were made instead of " + number_to_text("%.0f", double(analysis.n_grid + 1)) +
+        ", halves and smaller parts of them: with <Spectral radius = 1> what sticks by dry friction "
+        "vibrates about its creep, and needs steps much shorter than that. Take <Spectral radius = 0.5>, a "
+        "larger <Sticking speed>, or bristles");
   }
 
 

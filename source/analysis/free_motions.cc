@@ -1,6 +1,7 @@
 // Motions without strain that no constraint prevents. What can only be strained or move as one rigid body (beams) has
 // six unknowns, however fine its mesh.
 
+#include <samara/analysis/analysis.h>
 #include <samara/analysis/check.h>
 #include <samara/base/text.h>
 #include <samara/solvers/from_eigen.h>
@@ -442,7 +443,10 @@ namespace samara
       return;
     const Eigen::MatrixXd simple = simplest_basis(motions);
     for (int j = 0; j < simple.cols(); ++j)
-      check.free_motions.push_back(description(system, pieces.velocities(simple.col(j))));
+      {
+        check.shapes.push_back(pieces.velocities(simple.col(j)));
+        check.free_motions.push_back(description(system, check.shapes.back()));
+      }
     if (motions.cols() == block && block < n)
       check.free_motions.push_back("others, which are not counted");
 
@@ -451,7 +455,7 @@ namespace samara
       return;
     Eigen::MatrixXd Z(system.layout.of_multiplier(0), simple.cols());
     for (int j = 0; j < simple.cols(); ++j)
-      Z.col(j) = pieces.velocities(simple.col(j));
+      Z.col(j) = check.shapes[j];
     const Eigen::MatrixXd massless = massless_motions(system, check.mass.mass, Z);
     for (int j = 0; j < massless.cols(); ++j)
       check.massless.push_back(description(system, massless.col(j)) + direction(system, massless.col(j)));

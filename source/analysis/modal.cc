@@ -1,3 +1,4 @@
+#include <samara/analysis/draw_shape.h>
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/mode_families.h>
@@ -7,7 +8,6 @@
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
-#include <samara/output/pictures.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
 
@@ -493,40 +493,8 @@ namespace samara
   void
   ModalAnalysis::animate(const Context &context, const unsigned int k) const
   {
-    const System    &system = context.system;
-    Eigen::VectorXcd shape  = modes[k].shape;
-    // the phase in which it is largest comes first, at a twentieth of the model's size
-    double               largest = 0;
-    std::complex<double> phase   = 1;
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      for (unsigned int i = 0; i < 6; ++i)
-        {
-          const auto   z    = shape(system.layout.of_node(node) + i);
-          const double size = std::abs(z) * (i < 3 ? 1. : 0.1 * model_length(system.model));
-          if (size > largest)
-            {
-              largest = size;
-              phase   = z / std::abs(z);
-            }
-        }
-    if (largest == 0)
-      return;
-    shape *= 0.05 * model_length(system.model) / largest / phase;
-
-    Pictures           pictures(context.folder, "mode_" + std::to_string(k + 1));
-    const unsigned int n_frames = 24;
-    for (unsigned int frame = 0; frame < n_frames; ++frame)
-      {
-        const std::complex<double> turn = std::polar(1., 2 * M_PI * frame / n_frames);
-        std::vector<double>        z(system.size(), 0.);
-        for (int i = 0; i < shape.size(); ++i)
-          z[i] = (shape(i) * turn).real();
-        State state = context.state;
-        system.update(state, z);
-        const double period = modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.;
-        pictures.add(system.draw(state), period * frame / n_frames);
-      }
-    pictures.finish();
+    const double period = modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.;
+    draw_shape(context.system, context.state, modes[k].shape, period, context.folder, "mode_" + std::to_string(k + 1));
   }
 
 

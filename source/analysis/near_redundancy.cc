@@ -287,7 +287,13 @@ namespace samara
       const Eigen::SparseMatrix<double> Gt = transposed(state);
       Eigen::SparseMatrix<double>       one(rows.size(), rows.size());
       one.setIdentity();
-      const Eigen::SparseMatrix<double> A = Gt.transpose() * Gt, shifted = A + shift * one;
+      // what says nothing, as the rows of a joint that has let go, is no dependence
+      Eigen::SparseMatrix<double> of_silent(rows.size(), rows.size());
+      for (int i = 0; i < scale.size(); ++i)
+        if (scale(i) == 0)
+          of_silent.insert(i, i) = 1;
+      const Eigen::SparseMatrix<double> A       = Eigen::SparseMatrix<double>(Gt.transpose() * Gt) + of_silent,
+                                        shifted = A + shift * one;
       if (sigma.size() == 0)
         factors.analyzePattern(shifted);
       factors.factorize(shifted);

@@ -185,7 +185,7 @@ namespace samara
   {
     n_steps = n_iterations = 0;
     singular_points.clear();
-    require_couplings(context.system);
+    require_couplings(context.system, true);
     if (path == "arc length")
       follow_path(context);
     else

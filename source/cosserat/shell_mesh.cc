@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -187,6 +188,40 @@ namespace samara
     for (auto &origin : origins)
       origin.node = kept_as[origin.node];
     nodes = kept;
+  }
+
+
+
+  void
+  ShellMesh::name_line(const std::string &line)
+  {
+    if (edges.count(line) > 0)
+      return;
+    double     place   = 0;
+    const bool along_v = line.compare(0, 7, "line u ") == 0;
+    if ((!along_v && line.compare(0, 7, "line v ") != 0) || !text_to_number(line.substr(7), place))
+      throw std::invalid_argument("a line on a shell is written <line u 0.5> or <line v 0.5>, not <" + line + ">");
+    constexpr double  rounding = 1e-6;
+    std::vector<bool> is_on(nodes.size(), false);
+    double            nearest = std::numeric_limits<double>::infinity();
+    for (const Origin &origin : origins)
+      if (origin.patch == 0)
+        {
+          const double at    = along_v ? origin.u : origin.v;
+          is_on[origin.node] = is_on[origin.node] || std::abs(at - place) < rounding;
+          if (std::abs(at - place) < std::abs(nearest - place))
+            nearest = at;
+        }
+    std::vector<Side> sides;
+    for (const auto &[numbers, of_cells] : cells_at_sides())
+      if (std::all_of(numbers.begin(), numbers.end(), [&](const unsigned int node) { return is_on[node]; }))
+        sides.push_back(of_cells.front());
+    if (sides.empty())
+      throw std::invalid_argument("no sides of cells of the first patch are on <" + line + ">" +
+                                  (std::isfinite(nearest) ? ": the nearest nodes have " + line.substr(5, 1) + " = " +
+                                                              number_to_text("%.6g", nearest) :
+                                                            ", which has no coordinates u and v"));
+    edges[line] = sides;
   }
 
 

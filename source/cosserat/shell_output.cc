@@ -136,6 +136,8 @@ namespace samara
   {
     if (node_frames.empty())
       return {};
+    if (edge_name.compare(0, 5, "line ") == 0)
+      mesh->name_line(edge_name);
     if (mesh->edges.count(edge_name) == 0)
       throw std::invalid_argument("shell <" + name + "> has no edge <" + edge_name + ">" +
                                   did_you_mean(edge_name, edges()));

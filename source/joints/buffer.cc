@@ -42,8 +42,11 @@ namespace samara
                 are_known = false;
                 continue;
               }
-            auto &joint    = m.find<SlidingJoint>(i == 0 ? joint_a : joint_b, "sliding joint");
-            joints[i]      = &joint;
+            auto &joint = m.find<SlidingJoint>(i == 0 ? joint_a : joint_b, "sliding joint");
+            joints[i]   = &joint;
+            if (joint.may_leave())
+              throw std::invalid_argument("<" + joint.name +
+                                          "> may leave its beam, and a buffer would go on holding it there");
             coordinates[i] = joint.use_coordinate(m, "displacement").value();
           }
         catch (const std::invalid_argument &problem)

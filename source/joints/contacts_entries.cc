@@ -94,7 +94,7 @@ namespace samara
     prm.add(
       "Beams",
       beams,
-      "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, in motions only, and surfaces at stations.");
+      "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, not in modes, and surfaces at stations.");
     prm.add("Stations",
             stations,
             "Places at which each element of a beam touches planes, cylinders, tubes and hollow balls.",
@@ -365,6 +365,34 @@ namespace samara
 
 
 
+  /** Nearest places may be anywhere on a beam: its nodes with those of all that it may touch. */
+  void
+  ContactsItem::add_nodes_of_lines(std::set<std::pair<unsigned int, unsigned int>> &pairs) const
+  {
+    if (!group.has_nearest_places())
+      return;
+    std::vector<std::vector<unsigned int>> groups;
+    for (const auto &line : group.lines)
+      {
+        groups.emplace_back();
+        for (const auto &span : line.spans)
+          for (const auto &frame : span.frames)
+            groups.back().push_back(frame.node);
+      }
+    const std::size_t n_lines = groups.size();
+    for (const auto &bead : group.beads)
+      if (bead.is_ball)
+        groups.push_back({bead.place.front().frame.node});
+    for (std::size_t i = 0; i < n_lines && pairs.size() <= most_couplings; ++i)
+      for (std::size_t j = i; j < groups.size() && pairs.size() <= most_couplings; ++j)
+        for (const auto a : groups[i])
+          for (const auto b : groups[j])
+            if (a != 0 && b != 0 && a != b)
+              pairs.emplace(std::min(a, b), std::max(a, b));
+  }
+
+
+
   void
   ContactsItem::couple_pairs(Layout &layout)
   {
@@ -390,12 +418,13 @@ namespace samara
         for (unsigned int j = i + 1; j < group.beads.size() && group.beads[i].is_ball && group.balls_touch_balls; ++j)
           add({i, j, false});
       }
+    add_nodes_of_lines(pairs);
     is_any = is_any || group.has_nearest_places();
     if (!is_any)
       return complain(
         "Balls",
         "no two of these can touch: give <Balls> or <Beams>, and others, or <Planes> and the like, of other bodies");
-    group.is_coupled = pairs.size() <= most_couplings && !group.has_nearest_places();
+    group.is_coupled = pairs.size() <= most_couplings;
     if (!group.is_coupled)
       return;
     for (const auto &[a, b] : pairs)

@@ -5,6 +5,7 @@
 #include <samara/model/drawing.h>
 #include <samara/model/probe_needs.h>
 #include <samara/model/signal.h>
+#include <samara/model/surface.h>
 
 #include <cmath>
 #include <complex>
@@ -26,7 +27,7 @@ namespace samara
   void
   SlidingJoint::add_parameters(Parameters &prm)
   {
-    prm.add("Body A", body_a, "The beam, without a point.");
+    prm.add("Body A", body_a, "The beam, without a point; or a line of a shell, shell.edge u0 or shell.line v 0.5.");
     prm.add("Body B", body_b, "Frame that slides along it: body.point, or ground.");
     prm.add("Position",
             position,
@@ -40,9 +41,9 @@ namespace samara
     prm.add(
       "At the ends",
       ends,
-      "What is at the ends of the beam: the end of the run, or stops, with the <Stop stiffness> and what else is said of "
-      "stops of the displacement.",
-      dealii::Patterns::Selection("end the run|stop"));
+      "What is at the ends of the beam: the end of the run; stops, with the <Stop stiffness> and what else is said of "
+      "stops of the displacement; or that B leaves the beam there, and nothing holds it any more (in time).",
+      dealii::Patterns::Selection("end the run|stop|leave"));
     prm.turns("Position", Turning::given_position);
     free_displacement(0);
     add_motions(prm);
@@ -109,6 +110,8 @@ namespace samara
     free.front().check_parameters(parameters.subsection("displacement"), m.complaints);
     if (ends == "stop")
       add_stops_at_ends(m);
+    if (may_leave())
+      check_leaving(m);
     use_coordinate(m, "displacement");
     free.front().add_bristles(m, name);
   }
@@ -137,11 +140,15 @@ namespace samara
   {
     try
       {
-        body_of_rail = &m.find<Body>(body_a, "body");
-        auto pieces  = body_of_rail->spans();
+        const auto dot = body_a.find('.');
+        body_of_rail   = &m.find<Body>(trim(body_a.substr(0, dot)), "body");
+        auto pieces    = dot == std::string::npos ? body_of_rail->spans() : line_of_shell(trim(body_a.substr(dot + 1)));
         if (pieces.empty())
-          throw std::invalid_argument("<" + body_a +
-                                      "> is no beam: there is no line along which something could slide");
+          throw std::invalid_argument(
+            "<" + body_a + "> is no beam: there is no line along which something could slide" +
+            (dynamic_cast<const SurfaceBody *>(body_of_rail) == nullptr ?
+               "" :
+               "; of a shell say which, <" + body_a + ".edge u0> or <" + body_a + ".line v 0.5>"));
         rail = std::make_unique<Rail>(std::move(pieces));
         return true;
       }
@@ -150,6 +157,21 @@ namespace samara
         complain(m, "Body A", problem.what());
         return false;
       }
+  }
+
+
+
+  std::vector<Span>
+  SlidingJoint::line_of_shell(const std::string &line) const
+  {
+    const auto *const shell = dynamic_cast<const SurfaceBody *>(body_of_rail);
+    if (shell == nullptr)
+      throw std::invalid_argument("<" + body_a + ">: what slides along the whole of <" + body_of_rail->name +
+                                  "> has <Body A = " + body_of_rail->name + ">, without a point");
+    if (!cosines.empty())
+      throw std::invalid_argument("along <" + body_a +
+                                  "> only a <sliding point> goes: the axes of a shell do not follow its lines");
+    return shell->edge(line);
   }
 
 
@@ -258,6 +280,8 @@ namespace samara
     size(const Point<Number> &point) const
     {
       Number sum(0);
+      if (joint.is_far(std::real(point.coordinates[joint.coordinate()])))
+        return sum;
       for (const auto i : multipliers)
         sum += point.multipliers[i] * point.multipliers[i];
       return std::sqrt(sum);
@@ -271,7 +295,7 @@ namespace samara
   {
     if (path == "force")
       return std::make_shared<Reaction>(*this);
-    return path == "displacement"      ? coordinate_signal(coordinate(), 0.) :
+    return path == "displacement"      ? displacement_signal() :
            path == "displacement rate" ? rate_signal(coordinate()) :
                                          nullptr;
   }
@@ -325,6 +349,8 @@ namespace samara
   Vector6
   SlidingJoint::action_on_b(const State &state) const
   {
+    if (has_left(state))
+      return Vector6::Zero();
     const double        S  = start + state.coordinates[coordinate()];
     const auto          at = rail->place(rail->weights(S), state.q.data());
     const Matrix3       E = frame_b.triad(state.q.data()), axes = orthonormal(at.d[0]);
@@ -347,8 +373,10 @@ namespace samara
   {
     if (path == "displacement" || path == "arc length")
       return Probe{path, "m", OfPlaces{[this, from = path == "displacement" ? 0. : start](const State &state) {
-                     return from + state.coordinates[coordinate()];
+                     return from + displacement(state.coordinates[coordinate()]);
                    }}};
+    if (path == "attached" && may_leave())
+      return Probe{path, "1", OfPlaces{[this](const State &state) { return has_left(state) ? 0. : 1.; }}};
     if (path == "displacement rate")
       return Probe{path, "m/s", OfVelocities{{[this](const State &state) { return state.rates[coordinate()]; }}}};
     if (path == "force")
@@ -368,6 +396,8 @@ namespace samara
       "displacement", "displacement rate", "arc length", "force", "force 1", "force 2", "force 3"};
     if (!cosines.empty())
       names.insert(names.end(), {"moment 1", "moment 2", "moment 3"});
+    if (may_leave())
+      names.push_back("attached");
     return names;
   }
 

@@ -57,7 +57,7 @@ namespace samara
       /** Add the gradient by the twists of the frames of one part of the rail. */
       template <typename Vector>
       void
-      add_to_rail(const SlidingValues<Number>  &values,
+      add_to_rail(const SlidingValues<Number> &values,
                   const Rail::Weights<Number> &part,
                   const std::vector<Frame>    &frames,
                   const Number                *q,
@@ -109,6 +109,16 @@ namespace samara
     const FreeMotion   &motion;
     const Rail         &rail;
 
+    /** In statics nothing leaves: an iterate far away is no solution. */
+    template <typename Number>
+    bool
+    has_left(const Point<Number> &point) const
+    {
+      return !point.held && joint.is_far(std::real(point.coordinates[joint.coordinate()]));
+    }
+    /** What stands for all rows then. */
+    void add_tangent_of_parked(SparseMatrix &K) const;
+
     template <typename Number>
     Number
     abscissa(const Point<Number> &point) const
@@ -118,13 +128,13 @@ namespace samara
 
     template <typename Number>
     SlidingForces<Number> forces(const Number *multipliers, const Number &sigma) const;
-    /** What turns of the frames, and motions of S, change of the gradient: what the frames of a part of the rail feel, and
-     * what B and S feel, whose unknowns begin with @p b. @{ */
-    void add_turns_of_rail(const SlidingValues<double>  &values,
+    /** What turns of the frames, and motions of S, change of the gradient: what the frames of a part of the rail feel,
+     * and what B and S feel, whose unknowns begin with @p b. @{ */
+    void add_turns_of_rail(const SlidingValues<double> &values,
                            const Rail::Weights<double> &part,
-                           const SlidingForces<double>  &forces,
-                           const double                 *q,
-                           Eigen::MatrixXd              &K) const;
+                           const SlidingForces<double> &forces,
+                           const double                *q,
+                           Eigen::MatrixXd             &K) const;
     void add_turns_of_b(const SlidingValues<double> &values,
                         const SlidingForces<double> &forces,
                         unsigned int                 b,
@@ -155,12 +165,20 @@ namespace samara
   void
   SlidingJoint::Rows::residual_at(const Point<Number> &point, Number *r) const
   {
-    const Number                S = abscissa(point), sigma = point.coordinates[joint.coordinate()];
-    const SlidingValues<Number> values(rail, joint.frame_b, S, point.q);
-    const Number *const         lambda = point.multipliers + joint.first_multiplier;
-    const auto                  f      = forces(lambda, sigma);
+    const Number        S = abscissa(point), sigma = point.coordinates[joint.coordinate()];
+    const Number *const lambda = point.multipliers + joint.first_multiplier;
 
     thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
+    if (has_left(point))
+      {
+        const unsigned int s = 6 * rail.pieces()[0].frames.size() + 6;
+        local.setZero(s + 1 + joint.n_rows);
+        local(s)     = lambda[0];
+        local(s + 1) = sigma - joint.parked(joint.has_left_at_end(std::real(sigma)));
+        return joint.blocks[0].add(local, r);
+      }
+    const SlidingValues<Number> values(rail, joint.frame_b, S, point.q);
+    const auto                  f = forces(lambda, sigma);
     for (const Rail::Weights<Number> &part : values.weights)
       {
         const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
@@ -188,11 +206,11 @@ namespace samara
 
 
   void
-  SlidingJoint::Rows::add_turns_of_rail(const SlidingValues<double>  &values,
+  SlidingJoint::Rows::add_turns_of_rail(const SlidingValues<double> &values,
                                         const Rail::Weights<double> &part,
-                                        const SlidingForces<double>  &f,
-                                        const double                 *q,
-                                        Eigen::MatrixXd              &K) const
+                                        const SlidingForces<double> &f,
+                                        const double                *q,
+                                        Eigen::MatrixXd             &K) const
   {
     const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
     const unsigned int        b = 6 * frames.size(), s = b + 6;
@@ -226,7 +244,7 @@ namespace samara
                                      const unsigned int           b,
                                      Eigen::MatrixXd             &K) const
   {
-    const unsigned int s      = b + 6;
+    const unsigned int s = b + 6;
     const Vector3      with_s =
       moment_of<double>(values.cosines(1) * f.A[0].transpose() + values.cosines(0) * f.A[1].transpose());
     K.block<3, 3>(b, b + 3) += skew((values.E.transpose() * f.force).eval());
@@ -242,15 +260,17 @@ namespace samara
   void
   SlidingJoint::Rows::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    const double                sigma = point.coordinates[joint.coordinate()];
+    const double sigma = point.coordinates[joint.coordinate()];
+    if (has_left(point))
+      return add_tangent_of_parked(K);
     const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
     const auto                  f = forces(point.multipliers + joint.first_multiplier, sigma);
 
     thread_local Eigen::MatrixXd local;
     for (const Rail::Weights<double> &part : values.weights)
       {
-        const std::vector<Frame> &frames   = rail.pieces()[part.piece].frames;
-        const unsigned int        b        = 6 * frames.size(), first = b + 7;
+        const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
+        const unsigned int        b = 6 * frames.size(), first = b + 7;
         const bool                is_first = &part == values.weights.begin();
         local.setZero(first + joint.n_rows, first + joint.n_rows);
         add_turns_of_rail(values, part, f, point.q, local);
@@ -279,9 +299,29 @@ namespace samara
 
 
   void
+  SlidingJoint::Rows::add_tangent_of_parked(SparseMatrix &K) const
+  {
+    const unsigned int s     = 6 * rail.pieces()[0].frames.size() + 6;
+    Eigen::MatrixXd    local = Eigen::MatrixXd::Zero(s + 1 + joint.n_rows, s + 1 + joint.n_rows);
+    local(s, s + 1) = local(s + 1, s) = 1;
+    for (unsigned int i = 1; i < joint.n_rows; ++i)
+      local(s + 1 + i, s + 1 + i) = 1;
+    joint.blocks[0].add(local, K);
+    if (motion.is_prescribed)
+      joint.block.add_entry(13, 13, 1., K);
+  }
+
+
+
+  void
   SlidingJoint::Rows::rates(const Point<double> &point, double *rates) const
   {
-    const double                sigma = point.coordinates[joint.coordinate()], v = point.rates[joint.coordinate()];
+    const double sigma = point.coordinates[joint.coordinate()], v = point.rates[joint.coordinate()];
+    if (has_left(point))
+      {
+        rates[joint.first_multiplier] = v;
+        return;
+      }
     const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
     Vector3                     x_rate = v * values.at.x[1];
     Matrix3                     d_rate = v * values.at.d[1];
@@ -296,10 +336,10 @@ namespace samara
             d_rate += part.of[0][a] * (D * skew(twist.tail<3>()));
           }
       }
-    const Vector6 twist_b   = joint.frame_b.twist(point.y);
-    const Matrix3 E_rate    = values.E * skew(twist_b.tail<3>());
-    const Matrix3 cos_rates = E_rate.transpose() * values.at.d[0] + values.E.transpose() * d_rate;
-    double *const g         = rates + joint.first_multiplier;
+    const Vector6 twist_b     = joint.frame_b.twist(point.y);
+    const Matrix3 E_rate      = values.E * skew(twist_b.tail<3>());
+    const Matrix3 cos_rates   = E_rate.transpose() * values.at.d[0] + values.E.transpose() * d_rate;
+    double *const g           = rates + joint.first_multiplier;
     Eigen::Map<Vector3>(g, 3) = joint.axes_of_rows.transpose() * (values.E * twist_b.head<3>() - x_rate);
     for (unsigned int i = 0; i < joint.cosines.size(); ++i)
       {
@@ -315,7 +355,7 @@ namespace samara
   void
   SlidingJoint::Rows::time_rates(const Point<double> &point, double *rates) const
   {
-    if (motion.is_prescribed)
+    if (motion.is_prescribed && !has_left(point))
       rates[joint.first_multiplier + joint.n_rows] = -motion.prescribed_rate(point);
   }
 

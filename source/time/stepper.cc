@@ -25,6 +25,7 @@ namespace samara
           const auto of_item = bent->bends();
           bends.insert(bends.end(), of_item.begin(), of_item.end());
         }
+    find_exits();
   }
 
 
@@ -437,6 +438,8 @@ namespace samara
         across = 0;
         if (!bends.empty())
           stop_at_bends(state, h, result);
+        if (!exits.empty() && !stop_at_exits(state, h, result))
+          continue;
         stop_before_switch(state, h, result);
         is_done = is_accepted(tried, h, result);
       }
@@ -446,6 +449,8 @@ namespace samara
     result.h = h;
     if (cut && h == limit - state.time)
       trial.time = limit; // without round-off
+    if (!exits.empty())
+      let_go(going, trial, result);
     std::swap(state, trial);
     return result;
   }

@@ -105,6 +105,21 @@ namespace
     return result;
   }
 
+  /** With a stop, after 0.03 s: turns of the bars since the start and their velocities, from
+   * tests/reference/multibody/andrews_squeezer_stop.csv. */
+  struct StoppedBar
+  {
+    std::string name;
+    double      turn, velocity;
+  };
+  const std::vector<StoppedBar> stopped_bars = {{"OF", 15.6751237249, 1023.44145591},
+                                                {"EF", 0.16537665656, -253.871561915},
+                                                {"EBD", -0.411506503762, -40.3797707824},
+                                                {"GE", -0.715043712677, -72.5975576231},
+                                                {"AG", 0.037194641241, -1.99641547085},
+                                                {"HE", 0.569869962378, 69.0940428899},
+                                                {"AH", -0.182368391541, -1.50709926237}};
+
   /** Forces of EF on the three other bodies at E, inertial components. */
   std::vector<double>
   multipliers(const Motion &motion)
@@ -180,4 +195,31 @@ TEST(AndrewsSqueezer, ConvergesWithTheOrderOfTheScheme)
       return error(coordinates(Motion("andrews_squeezer", overrides, rotations_and_forces())), exact_coordinates)
         .velocity;
     });
+}
+
+
+
+// The plate touches a stop three times; the reference is stopped where it is touched and left, the run is not.
+TEST(AndrewsSqueezer, FollowsTheReferenceWithAStop)
+{
+  std::vector<std::string> names;
+  for (const auto &bar : stopped_bars)
+    for (const std::string quantity : {".rotation z", ".angular velocity z"})
+      names.push_back(bar.name + quantity);
+  const auto error = [&](const unsigned int s, const double rho, const double h) {
+    const Motion motion("andrews_squeezer_stop", integrator(s, rho, h), names);
+    double       largest = 0;
+    for (unsigned int i = 0; i < stopped_bars.size(); ++i)
+      {
+        const double turn = motion.at(0.03)[2 * i] * M_PI / 180 - stopped_bars[i].turn;
+        largest           = std::max({largest,
+                                      std::abs(std::remainder(turn, 2 * M_PI)),
+                                      1e-2 * std::abs(motion.at(0.03)[2 * i + 1] / stopped_bars[i].velocity - 1)});
+      }
+    EXPECT_LT(motion.report.largest_balance, 1e-10);
+    return largest;
+  };
+  EXPECT_LT(error(3, 1, 1e-4), 2e-4);
+  EXPECT_LT(error(3, 0.5, 5e-5), 2e-5);
+  EXPECT_LT(error(3, 1, 1.25e-5), 1e-6);
 }

@@ -240,3 +240,33 @@ end
   EXPECT_TRUE(massless("set I2 = 1e-9\nset I3 = 1e-9\n", "").empty());
   EXPECT_TRUE(massless("", hinge + " subsection rotation\n set Damper = 1e-3\n end\n" + end).empty());
 }
+
+
+
+// What is drawn of them moves with velocities that the constraints allow, and every motion is a combination of those.
+TEST(FreeMotions, ShapesThatAreDrawn)
+{
+  for (const auto &[name, kind] : kinds())
+    for (const bool used : {false, true})
+      {
+        Scene      scene(body_on_joint(name, kind.entries, used));
+        const auto check = check_model(scene.system);
+        ASSERT_EQ(check.shapes.size(), kind.n_free) << name;
+        if (kind.n_free == 0)
+          continue;
+        Eigen::MatrixXd all(6, kind.n_free);
+        for (unsigned int k = 0; k < kind.n_free; ++k)
+          {
+            State state = scene.system.reference();
+            state.held  = false;
+            std::copy_n(check.shapes[k].data(), 6, state.y.begin() + 6);
+            std::copy_n(check.shapes[k].data() + 6, state.rates.size(), state.rates.begin());
+            std::vector<double> rates(scene.system.layout.n_multipliers);
+            scene.system.constraint_rates(state.point(), rates.data());
+            for (const double rate : rates)
+              EXPECT_LT(std::abs(rate), 1e-6 * check.shapes[k].norm()) << name;
+            all.col(k) = check.shapes[k].head<6>();
+          }
+        EXPECT_EQ(Eigen::FullPivLU<Eigen::MatrixXd>(all).rank(), static_cast<int>(kind.n_free)) << name;
+      }
+}

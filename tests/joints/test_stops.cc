@@ -167,3 +167,38 @@ TEST(Stops, RefusesWhatIsSenseless)
           "the <Upper stop> of the rotation must be above its <Lower stop>");
   EXPECT_EQ(complaint_of(body_with_stops("revolute", "rotation", both_stops)), "");
 }
+
+
+
+// A ball on a guide rests on a cantilever, a beam that it touches at the nearest place, a: the contact is pressed by
+// W/k, the beam bent by W a³/(3EI). The nearest place moves along the beam, which modes do not know: they are refused.
+TEST(Stops, BallRestsOnABeam)
+{
+  const double      W = 2e-3, k = 50, a = 0.55, EI = 3, GA = 1e5;
+  const std::string text =
+    "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = 1e5\n set GA2 = 1e5\n"
+    " set GA3 = 1e5\n set GJ = 3\n set EI2 = 3\n set EI3 = 3\n set Mass = 1\n set I2 = 0.01\n set I3 = 0.01\n end\nend\n"
+    "subsection Bodies\n subsection beam\n set Type = beam\n set Section = s\n set Points = 0, 0, 0; 1, 0, 0\n"
+    " set Elements = 4\n end\n subsection ball\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n"
+    " set Position = 0.55, 0, 0.0999999\n end\nend\nsubsection Joints\n"
+    " subsection clamp\n set Type = rigid\n set Body A = ground\n set Body B = beam.start\n end\n"
+    " subsection guide\n set Type = prismatic\n set Body A = ground\n set Body B = ball.centre\n set Axis = 0, 0, 1\n end\n"
+    " subsection touching\n set Type = contacts\n set Balls = ball radius 0.08\n set Beams = beam radius 0.02\n"
+    " set Stiffness = 50\n set Overlap = allowed\n end\nend\n"
+    "subsection Loads\n subsection push\n set Type = point load\n set At = ball\n set Force = 0, 0, -2e-3\n end\nend\n";
+  Scene scene(text);
+  scene.equilibrium();
+  const double bent = W * (a * a * a / (3 * EI) + a / GA);
+  EXPECT_NEAR(scene.value("touching.ball.force z"), W, 1e-9);
+  EXPECT_NEAR(scene.value("touching.depth"), W / k, 1e-9);
+  EXPECT_NEAR(scene.value("ball.position z"), 0.1 - bent - W / k, 1e-2 * bent);
+  try
+    {
+      scene.modes();
+      FAIL();
+    }
+  catch (const InputError &problem)
+    {
+      EXPECT_NE(std::string(problem.what()).find("moves along the beams"), std::string::npos) << problem.what();
+    }
+}

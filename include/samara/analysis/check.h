@@ -6,18 +6,20 @@
 namespace samara
 {
   /**
-   * Refuse groups of contacts of which matrices do not hold all pairs: statics and modes would be wrong.
+   * Refuse groups of contacts of which matrices do not hold all pairs: statics would not converge, modes be wrong.
+   * Those with nearest places on beams, of which matrices do not know that they move, are good for statics only.
    * @throws InputError
    */
-  void require_couplings(const System &system);
+  void require_couplings(const System &system, bool for_statics = false);
 
   /** What can be said of a model before anything is computed with it, in its reference configuration. */
   struct ModelCheck
   {
-    System::MassProperties   mass{};
-    unsigned int             n_free_motions = 0;
-    std::vector<std::string> free_motions; ///< for each: the bodies and joints that move most
-    std::vector<std::string> massless;     ///< the same for those among them that have neither inertia nor damping
+    System::MassProperties       mass{};
+    unsigned int                 n_free_motions = 0;
+    std::vector<std::string>     free_motions; ///< for each: the bodies and joints that move most
+    std::vector<Eigen::VectorXd> shapes;       ///< and its velocities, of all unknowns but multipliers
+    std::vector<std::string>     massless;     ///< the same for those among them that have neither inertia nor damping
 
     /** Constraints that say what others say already: sentences, one for each loop or loops that share joints. */
     std::vector<std::string>  redundant;

@@ -120,6 +120,13 @@ namespace samara
      */
     void finish(bool sides_must_meet);
 
+    /**
+     * Add "line u 0.5" or "line v 0.5" to the edges: the sides of cells on which that coordinate of the first patch is
+     * constant.
+     * @throws std::invalid_argument if the mesh has none there.
+     */
+    void name_line(const std::string &line);
+
     /** Numbers of the nodes of a side, along it. */
     std::vector<unsigned int> nodes_of(const Side &side) const;
 

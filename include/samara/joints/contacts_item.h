@@ -6,6 +6,7 @@
 #include <samara/model/system.h>
 
 #include <deque>
+#include <set>
 
 namespace samara
 {
@@ -76,6 +77,7 @@ namespace samara
     void   check_law();
     void   refuse_overlaps(const Layout &layout) const;
     void   couple_pairs(Layout &layout);
+    void   add_nodes_of_lines(std::set<std::pair<unsigned int, unsigned int>> &pairs) const;
     template <typename Do>
     void for_touching(const double *q, const Do &what) const;
     template <typename Add>

@@ -8,9 +8,9 @@
 namespace samara
 {
   /**
-   * A frame of B slides along a flexible beam A (the paper, section 2.2; doc/theory/sliding.md). The abscissa S on the
-   * beam is an unknown without inertia. Rows, with position x(S) and directors d_k(S) of the beam, see Rail, and the
-   * frame x_B, E_i of B:
+   * A frame of B slides along a flexible beam A, or along a line of a shell's mesh, through its nodes (the paper,
+   * section 2.2; doc/theory/sliding.md). The abscissa S on the beam is an unknown without inertia. Rows, with position
+   * x(S) and directors d_k(S) of the beam, see Rail, and the frame x_B, E_i of B:
    *
    *     position               x_B − x(S) = 0, along the axes E has in the reference configuration
    *     sleeve                 E₂·d₁(S) = E₃·d₁(S) = 0
@@ -27,8 +27,11 @@ namespace samara
    *
    * Beyond both ends of the beam the line goes on straight for a hundredth of its length, as stops need it; farther out
    * nothing is defined, and no solution is found there. "At the ends = stop" puts stops there.
+   *
+   * "At the ends = leave": a step in time ends where S gets to an end, and from there on nothing holds B. That it has
+   * left is said by the state alone: S is parked a hundred lengths away, S = parked is one row, λ = 0 are the others.
    */
-  class SlidingJoint : public Joint, public HasBends
+  class SlidingJoint : public Joint, public HasBends, public CanLeave
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -41,6 +44,18 @@ namespace samara
 
     /** Where pieces of the beam meet. */
     std::vector<Bend> bends() const override;
+
+    /** @name Leaving the beam at its ends @{ */
+    Exits       exits() const override;
+    bool        has_left(const State &state) const override;
+    void        leave(State &state) const override;
+    std::string text_of_leaving() const override;
+    bool
+    may_leave() const
+    {
+      return ends == "leave";
+    }
+    /** @} */
 
     /** The beam, and the abscissa on it in the reference configuration [m]; known after initialize(). @{ */
     const Body *
@@ -57,7 +72,8 @@ namespace samara
 
     /**
      * "displacement", "displacement rate", "arc length" S; "force", with which A acts on B, its size and "force 1" ...
-     * "force 3", and "moment 1" ... "moment 3" about the origin of B, along the directors of the beam at S.
+     * "force 3", and "moment 1" ... "moment 3" about the origin of B, along the directors of the beam at S; "attached",
+     * 1 until it leaves the beam.
      */
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
@@ -78,6 +94,7 @@ namespace samara
   private:
     class Rows;
     class Reaction;
+    class Displacement;
 
     std::string                 ends         = "end the run";
     const Body                 *body_of_rail = nullptr;
@@ -99,12 +116,37 @@ namespace samara
     template <typename Number>
     std::array<Mat3<Number>, 3> coefficients(const Cosine &cosine, const Number &sigma) const;
 
-    static constexpr double most_beyond = 0.01; ///< the ends, of the length
+    static constexpr double most_beyond = 0.01;        ///< the ends, of the length
+    static constexpr double far = 10, parked_at = 100; ///< of what has left, in lengths: farther than, and where
+
+    /** Whether a displacement @p sigma is that of what has left. */
+    bool
+    is_far(const double sigma) const
+    {
+      return may_leave() && std::abs(sigma) > far * rail->length();
+    }
+    /** Where S − S₀ is after leaving at the end, or at the start, of the beam; on the side without a stop. */
+    double
+    parked(const bool left_at_end) const
+    {
+      return ((free.front().has_upper_stop ? -parked_at : parked_at) + (left_at_end ? 0 : 1)) * rail->length();
+    }
+    bool
+    has_left_at_end(const double sigma) const
+    {
+      return std::abs(sigma - parked(true)) < std::abs(sigma - parked(false));
+    }
+    /** The displacement that is told: of what has left, that at the end where it left. */
+    double                  displacement(double sigma) const;
+    std::shared_ptr<Signal> displacement_signal() const;
+    void                    check_leaving(Model &model);
 
     bool find_rail(Model &model);
-    bool find_start(Model &model, const Frame &b);
-    bool check_corners(Model &model);
-    bool check_bodies();
+    /** Pieces of a shell's edge, or of a line of its mesh. */
+    std::vector<Span> line_of_shell(const std::string &line) const;
+    bool              find_start(Model &model, const Frame &b);
+    bool              check_corners(Model &model);
+    bool              check_bodies();
     /** Stops at the ends of the beam, where those are wanted and the user has set none. */
     void add_stops_at_ends(Model &model);
 

@@ -15,15 +15,18 @@ namespace samara
     StepResult   step;
     double       h          = 0;
     unsigned int n_rejected = 0, n_failed = 0; ///< attempts before it, too inaccurate or without a solution
+
+    std::vector<std::string> left; ///< what was let go where the step ended, or began, see CanLeave
   };
 
 
 
   /**
    * Goes from step to step: of fixed or chosen size, cut short where something prescribed has a corner or a law of the
-   * state switches, halved where Newton's method finds no solution. Nothing is lost by a step that is rejected. Steps
-   * of fixed size that crawl, two thousand in a tenth of the time of one, end the run: speeds grow without bounds where
-   * no motion goes on, or a law switches for ever.
+   * state switches, halved where Newton's method finds no solution. Where something leaves what held it, as a bead the
+   * end of a rod, the length of the step is an unknown: it ends there. Nothing is lost by a step that is rejected.
+   * Steps of fixed size that crawl, two thousand in a tenth of the time of one, end the run: speeds grow without bounds
+   * where no motion goes on, or a law switches for ever.
    */
   class Stepper
   {
@@ -107,6 +110,31 @@ namespace samara
     static double part_until(const Bend &bend, double from, double to);
     /** Of the step, by the coordinates before and after it. */
     double part_until_bends(const std::vector<double> &from, const std::vector<double> &to) const;
+    /**
+     * @name Exits (stepper_leaving.cc)
+     * @{
+     */
+    struct Exit
+    {
+      const CanLeave *item;
+      CanLeave::Exits places;
+
+      /** How far the state is beyond, in lengths; negative before, and of what has left already. */
+      double beyond(const State &state) const;
+    };
+    std::vector<Exit>         exits;
+    std::vector<unsigned int> going;    ///< numbers of those that are at their exit where the trial ends
+    double                    lost = 0; ///< kinetic energy of velocities that the constraints before did not allow [J]
+
+    void   find_exits();
+    double farthest_beyond(const State &state) const;
+    /** Shorten a step that goes beyond an exit so that it ends there. False if something is at its exit where the step
+     * begins: that is let go from the state, and the step is to be made again. */
+    bool stop_at_exits(State &state, double &h, Advance &result);
+    /** Let them go, with velocities that the constraints before allow. */
+    void let_go(std::vector<unsigned int> those, State &state, Advance &result);
+    /** @} */
+
     /** Shorten a step within which a law switches, so that it ends before. */
     void stop_before_switch(const State &state, double &h, Advance &result);
     /** The trial after a step of @p h. */

@@ -1,0 +1,27 @@
+#ifndef samara_analysis_draw_shape_h
+#define samara_analysis_draw_shape_h
+
+#include <samara/analysis/check.h>
+
+namespace samara
+{
+  /**
+   * A shape of vibration about a state as a series of pictures, FOLDER/NAME.pvd: a period of 24 pictures, which begins
+   * where the shape is largest, a twentieth of the model's size. @p shape: increments of all unknowns but multipliers.
+   */
+  void draw_shape(const System      &system,
+                  const State       &about,
+                  Eigen::VectorXcd   shape,
+                  double             period,
+                  const std::string &folder,
+                  const std::string &name);
+
+  /**
+   * The free motions of the reference configuration as such series, free_motion_1 ..., at most @p most. Says which
+   * files there are.
+   */
+  std::string
+  draw_free_motions(const System &system, const ModelCheck &check, const std::string &folder, unsigned int most);
+} // namespace samara
+
+#endif
