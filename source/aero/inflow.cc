@@ -1,15 +1,16 @@
 #include <samara/aero/inflow.h>
+#include <samara/base/errors.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace samara
 {
   void
   Inflow::add_parameters(Parameters &prm)
   {
-    using dealii::Patterns::Double;
     prm.add("Hub", hub_name, "Point at the centre of the disk, body.point: the axes of the inflow move with it.");
     prm.add("Axis",
             axis,
@@ -17,7 +18,11 @@ namespace samara
     prm.add("Direction",
             direction,
             "Direction near which azimuth zero lies in the reference configuration; 0, 0, 0: any [1].");
-    prm.add("Radius", radius, "Radius of the disk [m].", Double(1e-300));
+    prm.add(
+      "Radius",
+      given_radius,
+      "Radius of the disk, a function of time t where blades are drawn in and out: the shapes of the flow grow with "
+      "it [m].");
     prm.add("Air", air_name, "Name of the air; needed only if there are several.");
     prm.turns("Axis", Turning::direction);
     prm.turns("Direction", Turning::direction);
@@ -64,6 +69,12 @@ namespace samara
     if (!parameters.require("Hub", model.complaints))
       return;
     parameters.require("Radius", model.complaints);
+    radius = given_radius(0.);
+    varies = !given_radius.is_constant();
+    if (!(radius > 0) || !std::isfinite(radius))
+      model.complaints.add(parameters.where("Radius"),
+                           "the radius of the disk of <" + name + "> must be positive, and is " +
+                             number_to_text("%.6g", radius) + " m" + (varies ? " at t = 0" : ""));
     std::string where = "Hub";
     try
       {
@@ -82,8 +93,8 @@ namespace samara
           }
         hub                      = model.frame_at(given, model.position(given), triad_about(e3, e1));
         azimuth_zero             = triad_about(e3, e1).col(0);
+        axis_zero                = e3.normalized();
         corrections.has_tip_loss = tip_loss == "Prandtl";
-        corrections.radius       = radius;
         corrections.least_speed  = 1e-7 * air->speed_of_sound;
       }
     catch (const std::invalid_argument &problem)
@@ -112,6 +123,49 @@ namespace samara
         for (unsigned int j = 0; j < shape.c.size() && shape.m == 0; ++j)
           corrections.averages.back() += shape.c[j] / (j + 1.);
       }
+  }
+
+
+
+  double
+  Inflow::radius_at(const double time) const
+  {
+    if (!varies)
+      return radius;
+    const double R = given_radius(time);
+    if (!(R > 0) || !std::isfinite(R))
+      throw InputError(parameters.where("Radius") + ": the radius of the disk of <" + name +
+                       "> must be positive, and is " + number_to_text("%.6g", R) +
+                       " m at t = " + number_to_text("%.6g", time) + " s");
+    return R;
+  }
+
+
+
+  double
+  Inflow::growth_at(const double time) const
+  {
+    return varies ? given_radius.derivative(time) / radius_at(time) : 0.;
+  }
+
+
+
+  void
+  Inflow::add_doubt_of_reach(const State &state, std::vector<Doubt> &doubts) const
+  {
+    const double  R    = radius_at(state.time);
+    const Vector3 axis = hub.triad(state.q.data()).col(2).normalized(), centre = hub.position(state.q.data());
+    for (const auto *surface : surfaces)
+      if (const double r = surface->reach(state, centre, axis); r > 1.01 * R)
+        {
+          doubts.push_back({"disk",
+                            "blades reach beyond the disk of <" + name + ">: a station is " +
+                              number_to_text("%.4g", r) + " m from the axis, and the radius is " +
+                              number_to_text("%.4g", R) +
+                              " m. The inflow there is continued from inside, which may be "
+                              "far too much; <Radius> may be a function of time"});
+          return;
+        }
   }
 
 
@@ -221,7 +275,9 @@ namespace samara
   double
   PrescribedInflow::next_corner(const double from, const double to) const
   {
-    return std::min(
-      {components[0].next_corner(from, to), components[1].next_corner(from, to), components[2].next_corner(from, to)});
+    return std::min({Inflow::next_corner(from, to),
+                     components[0].next_corner(from, to),
+                     components[1].next_corner(from, to),
+                     components[2].next_corner(from, to)});
   }
 } // namespace samara

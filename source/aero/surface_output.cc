@@ -115,9 +115,14 @@ namespace samara
   double
   Surface::azimuth(const AtStation<double> &at, const Vector3 &centre) const
   {
-    // the direction of azimuth zero does not turn, be the hub one that turns or not
-    const Vector3 e3 = at.thrust_axis.normalized(), zero = inflow->azimuth_zero,
-                  e1 = (zero - e3 * e3.dot(zero)).normalized(), r = at.place - centre;
+    // the direction of azimuth zero does not turn about the thrust axis, be the hub one that turns or not; where that
+    // axis tilts it goes with it, the shortest way
+    const Vector3 e3 = at.thrust_axis.normalized(), from = inflow->axis_zero, k = from.cross(e3),
+                  zero = inflow->azimuth_zero, r = at.place - centre;
+    const double  c = from.dot(e3);
+    const Vector3 tilt =
+                    c > -1 + 1e-12 ? Vector3(k.cross(zero) + k.cross(k.cross(zero)) / (1 + c)) : Vector3(0., 0., 0.),
+                  e1   = zero + tilt;
     const double angle = std::atan2(r.dot(e3.cross(e1)), r.dot(e1)) * 180 / M_PI;
     return angle < 0 ? angle + 360 : angle;
   }

@@ -42,6 +42,7 @@ namespace samara
     void                     draw(const State &state, Drawing &drawing) const override;
 
     AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const override;
+    double   reach(const State &state, const Vector3 &centre, const Vector3 &axis) const override;
     void     add_virtual_mass(std::vector<Matrix6> &of_nodes) const override;
 
     Frame
@@ -106,9 +107,10 @@ namespace samara
       FramesInState<Number>         frames;
       std::vector<AtFrame>          rates;
       std::vector<Number>           lags, amplitudes;
-      Vec3<Number>                  wind = Vec3<Number>::Zero();                  ///< if it is the same everywhere
-      DiskCorrections::Flow<Number> disk = DiskCorrections::Flow<Number>::Zero(); ///< if the inflow has corrections
-      Number                        near = Number(1);                             ///< factor of the inflow: the ground
+      Vec3<Number>                  wind   = Vec3<Number>::Zero();                  ///< if it is the same everywhere
+      DiskCorrections::Flow<Number> disk   = DiskCorrections::Flow<Number>::Zero(); ///< if the inflow has corrections
+      Number                        near   = Number(1); ///< factor of the inflow: the ground
+      double                        radius = 1;         ///< of the disk
     };
 
     /**
