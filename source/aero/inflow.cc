@@ -1,10 +1,12 @@
 #include <samara/aero/inflow.h>
 #include <samara/base/errors.h>
+#include <samara/model/drawing.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace samara
 {
@@ -227,6 +229,45 @@ namespace samara
     for (unsigned int k = 0; k < states.size(); ++k)
       names.push_back("state " + std::to_string(k + 1));
     return names;
+  }
+
+
+
+  void
+  Inflow::draw(const State &state, Drawing &drawing) const
+  {
+    constexpr unsigned int n_around = 48, n_out = 8;
+    if (disk.shapes.empty() || surfaces.empty())
+      return;
+    const auto          point = state.point();
+    const Matrix3       H     = hub.triad(point.q);
+    const Vector3       x     = hub.position(point.q);
+    const Vector6       twist = hub.twist(point.y);
+    const double        R     = radius_at(state.time);
+    std::vector<double> z(n_amplitudes()), phi(n_amplitudes());
+    amplitudes(point, z.data());
+    const double near =
+      corrections.has_ground ? corrections.ground_factor(flow_through_disk(x, H, twist, z.data(), state.time), R) : 1.;
+    std::vector<Sample> samples;
+    std::vector<double> flow;
+    for (unsigned int j = 0; j <= n_out; ++j)
+      for (unsigned int i = 0; i <= n_around; ++i)
+        {
+          const double  r = double(j) / n_out, psi = 2 * M_PI * i / n_around;
+          const Vector3 place(r * std::cos(psi), r * std::sin(psi), 0.);
+          Sample        sample;
+          sample.x        = x + H * (R * place);
+          sample.D        = H;
+          sample.velocity = H * (twist.head<3>() + twist.tail<3>().cross(R * place));
+          samples.push_back(sample);
+          disk.evaluate(place(0), place(1), phi.data());
+          flow.push_back(near * std::inner_product(z.begin(), z.end(), phi.begin(), 0.));
+        }
+    drawing.begin_object(name);
+    const unsigned int first = drawing.grid(n_around + 1, n_out + 1, samples).first_sample;
+    Field             &field = drawing.field("inflow", "m/s");
+    for (unsigned int i = 0; i < flow.size(); ++i)
+      field.set(first + i, flow[i]);
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <samara/aero/surface.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -108,6 +109,31 @@ namespace samara
     for (const auto &quantity : quantities_of_station())
       names.push_back("at s." + quantity.first);
     return names;
+  }
+
+
+
+  std::vector<Doubt>
+  Surface::doubts(const State &state) const
+  {
+    for (const auto &element : elements)
+      {
+        const auto &all = at_element(element, state.point());
+        for (unsigned int i = 0; i < element.stations.size(); ++i)
+          {
+            const SectionOfWing &section = element.stations[i].section;
+            const double         knows   = section.share > 0 ?
+                                             std::min(section.airfoil->highest_mach(), section.next->highest_mach()) :
+                                             section.airfoil->highest_mach();
+            if (const double mach = all.stations[i].flow.mach; mach > knows)
+              return {{"Mach number",
+                       "the air meets <" + name + "> at s = " + number_to_text("%.4g", element.stations[i].s) +
+                         " m with Mach " + number_to_text("%.3g", mach) + ", and <" + section.airfoil->name +
+                         "> is that of Mach " + number_to_text("%.3g", knows) +
+                         " beyond it: drag and moments of shock waves are not in the loads"}};
+          }
+      }
+    return {};
   }
 
 

@@ -452,6 +452,69 @@ TEST(ChangingRadius, RefusesWhatItCannotBe)
 
 
 
+// The disk of an inflow is drawn where it is, as large as it is, with the flow that blades meet there.
+TEST(PictureOfInflow, DiskThatTiltsAndGrows)
+{
+  Rotor rotor  = tiltrotor(inflows[1]);
+  rotor.radius = "3 + 10*t";
+  rotor.nacelle =
+    "revolute\n    set Axis = 0, 1, 0\n    subsection rotation\n      set Prescribed = -90 deg*t/(0.04 s)\n    end\n";
+  Scene scene(model_of({rotor}, "40, 0, 0"));
+  fly(scene, 0.004, 10);
+  Drawing drawing(&scene.input.model);
+  for (const auto &item : scene.input.model.items)
+    if (item->name == "flow")
+      item->draw(scene.context.state, drawing);
+  ASSERT_EQ(drawing.fields.size(), 1u);
+  double             largest = 0, sum = 0;
+  const unsigned int n = drawing.samples.size();
+  ASSERT_GT(n, 100u);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      EXPECT_LT(std::abs(drawing.samples[i].x(0)), 1e-9); // the thrust axis is x
+      largest = std::max(largest, drawing.samples[i].x.norm());
+      sum += std::abs(drawing.fields[0](i));
+    }
+  EXPECT_NEAR(largest, 3.4, 1e-9);
+  EXPECT_GT(sum / n, 0.1);
+  // where the first blade's station is, by the station nearest to 1 m along it
+  const double  at_blade = scene.value("blade 1.at 1.inflow");
+  double        nearest = 1e300, flow = 0;
+  const double  azimuth = 30 * 0.04;
+  const Vector3 station = 1.6 * Vector3(0, std::sin(azimuth), std::cos(azimuth));
+  for (unsigned int i = 0; i < n; ++i)
+    if (const double d = (drawing.samples[i].x - station).norm(); d < nearest)
+      {
+        nearest = d;
+        flow    = drawing.fields[0](i);
+      }
+  EXPECT_LT(nearest, 0.3);
+  EXPECT_NEAR(flow, at_blade, 0.3 * std::abs(at_blade) + 0.2);
+}
+
+
+
+// Faster than the airfoil knows.
+TEST(Doubts, OfMachNumbers)
+{
+  for (const bool is_slow : {true, false})
+    {
+      Rotor rotor;
+      rotor.steady = true;
+      // stations are at up to 3 m, at 30 rad/s
+      Scene       scene(model_of({rotor}, "0, 0, 0", is_slow ? "" : "    set Speed of sound = 95\n"));
+      std::string doubts;
+      scene.equilibrium();
+      for (const auto &item : scene.input.model.items)
+        if (const auto *const doubtful = dynamic_cast<const Doubtful *>(item.get()))
+          for (const auto &doubt : doubtful->doubts(scene.context.state))
+            doubts += doubt.text;
+      EXPECT_EQ(doubts.find("and <full> is that of Mach 0.9 beyond it") == std::string::npos, is_slow) << doubts;
+    }
+}
+
+
+
 // The rotor of the NREL 5 MW turbine, blades without torsion, against OpenFAST with its own speeds, pitch and mean wind
 // across the disk: github.com/ebranlard/welib, commit 1690c3c, data/NREL5MW/NREL5MW_Oper.csv
 // (doc/applications/nrel_5mw.md).

@@ -57,6 +57,9 @@ namespace samara
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
 
+    /** The flow on the disk, where it is a sum of shapes. */
+    void draw(const State &state, Drawing &drawing) const override;
+
     Frame                     hub;        ///< resolved when connected
     double                    radius = 1; ///< of the reference configuration, at t = 0
     DiskShapes                disk;       ///< in coordinates divided by the radius
