@@ -79,7 +79,7 @@ namespace samara
     theory.has_tip_loss = tip_loss == "Prandtl";
     theory.has_skew     = skew == "Pitt-Peters";
     theory.radius       = radius;
-    if (theory.root >= radius)
+    if (radius > 0 && theory.root >= radius)
       model.complaints.add(parameters.where("Root"), "the radius of the root is not less than that of the disk");
     if (ground_effect != "none")
       model.complaints.add(parameters.where("Ground effect"),

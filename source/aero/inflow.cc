@@ -103,7 +103,7 @@ namespace samara
       {
         model.complaints.add(parameters.where(where), problem.what());
       }
-    if (corrections.root >= radius)
+    if (radius > 0 && corrections.root >= radius)
       model.complaints.add(parameters.where("Root"), "<Root> of <" + name + "> is not less than its <Radius>");
     for (const std::string entry : {"Root", "Blades"})
       if (has_factor_of_tips && tip_loss == "none" && parameters.is_set(entry))
@@ -264,7 +264,18 @@ namespace samara
           flow.push_back(near * std::inner_product(z.begin(), z.end(), phi.begin(), 0.));
         }
     drawing.begin_object(name);
-    const unsigned int first = drawing.grid(n_around + 1, n_out + 1, samples).first_sample;
+    // a web of circles and spokes, which hides no blades
+    std::vector<unsigned int> lines;
+    for (unsigned int j = 0; j <= n_out; ++j)
+      for (unsigned int i = 0; i <= n_around; ++i)
+        {
+          const unsigned int here = j * (n_around + 1) + i;
+          if (j > 0 && i < n_around)
+            lines.insert(lines.end(), {here, here + 1});
+          if (j < n_out && i % 2 == 0 && i < n_around)
+            lines.insert(lines.end(), {here, here + n_around + 1});
+        }
+    const unsigned int first = drawing.patch(1, samples, lines).first_sample;
     Field             &field = drawing.field("inflow", "m/s");
     for (unsigned int i = 0; i < flow.size(); ++i)
       field.set(first + i, flow[i]);
