@@ -124,6 +124,14 @@ namespace samara
 
 
 
+  double
+  TabulatedAirfoil::highest_mach() const
+  {
+    return std::min(tables.lift.highest_mach(), tables.drag.highest_mach());
+  }
+
+
+
   Coefficients
   TabulatedAirfoil::at(const double alpha, const double mach) const
   {

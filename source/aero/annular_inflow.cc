@@ -63,6 +63,10 @@ namespace samara
             theory.apparent_mass,
             "Of an annulus, divided by density, area and the radius of the disk: how slowly inflow follows loads [1].",
             Double(1e-12));
+    prm.add("Ground effect",
+            ground_effect,
+            "There is none: annuli know nothing of each other, and the ground acts on the flow of the whole disk.",
+            Selection("none|Cheeseman-Bennett"));
     prm.add("Initial", initial, "Inflow of all stations at the start; statics find theirs [m/s].");
   }
 
@@ -75,8 +79,14 @@ namespace samara
     theory.has_tip_loss = tip_loss == "Prandtl";
     theory.has_skew     = skew == "Pitt-Peters";
     theory.radius       = radius;
-    if (theory.root >= radius)
+    if (radius > 0 && theory.root >= radius)
       model.complaints.add(parameters.where("Root"), "the radius of the root is not less than that of the disk");
+    if (ground_effect != "none")
+      model.complaints.add(parameters.where("Ground effect"),
+                           "<" + name +
+                             "> is an annular inflow, whose annuli know nothing of each other: the ground acts on the "
+                             "flow of the whole disk, which <uniform inflow>, <Pitt-Peters inflow> and <Peters-He "
+                             "inflow> have");
     if (air == nullptr)
       return;
     theory.density     = air->density;
@@ -99,6 +109,16 @@ namespace samara
   {
     Assert(r > 0 && width > 0, dealii::ExcMessage("An annulus has an area."));
     annuli.push_back({state, r * width});
+  }
+
+
+
+  std::vector<Doubt>
+  AnnularInflow::doubts(const State &state) const
+  {
+    std::vector<Doubt> result;
+    add_doubt_of_reach(state, result);
+    return result;
   }
 
 

@@ -20,6 +20,10 @@ namespace samara
   ExternalInflow::initialize(Model &model)
   {
     Inflow::initialize(model);
+    if (varies)
+      model.complaints.add(parameters.where("Radius"),
+                           "the wake of <" + name +
+                             "> is that of a disk whose radius stays: functions of time are for the other inflows");
     if (air == nullptr)
       return;
     try
@@ -51,8 +55,8 @@ namespace samara
   ExternalInflow::Derivatives
   ExternalInflow::derivatives(const Vector3 &x, const Flow<double> &flow, const std::vector<double> &z) const
   {
-    constexpr double     step = 1e-30;
-    const unsigned int   n    = states.size();
+    constexpr double   step = 1e-30;
+    const unsigned int n    = states.size();
     AssertDimension(z.size(), n);
     std::vector<Complex> z_c(z.begin(), z.end()), b(n);
     std::vector<double>  A(3 * n);

@@ -94,7 +94,33 @@ namespace samara
           load_weights.push_back(load_weights[i]);
         }
     u.resize(size(), 0.);
+    stretch            = find_stretch();
     first_without_skew = influence(0., 0.).inverse().row(0);
+  }
+
+
+
+  Eigen::MatrixXd
+  FiniteStateInflow::find_stretch() const
+  {
+    Eigen::MatrixXd C = Eigen::MatrixXd::Zero(size(), size());
+    for (unsigned int n = 0; n < size(); ++n)
+      {
+        const auto         &shape = disk.shapes[n];
+        std::vector<double> left; // r φ', powers m, m + 2, ...
+        for (unsigned int i = 0; i < shape.c.size(); ++i)
+          left.push_back((shape.m + 2 * i) * shape.c[i]);
+        for (unsigned int degree = left.size(); degree-- > 0;)
+          for (unsigned int j = 0; j < size(); ++j)
+            if (const auto &other = disk.shapes[j];
+                other.m == shape.m && other.is_sine == shape.is_sine && other.c.size() == degree + 1)
+              {
+                C(j, n) = left[degree] / other.c[degree];
+                for (unsigned int i = 0; i <= degree; ++i)
+                  left[i] -= C(j, n) * other.c[i];
+              }
+      }
+    return C;
   }
 
 
@@ -429,12 +455,10 @@ namespace samara
                           const double          radius,
                           const double          least) const
   {
-    const Flight<double> real = {real_of(flight.mu_x),
-                                 real_of(flight.mu_y),
-                                 real_of(flight.lambda_f),
-                                 real_of(flight.spin)};
-    const MeanFlow       mean = mean_flow(real_parts(z), real, least);
-    Flow<Number>         f    = at_mean_flow(Number(mean.nu), flight, least);
+    const Flight<double> real = {
+      real_of(flight.mu_x), real_of(flight.mu_y), real_of(flight.lambda_f), real_of(flight.spin), flight.growth};
+    const MeanFlow mean = mean_flow(real_parts(z), real, least);
+    Flow<Number>   f    = at_mean_flow(Number(mean.nu), flight, least);
     if constexpr (!std::is_same_v<Number, double>)
       {
         // what is imaginary is right after one step with the slope of the solution
@@ -452,6 +476,8 @@ namespace samara
           f.rate(j) += m * flight.spin * z(sine_of[j]);
           f.rate(sine_of[j]) -= m * flight.spin * z(j);
         }
+    if (flight.growth != 0)
+      f.rate += flight.growth * (stretch.template cast<Number>() * z);
     return f;
   }
 
@@ -509,6 +535,8 @@ namespace samara
           result.by_flight(j, 3) += m * z(sine_of[j]);
           result.by_flight(sine_of[j], 3) -= m * z(j);
         }
+    if (flight.growth != 0)
+      result.by_z += flight.growth * stretch;
     return result;
   }
 

@@ -1,15 +1,18 @@
 #include <samara/aero/inflow.h>
+#include <samara/base/errors.h>
+#include <samara/model/drawing.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace samara
 {
   void
   Inflow::add_parameters(Parameters &prm)
   {
-    using dealii::Patterns::Double;
     prm.add("Hub", hub_name, "Point at the centre of the disk, body.point: the axes of the inflow move with it.");
     prm.add("Axis",
             axis,
@@ -17,7 +20,11 @@ namespace samara
     prm.add("Direction",
             direction,
             "Direction near which azimuth zero lies in the reference configuration; 0, 0, 0: any [1].");
-    prm.add("Radius", radius, "Radius of the disk [m].", Double(1e-300));
+    prm.add(
+      "Radius",
+      given_radius,
+      "Radius of the disk, a function of time t where blades are drawn in and out: the shapes of the flow grow with "
+      "it [m].");
     prm.add("Air", air_name, "Name of the air; needed only if there are several.");
     prm.turns("Axis", Turning::direction);
     prm.turns("Direction", Turning::direction);
@@ -64,6 +71,12 @@ namespace samara
     if (!parameters.require("Hub", model.complaints))
       return;
     parameters.require("Radius", model.complaints);
+    radius = given_radius(0.);
+    varies = !given_radius.is_constant();
+    if (!(radius > 0) || !std::isfinite(radius))
+      model.complaints.add(parameters.where("Radius"),
+                           "the radius of the disk of <" + name + "> must be positive, and is " +
+                             number_to_text("%.6g", radius) + " m" + (varies ? " at t = 0" : ""));
     std::string where = "Hub";
     try
       {
@@ -82,15 +95,15 @@ namespace samara
           }
         hub                      = model.frame_at(given, model.position(given), triad_about(e3, e1));
         azimuth_zero             = triad_about(e3, e1).col(0);
+        axis_zero                = e3.normalized();
         corrections.has_tip_loss = tip_loss == "Prandtl";
-        corrections.radius       = radius;
         corrections.least_speed  = 1e-7 * air->speed_of_sound;
       }
     catch (const std::invalid_argument &problem)
       {
         model.complaints.add(parameters.where(where), problem.what());
       }
-    if (corrections.root >= radius)
+    if (radius > 0 && corrections.root >= radius)
       model.complaints.add(parameters.where("Root"), "<Root> of <" + name + "> is not less than its <Radius>");
     for (const std::string entry : {"Root", "Blades"})
       if (has_factor_of_tips && tip_loss == "none" && parameters.is_set(entry))
@@ -112,6 +125,49 @@ namespace samara
         for (unsigned int j = 0; j < shape.c.size() && shape.m == 0; ++j)
           corrections.averages.back() += shape.c[j] / (j + 1.);
       }
+  }
+
+
+
+  double
+  Inflow::radius_at(const double time) const
+  {
+    if (!varies)
+      return radius;
+    const double R = given_radius(time);
+    if (!(R > 0) || !std::isfinite(R))
+      throw InputError(parameters.where("Radius") + ": the radius of the disk of <" + name +
+                       "> must be positive, and is " + number_to_text("%.6g", R) +
+                       " m at t = " + number_to_text("%.6g", time) + " s");
+    return R;
+  }
+
+
+
+  double
+  Inflow::growth_at(const double time) const
+  {
+    return varies ? given_radius.derivative(time) / radius_at(time) : 0.;
+  }
+
+
+
+  void
+  Inflow::add_doubt_of_reach(const State &state, std::vector<Doubt> &doubts) const
+  {
+    const double  R    = radius_at(state.time);
+    const Vector3 axis = hub.triad(state.q.data()).col(2).normalized(), centre = hub.position(state.q.data());
+    for (const auto *surface : surfaces)
+      if (const double r = surface->reach(state, centre, axis); r > 1.01 * R)
+        {
+          doubts.push_back({"disk",
+                            "blades reach beyond the disk of <" + name + ">: a station is " +
+                              number_to_text("%.4g", r) + " m from the axis, and the radius is " +
+                              number_to_text("%.4g", R) +
+                              " m. The inflow there is continued from inside, which may be "
+                              "far too much; <Radius> may be a function of time"});
+          return;
+        }
   }
 
 
@@ -178,6 +234,56 @@ namespace samara
 
 
   void
+  Inflow::draw(const State &state, Drawing &drawing) const
+  {
+    constexpr unsigned int n_around = 48, n_out = 8;
+    if (disk.shapes.empty() || surfaces.empty())
+      return;
+    const auto          point = state.point();
+    const Matrix3       H     = hub.triad(point.q);
+    const Vector3       x     = hub.position(point.q);
+    const Vector6       twist = hub.twist(point.y);
+    const double        R     = radius_at(state.time);
+    std::vector<double> z(n_amplitudes()), phi(n_amplitudes());
+    amplitudes(point, z.data());
+    const double near =
+      corrections.has_ground ? corrections.ground_factor(flow_through_disk(x, H, twist, z.data(), state.time), R) : 1.;
+    std::vector<Sample> samples;
+    std::vector<double> flow;
+    for (unsigned int j = 0; j <= n_out; ++j)
+      for (unsigned int i = 0; i <= n_around; ++i)
+        {
+          const double  r = double(j) / n_out, psi = 2 * M_PI * i / n_around;
+          const Vector3 place(r * std::cos(psi), r * std::sin(psi), 0.);
+          Sample        sample;
+          sample.x        = x + H * (R * place);
+          sample.D        = H;
+          sample.velocity = H * (twist.head<3>() + twist.tail<3>().cross(R * place));
+          samples.push_back(sample);
+          disk.evaluate(place(0), place(1), phi.data());
+          flow.push_back(near * std::inner_product(z.begin(), z.end(), phi.begin(), 0.));
+        }
+    drawing.begin_object(name);
+    // a web of circles and spokes, which hides no blades
+    std::vector<unsigned int> lines;
+    for (unsigned int j = 0; j <= n_out; ++j)
+      for (unsigned int i = 0; i <= n_around; ++i)
+        {
+          const unsigned int here = j * (n_around + 1) + i;
+          if (j > 0 && i < n_around)
+            lines.insert(lines.end(), {here, here + 1});
+          if (j < n_out && i % 2 == 0 && i < n_around)
+            lines.insert(lines.end(), {here, here + n_around + 1});
+        }
+    const unsigned int first = drawing.patch(1, samples, lines).first_sample;
+    Field             &field = drawing.field("inflow", "m/s");
+    for (unsigned int i = 0; i < flow.size(); ++i)
+      field.set(first + i, flow[i]);
+  }
+
+
+
+  void
   PrescribedInflow::add_parameters(Parameters &prm)
   {
     Inflow::add_parameters(prm);
@@ -221,7 +327,9 @@ namespace samara
   double
   PrescribedInflow::next_corner(const double from, const double to) const
   {
-    return std::min(
-      {components[0].next_corner(from, to), components[1].next_corner(from, to), components[2].next_corner(from, to)});
+    return std::min({Inflow::next_corner(from, to),
+                     components[0].next_corner(from, to),
+                     components[1].next_corner(from, to),
+                     components[2].next_corner(from, to)});
   }
 } // namespace samara

@@ -123,7 +123,7 @@ namespace samara
     const Vec6<Number> twist = hub.template twist<Number>(point.y);
     const Vec3<Number> wind  = air->wind(hub.position(point.q), point.time);
     const Vec3<Number> v     = H.transpose() * (wind - H * twist.template head<3>());
-    return {v(0), v(1), -v(2), twist(5)};
+    return {v(0), v(1), -v(2), twist(5), point.held ? 0. : growth_at(point.time)}; // statics: a radius that stays
   }
 
 
@@ -132,7 +132,7 @@ namespace samara
   void
   MomentumInflow::residual_at(const Point<Number> &point, Number *r) const
   {
-    const auto                               flow  = theory.flow(values(point), flight(point), radius, least_speed());
+    const auto flow = theory.flow(values(point), flight(point), radius_at(point.time), least_speed());
     Eigen::Matrix<Number, Eigen::Dynamic, 1> local = Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(block.size());
     local.tail(states.size())                      = -flow.rate;
     block.add(local, r);
@@ -146,8 +146,9 @@ namespace samara
     const unsigned int n    = states.size();
     const auto         z    = values(point);
     const auto         f    = flight(point);
-    const auto         flow = theory.flow(z, f, radius, least_speed());
-    const auto         d    = theory.derivatives(flow, z, f, radius, least_speed());
+    const double       R    = radius_at(point.time);
+    const auto         flow = theory.flow(z, f, R, least_speed());
+    const auto         d    = theory.derivatives(flow, z, f, R, least_speed());
     const Matrix3      H    = hub.triad(point.q);
     const Vector6      y    = hub.twist(point.y);
     const Vector3      x = hub.position(point.q), s = air->wind(x, point.time) - H * y.head<3>();
@@ -172,7 +173,7 @@ namespace samara
       {
         const Eigen::MatrixXd inverse = theory.influence(flow.X_x, flow.X_y).inverse();
         for (unsigned int k = 0; k < n; ++k)
-          K.row(6 + k).tail(n) += 100 * least_speed() / (radius * theory.apparent_mass[k]) * inverse.row(k);
+          K.row(6 + k).tail(n) += 100 * least_speed() / (R * theory.apparent_mass[k]) * inverse.row(k);
       }
   }
 
@@ -228,10 +229,12 @@ namespace samara
     const auto         f     = flight(point);
     const Vector3      e3    = hub.triad(point.q).col(2);
     const auto         text  = [](const double x) { return number_to_text("%.3g", x); };
+    const double       R     = radius_at(state.time);
     std::vector<Doubt> result;
+    add_doubt_of_reach(state, result);
     if (const double thrust = f.lambda_f < 0 && !surfaces.empty() ? e3.dot(loads(state).force) : 0.; thrust > 0)
       {
-        const double hover = std::sqrt(thrust / (2 * air->density * M_PI)) / radius, ratio = f.lambda_f / hover;
+        const double hover = std::sqrt(thrust / (2 * air->density * M_PI)) / R, ratio = f.lambda_f / hover;
         if (ratio > -2 && ratio < -0.3 && std::hypot(f.mu_x, f.mu_y) < hover)
           result.push_back({"vortex rings",
                             "the rotor of <" + name + "> descends with " + text(-f.lambda_f) +
@@ -241,7 +244,7 @@ namespace samara
       }
     if (!corrections.has_ground)
       return result;
-    if (const double height = hub.position(point.q)(2) - corrections.ground; height < 0.5 * radius)
+    if (const double height = hub.position(point.q)(2) - corrections.ground; height < 0.5 * R)
       result.push_back({"low hub",
                         "the hub of <" + name + "> is " + text(height) +
                           " m above the ground, less than half a radius: what <Ground effect> says there is continued "
@@ -260,7 +263,7 @@ namespace samara
   MomentumInflow::mean(const State &state) const
   {
     const auto point = state.point();
-    return theory.flow(values(point), flight(point), radius, least_speed()).nu;
+    return theory.flow(values(point), flight(point), radius_at(state.time), least_speed()).nu;
   }
 
 

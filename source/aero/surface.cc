@@ -104,7 +104,8 @@ namespace samara
       add_stations();
     if (inflow != nullptr)
       {
-        check_disk();
+        if (model->complaints.count() == before)
+          check_disk();
         inflow->surfaces.push_back(this);
       }
     if (model->complaints.count() != before)

@@ -18,7 +18,7 @@ namespace samara
                          const AtStation<double> &at,
                          Eigen::MatrixXd         &K) const
   {
-    const auto      &theory    = annular->theory;
+    const auto       theory    = annular->within(g.radius);
     constexpr double that_fast = 1e4; // in least speeds
     if (theory.mass_flow(in_annulus(station, g, at), 1.) > 1.01 * theory.least_speed)
       return;
@@ -51,10 +51,10 @@ namespace samara
     if (annular != nullptr)
       {
         const Matrix3 &H = g.frames.D.back();
-        annular_slopes   = annular->theory.derivatives(in_annulus(station, g, at),
-                                                     H.transpose() * at.relative,
-                                                     H.transpose() * at.force,
-                                                     station.width);
+        annular_slopes   = annular->within(g.radius).derivatives(in_annulus(station, g, at),
+                                                               H.transpose() * at.relative,
+                                                               H.transpose() * at.force,
+                                                               station.width);
         d.of_annulus(station, g, at, annular_slopes);
       }
     else if (external != nullptr)
@@ -96,7 +96,7 @@ namespace samara
         add_still_air(station, g, at, K);
       }
     if (inflow != nullptr && !inflow->states.empty())
-      d.add_inflow_rows(station, g, at, inflow->load_weights, external != nullptr ? &disk : nullptr, K, C);
+      d.add_inflow_rows(station, g, at, *inflow, external != nullptr ? &disk : nullptr, K, C);
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <samara/aero/surface.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -112,12 +113,42 @@ namespace samara
 
 
 
+  std::vector<Doubt>
+  Surface::doubts(const State &state) const
+  {
+    for (const auto &element : elements)
+      {
+        const auto &all = at_element(element, state.point());
+        for (unsigned int i = 0; i < element.stations.size(); ++i)
+          {
+            const SectionOfWing &section = element.stations[i].section;
+            const double         knows   = section.share > 0 ?
+                                             std::min(section.airfoil->highest_mach(), section.next->highest_mach()) :
+                                             section.airfoil->highest_mach();
+            if (const double mach = all.stations[i].flow.mach; mach > knows)
+              return {{"Mach number",
+                       "the air meets <" + name + "> at s = " + number_to_text("%.4g", element.stations[i].s) +
+                         " m with Mach " + number_to_text("%.3g", mach) + ", and <" + section.airfoil->name +
+                         "> is that of Mach " + number_to_text("%.3g", knows) +
+                         " beyond it: drag and moments of shock waves are not in the loads"}};
+          }
+      }
+    return {};
+  }
+
+
+
   double
   Surface::azimuth(const AtStation<double> &at, const Vector3 &centre) const
   {
-    // the direction of azimuth zero does not turn, be the hub one that turns or not
-    const Vector3 e3 = at.thrust_axis.normalized(), zero = inflow->azimuth_zero,
-                  e1 = (zero - e3 * e3.dot(zero)).normalized(), r = at.place - centre;
+    // the direction of azimuth zero does not turn about the thrust axis, be the hub one that turns or not; where that
+    // axis tilts it goes with it, the shortest way
+    const Vector3 e3 = at.thrust_axis.normalized(), from = inflow->axis_zero, k = from.cross(e3),
+                  zero = inflow->azimuth_zero, r = at.place - centre;
+    const double  c = from.dot(e3);
+    const Vector3 tilt =
+                    c > -1 + 1e-12 ? Vector3(k.cross(zero) + k.cross(k.cross(zero)) / (1 + c)) : Vector3(0., 0., 0.),
+                  e1   = zero + tilt;
     const double angle = std::atan2(r.dot(e3.cross(e1)), r.dot(e1)) * 180 / M_PI;
     return angle < 0 ? angle + 360 : angle;
   }

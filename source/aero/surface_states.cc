@@ -22,19 +22,52 @@ namespace samara
   void
   Surface::check_disk() const
   {
-    for (const auto &element : elements)
-      for (const auto &station : element.stations)
-        {
-          if (const double r = on_disk(station, element).head<2>().norm(); r > (1 + 1e-6) * inflow->radius)
-            {
-              model->complaints.add(parameters.where("Inflow"),
-                                    "the surface is outside of the disk of <" + inflow_name +
-                                      ">: at s = " + number_to_text("%.4g", station.s) + " m it is " +
-                                      number_to_text("%.4g", r) + " m from the axis, and the radius is " +
-                                      number_to_text("%.4g", inflow->radius) + " m");
-              return;
-            }
-        }
+    struct Place
+    {
+      double s, r, chord;
+    };
+    const auto places_of = [](const Surface &surface) {
+      std::vector<Place> places;
+      for (const auto &element : surface.elements)
+        for (const auto &station : element.stations)
+          places.push_back({station.s, surface.on_disk(station, element).head<2>().norm(), station.section.chord});
+      return places;
+    };
+    const auto complain = [this](const std::string &text) { model->complaints.add(parameters.where("Inflow"), text); };
+    const auto text     = [](const double x) { return number_to_text("%.4g", x); };
+    const auto places   = places_of(*this);
+    for (const auto &place : places)
+      if (place.r > (1 + 1e-6) * inflow->radius)
+        return complain("the surface is outside of the disk of <" + inflow_name + ">: at s = " + text(place.s) +
+                        " m it is " + text(place.r) + " m from the axis, and the radius is " + text(inflow->radius) +
+                        " m");
+
+    // annuli, wakes and tips count the surfaces as blades
+    const bool counts_blades = inflow->corrections.has_tip_loss ||
+                               dynamic_cast<const AnnularInflow *>(inflow) != nullptr ||
+                               dynamic_cast<const ExternalInflow *>(inflow) != nullptr;
+    const auto *const other =
+      inflow->surfaces.empty() ? nullptr : dynamic_cast<const Surface *>(inflow->surfaces.front());
+    if (!counts_blades || inflow->parameters.is_set("Blades") || other == nullptr)
+      return;
+    const auto        others = places_of(*other);
+    const std::string how =
+      ", and <" + inflow_name +
+      "> counts them as one rotor's: <Blades> of it says how many blades there are, if surfaces are "
+      "parts of blades or stand for several";
+    if (places.empty() || others.empty())
+      return;
+    if (places.size() != others.size())
+      return complain("the blades of <" + inflow_name + "> differ: <" + name + "> has " +
+                      std::to_string(places.size()) + " stations and <" + other->name + "> " +
+                      std::to_string(others.size()) + how);
+    for (unsigned int i = 0; i < places.size(); ++i)
+      if (std::abs(places[i].r - others[i].r) > 1e-4 * inflow->radius ||
+          std::abs(places[i].chord - others[i].chord) > 1e-4 * others[i].chord)
+        return complain("the blades of <" + inflow_name + "> differ: at the station s = " + text(places[i].s) +
+                        " m the radius of <" + name + "> is " + text(places[i].r) + " m and its chord " +
+                        text(places[i].chord) + " m, of <" + other->name + "> " + text(others[i].r) + " m and " +
+                        text(others[i].chord) + " m" + how);
   }
 
 

@@ -27,13 +27,14 @@ namespace samara
     g.amplitudes.clear();
     if (inflow == nullptr)
       return;
+    g.radius = inflow->radius_at(point.time);
     g.amplitudes.resize(inflow->n_amplitudes());
     inflow->amplitudes(point, g.amplitudes.data());
     if (inflow->corrections.any())
       g.disk = inflow->flow_through_disk(
         g.frames.x.back(), g.frames.D.back(), g.frames.y.back(), g.amplitudes.data(), point.time);
     if (inflow->corrections.has_ground)
-      g.near = inflow->corrections.ground_factor(g.disk);
+      g.near = inflow->corrections.ground_factor(g.disk, g.radius);
   }
 
 
@@ -57,7 +58,7 @@ namespace samara
         if (annular != nullptr)
           {
             at.free    = H.transpose() * (wind - H * g.frames.y.back().template head<3>());
-            at.added   = annular->theory.induced(in_annulus(station, g, at));
+            at.added   = annular->within(g.radius).induced(in_annulus(station, g, at));
             at.induced = -at.added(2);
             wind += H * at.added;
           }
@@ -69,7 +70,7 @@ namespace samara
             wind += H * at.added;
             external->drives(at.on_disk, g.disk, shapes);
           }
-        inflow->disk.evaluate(Number(at.on_disk(0) / inflow->radius), Number(at.on_disk(1) / inflow->radius), shapes);
+        inflow->disk.evaluate(Number(at.on_disk(0) / g.radius), Number(at.on_disk(1) / g.radius), shapes);
         Number sum(0);
         for (unsigned int k = 0; k < inflow->disk.shapes.size(); ++k)
           sum += g.amplitudes[k] * shapes[k];
@@ -80,10 +81,8 @@ namespace samara
     at.air  = wind;
     at.spin = along.spin;
     if (inflow != nullptr && inflow->corrections.has_tip_loss)
-      at.kept = inflow->corrections.tip_factor(at.on_disk(0),
-                                               at.on_disk(1),
-                                               Number(g.disk(2) + g.disk(3)),
-                                               dot(at.spin, at.thrust_axis));
+      at.kept = inflow->corrections.tip_factor(
+        at.on_disk(0), at.on_disk(1), Number(g.disk(2) + g.disk(3)), dot(at.spin, at.thrust_axis), g.radius);
     at.relative             = at.air - (along.v + along.W * station.three_quarters);
     at.V                    = at.axes.components(at.relative);
     const Number *const lag = g.lags.data() + station.first_lag;
@@ -198,16 +197,16 @@ namespace samara
     if (annular != nullptr)
       {
         const Mat3<Number> &H    = g.frames.D.back();
-        const auto          rate = annular->theory.rates(in_annulus(station, g, at),
-                                                Vec3<Number>(H.transpose() * at.relative),
-                                                Vec3<Number>(H.transpose() * at.force),
-                                                station.width);
+        const auto          rate = annular->within(g.radius).rates(in_annulus(station, g, at),
+                                                          Vec3<Number>(H.transpose() * at.relative),
+                                                          Vec3<Number>(H.transpose() * at.force),
+                                                          station.width);
         for (unsigned int i = 0; i < AnnularMomentum::n_states; ++i)
           local(first_lag + station.first_flow + i) -= rate[i];
       }
     if (inflow == nullptr || inflow->states.empty())
       return;
-    const Number thrust = station.weight * dot(at.force, at.thrust_axis);
+    const Number thrust = inflow->factor_of_loads(g.radius) * station.weight * dot(at.force, at.thrust_axis);
     for (unsigned int k = 0; k < inflow->load_weights.size(); ++k)
       local(first_inflow + k) -= inflow->load_weights[k] * thrust * at.shapes[k];
   }
@@ -285,6 +284,21 @@ namespace samara
         for (const auto &station : element.stations)
           surface->air->pieces(frames.position(station.N, station.three_quarters), point.time, pieces);
       }
+  }
+
+
+
+  double
+  Surface::reach(const State &state, const Vector3 &centre, const Vector3 &axis) const
+  {
+    double largest = 0;
+    for (const auto &element : elements)
+      {
+        const auto &all = at_element(element, state.point());
+        for (const auto &at : all.stations)
+          largest = std::max(largest, (at.place - centre).cross(axis).norm());
+      }
+    return largest;
   }
 
 

@@ -282,7 +282,7 @@ namespace samara
         " after a part of the period from what the repeated parts say.\n  All of them must be alike, in "
         "the order in which they come round, what carries them too; if they are not, set Method = "
         "implicit.");
-    throw NotConverged("floquet analysis: the motion is periodic, but a change of it is different by " + by +
+    throw NotConverged("floquet analysis: the motion is periodic, but it, or a change of it, is different by " + by +
                        " in the next period.\n  Is the period right? Something that depends on time does not repeat "
                        "itself with it.");
   }

@@ -232,7 +232,8 @@ namespace samara
     for (unsigned int j = 1; j < std::max(2u, parts.n()); ++j)
       {
         throw_if_interrupted();
-        state = map.carry(state, carried.data());
+        const State before = state;
+        state              = map.carry(before, carried.data());
         apply(by_map.data());
         std::vector<double> back = carried;
         for (unsigned int i = 0; i <= j; ++i)
@@ -241,6 +242,10 @@ namespace samara
         for (unsigned int i = 0; i < back.size(); ++i)
           back[i] -= by_map[i];
         result = std::max(result, scaled_norm(back) / size);
+        // one period can be closed under any load, and the next one is not if that load is another then
+        parts.align(before, state);
+        result = std::max(result, gap_between(before, state).size);
+        parts.align(map.states().front(), map.states().back());
       }
     return result;
   }

@@ -54,12 +54,11 @@ TEST(GroundEffect, FactorOfSpeedAndHeight)
 {
   DiskCorrections c;
   c.has_ground  = true;
-  c.radius      = 2;
   c.least_speed = 1e-6;
   const auto at = [&](const double mu, const double mean, const double Z) {
     DiskCorrections::Flow<double> flow;
     flow << 0.6 * mu, 0.8 * mu, 1., mean, Z;
-    return c.ground_factor(flow);
+    return c.ground_factor(flow, 2.);
   };
   EXPECT_NEAR(at(6, 2, 3), std::pow(1 - std::pow(2. / 12, 2) / (1 + 9), 1.5), 1e-12);
   EXPECT_NEAR(at(0, 2, 1e3), 1., 1e-6);

@@ -200,7 +200,8 @@ TEST_F(Catalogued, AirAndInflow)
                  {"Root", "0.1"},
                  {"Swirl", "false"},
                  {"Skew", "none"},
-                 {"Apparent mass", "1"}}}),
+                 {"Apparent mass", "1"},
+                 {"Ground effect", "Cheeseman-Bennett", {}, true}}}),
         {{"Direction", "annuli have no azimuth"},
          {"Air", "the wind is that of the surfaces, the densities are the same"}});
 }

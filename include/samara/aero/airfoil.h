@@ -28,6 +28,13 @@ namespace samara
     /** At any angle, −π ≤ α ≤ π, and at any Mach number ≥ 0. */
     virtual Coefficients at(double alpha, double mach) const = 0;
 
+    /** The Mach number beyond which coefficients are those at it, or as if the air were still incompressible. */
+    virtual double
+    highest_mach() const
+    {
+      return 0.9;
+    }
+
     /**
      * lift_0, lift, drag, moment "at α, M": numbers that can be asked for, <airfoil>.lift at 5 0.3 with α in degrees.
      */

@@ -28,6 +28,13 @@ namespace samara
     };
     Value at(double alpha, double mach) const;
 
+    /** The last Mach number; of a table that does not depend on it 0.9. */
+    double
+    highest_mach() const
+    {
+      return machs.size() > 1 ? machs.back() : 0.9;
+    }
+
   private:
     std::vector<double> angles, machs;
     Eigen::MatrixXd     values, slopes;
@@ -81,6 +88,7 @@ namespace samara
     void         add_parameters(Parameters &prm) override;
     void         initialize(Model &model) override;
     Coefficients at(double alpha, double mach) const override;
+    double       highest_mach() const override;
 
   protected:
     virtual AirfoilTables read(const std::string &text) const = 0;

@@ -11,14 +11,25 @@ namespace samara
    * name it has two states of its own, the flow against the thrust axis and that against the azimuth. It does not
    * matter whether the hub turns.
    */
-  class AnnularInflow : public Inflow
+  class AnnularInflow : public Inflow, public Doubtful
   {
   public:
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
-    AnnularMomentum theory;
+    AnnularMomentum theory; ///< at t = 0
+
+    /** The theory of a disk of this @p radius [m]. */
+    AnnularMomentum
+    within(const double radius) const
+    {
+      AnnularMomentum result = theory;
+      result.radius          = radius;
+      return result;
+    }
+
+    std::vector<Doubt> doubts(const State &state) const override;
 
     /** The states of a station at the radius @p r of the disk, for so much of its length [m]. */
     void add_station(unsigned int state, double r, double width);
@@ -36,7 +47,7 @@ namespace samara
       double       area;
     };
     std::vector<Annulus> annuli;
-    std::string          tip_loss = "Prandtl", skew = "Pitt-Peters";
+    std::string          tip_loss = "Prandtl", skew = "Pitt-Peters", ground_effect = "none";
   };
 } // namespace samara
 

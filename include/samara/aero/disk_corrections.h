@@ -74,12 +74,12 @@ namespace samara
   struct DiskCorrections
   {
     bool                has_tip_loss = false, has_ground = false;
-    bool                needs_flow = false;   ///< for something else
-    unsigned int        blades     = 1;       ///< Q
-    double              radius = 1, root = 0; ///< R, r₀ (0: no loss at the root) [m]
-    double              ground      = 0;      ///< inertial coordinate z of the ground [m]
-    double              least_speed = 0;      ///< what is added to speeds that are divided by [m/s]
-    std::vector<double> averages;             ///< of the inflow's shapes over the disk
+    bool                needs_flow  = false; ///< for something else
+    unsigned int        blades      = 1;     ///< Q
+    double              root        = 0;     ///< r₀ (0: no loss at the root) [m]
+    double              ground      = 0;     ///< inertial coordinate z of the ground [m]
+    double              least_speed = 0;     ///< what is added to speeds that are divided by [m/s]
+    std::vector<double> averages;            ///< of the inflow's shapes over the disk
 
     bool
     any() const
@@ -91,22 +91,22 @@ namespace samara
     template <typename Number>
     using Flow = Eigen::Matrix<Number, 5, 1>;
 
-    /** κ */
+    /** κ of a disk of this @p radius [m] */
     template <typename Number>
     Number
-    ground_factor(const Flow<Number> &flow) const
+    ground_factor(const Flow<Number> &flow, const double radius) const
     {
       using std::sqrt;
       const Number mean_2 = flow(3) * flow(3), mu_2 = flow(0) * flow(0) + flow(1) * flow(1);
       const Number share = mean_2 / (mean_2 + mu_2 + least_speed * least_speed);
-      const Number left  = 1. - near_ground(flow(4)) * share;
+      const Number left  = 1. - near_ground(flow(4), radius) * share;
       return left * sqrt(left);
     }
 
-    /** F at the place (x, y) on the disk [m], with λ [m/s] and Ω [rad/s]. */
+    /** F at the place (x, y) on a disk of this @p radius [m], with λ [m/s] and Ω [rad/s]. */
     template <typename Number>
     Number
-    tip_factor(const Number &x, const Number &y, const Number &lambda, const Number &spin) const
+    tip_factor(const Number &x, const Number &y, const Number &lambda, const Number &spin, const double radius) const
     {
       using std::sqrt;
       constexpr double least = 0.02 * 0.02 * 0.02 * 0.02;
@@ -122,28 +122,28 @@ namespace samara
 
     /** ∂κ/∂flow */
     Eigen::Matrix<double, 1, 5>
-    ground_slopes(const Flow<double> &flow) const
+    ground_slopes(const Flow<double> &flow, const double radius) const
     {
       Eigen::Matrix<double, 1, 5> slopes;
       for (unsigned int i = 0; i < 5; ++i)
         {
           Flow<std::complex<double>> at = flow.cast<std::complex<double>>();
           at(i) += std::complex<double>(0, step);
-          slopes(i) = ground_factor<std::complex<double>>(at).imag() / step;
+          slopes(i) = ground_factor<std::complex<double>>(at, radius).imag() / step;
         }
       return slopes;
     }
 
     /** ∂F/∂(x, y, λ, Ω) */
     Eigen::Matrix<double, 1, 4>
-    tip_slopes(const double x, const double y, const double lambda, const double spin) const
+    tip_slopes(const double x, const double y, const double lambda, const double spin, const double radius) const
     {
       Eigen::Matrix<double, 1, 4> slopes;
       for (unsigned int i = 0; i < 4; ++i)
         {
           std::complex<double> at[] = {x, y, lambda, spin};
           at[i] += std::complex<double>(0, step);
-          slopes(i) = tip_factor(at[0], at[1], at[2], at[3]).imag() / step;
+          slopes(i) = tip_factor(at[0], at[1], at[2], at[3], radius).imag() / step;
         }
       return slopes;
     }
@@ -154,7 +154,7 @@ namespace samara
     /** q */
     template <typename Number>
     Number
-    near_ground(const Number &height) const
+    near_ground(const Number &height, const double radius) const
     {
       if (std::real(height) >= 0.5 * radius)
         return radius * radius / (16. * height * height);

@@ -23,7 +23,9 @@ namespace samara
    * L depends on the skew of the wake, X = tan(χ/2) in the complex direction in which it goes,
    * X = μ/(V_T + |λ|): a polynomial in X and its conjugate, smooth in hover and for any direction of flight.
    *
-   * Everything is in body axes; z of axes that turn with Ω about the thrust axis changes by m Ω (β, −α) in addition.
+   * Everything is in body axes; z of axes that turn with Ω about the thrust axis changes by m Ω (β, −α) in addition. In
+   * a disk whose radius changes the air at a place is what the equations are of, ż − (Ṙ/R) C z in place of ż: r φ_n' =
+   * Σ_j C_jn φ_j.
    */
   class FiniteStateInflow
   {
@@ -60,6 +62,7 @@ namespace samara
     struct Flight
     {
       Number mu_x, mu_y, lambda_f, spin; ///< [m/s], [rad/s]
+      double growth = 0;                 ///< Ṙ/R [1/s]
     };
 
     template <typename Number>
@@ -94,6 +97,9 @@ namespace samara
                             double                 radius,
                             double                 least_speed) const;
 
+    /** C of the radius that changes. */
+    Eigen::MatrixXd stretch;
+
     /** L at the skew X; real. */
     template <typename Number>
     Matrix<Number> influence(const Number &X_x, const Number &X_y) const;
@@ -118,6 +124,9 @@ namespace samara
 
     void add_shape(unsigned int m, const std::vector<double> &c, double apparent_mass, double load_weight);
     void add_sines();
+
+    /** C, by comparing powers of r from the highest. */
+    Eigen::MatrixXd find_stretch() const;
 
     /** Adds factor X^power of a term to A. */
     template <typename Number>

@@ -4,10 +4,10 @@
 #include <samara/aero/air.h>
 #include <samara/aero/disk_corrections.h>
 #include <samara/aero/disk_shapes.h>
+#include <samara/model/doubts.h>
 #include <samara/model/layout.h>
 
 #include <array>
-#include <limits>
 
 namespace samara
 {
@@ -29,6 +29,9 @@ namespace samara
     /** A frame that moves with it; known when it is connected. */
     virtual Frame carrier() const = 0;
 
+    /** The largest distance of a station from the @p axis through @p centre [m]. */
+    virtual double reach(const State &state, const Vector3 &centre, const Vector3 &axis) const = 0;
+
     /** The moment about @p centre [m]; power in axes that move with the velocity @p carried [m/s]. */
     virtual AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const = 0;
   };
@@ -42,7 +45,7 @@ namespace samara
    * of harmonics in axes that turn are others, and obey equations with their spin; what they say of the air is the
    * same.
    *
-   * The z_k are states of first order or prescribed.
+   * The z_k are states of first order or prescribed. The radius may change in time: the shapes grow with it.
    */
   class Inflow : public Item
   {
@@ -54,13 +57,33 @@ namespace samara
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
 
-    Frame                     hub; ///< resolved when connected
-    double                    radius = 1;
-    DiskShapes                disk;   ///< in coordinates divided by the radius
-    std::vector<unsigned int> states; ///< of all shapes, or none
+    /** The flow on the disk, where it is a sum of shapes. */
+    void draw(const State &state, Drawing &drawing) const override;
 
-    /** What a force F [N] of blades along the thrust axis does: ż_k += load_weights[k] F φ_k. */
+    Frame                     hub;        ///< resolved when connected
+    double                    radius = 1; ///< of the reference configuration, at t = 0
+    DiskShapes                disk;       ///< in coordinates divided by the radius
+    std::vector<unsigned int> states;     ///< of all shapes, or none
+
+    /** What a force F [N] of blades along the thrust axis does: ż_k += load_weights[k] F φ_k, at t = 0. */
     std::vector<double> load_weights;
+
+    /** The radius at a time. @throws InputError where it is not positive */
+    double radius_at(double time) const;
+
+    /** Ṙ/R [1/s] */
+    double growth_at(double time) const;
+
+    /** Of load_weights in a disk whose radius is another than at t = 0. */
+    double
+    factor_of_loads(const double other) const
+    {
+      const double ratio = radius / other;
+      return varies ? ratio * ratio * ratio : 1.;
+    }
+
+    /** Whether the radius changes in time. */
+    bool varies = false;
 
     /** How many z there are: of the shapes, or of a theory of its own. */
     unsigned int
@@ -80,9 +103,9 @@ namespace samara
 
     /** The first corner in time of what is prescribed. */
     virtual double
-    next_corner(double /*from*/, double /*to*/) const
+    next_corner(const double from, const double to) const
     {
-      return std::numeric_limits<double>::infinity();
+      return given_radius.next_corner(from, to);
     }
 
     /** Surfaces that live in it. */
@@ -90,8 +113,8 @@ namespace samara
 
     const Air *air = nullptr;
 
-    /** Direction of azimuth zero in the reference configuration. */
-    Vector3 azimuth_zero = Vector3::UnitX();
+    /** Direction of azimuth zero and the thrust axis in the reference configuration. */
+    Vector3 azimuth_zero = Vector3::UnitX(), axis_zero = Vector3::UnitZ();
 
     DiskCorrections corrections;
 
@@ -131,10 +154,14 @@ namespace samara
     /** The mean flow that belongs to the thrust [m/s]. */
     virtual double mean(const State &state) const = 0;
 
+    /** Whether blades reach beyond the disk, where shapes and tips know nothing. */
+    void add_doubt_of_reach(const State &state, std::vector<Doubt> &doubts) const;
+
   private:
-    std::string hub_name, air_name, tip_loss = "none";
-    bool        has_factor_of_tips = false; ///< whether there are the entries of add_tip_loss()
-    Vector3     axis = Vector3::Zero(), direction = Vector3::Zero();
+    std::string    hub_name, air_name, tip_loss = "none";
+    FunctionOfTime given_radius{1.};
+    bool           has_factor_of_tips = false; ///< whether there are the entries of add_tip_loss()
+    Vector3        axis = Vector3::Zero(), direction = Vector3::Zero();
   };
 
 

@@ -4,6 +4,7 @@
 #include <samara/aero/annular_inflow.h>
 #include <samara/aero/external_inflow.h>
 #include <samara/aero/station.h>
+#include <samara/model/doubts.h>
 #include <samara/model/moved.h>
 #include <samara/model/virtual_mass.h>
 
@@ -30,7 +31,7 @@ namespace samara
    *
    * Source: the paper, section 2.3; the lifting line and its derivatives are derived in doc/theory/aerodynamics.md.
    */
-  class Surface : public Item, public LoadedSurface, public VirtualMass, public MovesWithBodies
+  class Surface : public Item, public LoadedSurface, public VirtualMass, public MovesWithBodies, public Doubtful
   {
   public:
     void                     add_parameters(Parameters &prm) override;
@@ -42,7 +43,11 @@ namespace samara
     void                     draw(const State &state, Drawing &drawing) const override;
 
     AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const override;
+    double   reach(const State &state, const Vector3 &centre, const Vector3 &axis) const override;
     void     add_virtual_mass(std::vector<Matrix6> &of_nodes) const override;
+
+    /** Where the air is faster than the airfoils know. */
+    std::vector<Doubt> doubts(const State &state) const override;
 
     Frame
     carrier() const override
@@ -106,9 +111,10 @@ namespace samara
       FramesInState<Number>         frames;
       std::vector<AtFrame>          rates;
       std::vector<Number>           lags, amplitudes;
-      Vec3<Number>                  wind = Vec3<Number>::Zero();                  ///< if it is the same everywhere
-      DiskCorrections::Flow<Number> disk = DiskCorrections::Flow<Number>::Zero(); ///< if the inflow has corrections
-      Number                        near = Number(1);                             ///< factor of the inflow: the ground
+      Vec3<Number>                  wind   = Vec3<Number>::Zero();                  ///< if it is the same everywhere
+      DiskCorrections::Flow<Number> disk   = DiskCorrections::Flow<Number>::Zero(); ///< if the inflow has corrections
+      Number                        near   = Number(1); ///< factor of the inflow: the ground
+      double                        radius = 1;         ///< of the disk
     };
 
     /**

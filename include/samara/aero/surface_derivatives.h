@@ -162,26 +162,26 @@ namespace samara
         }
     }
 
-    /** What the lift puts into the states of the inflow, with @p load_weights; by the flow through the @p disk, too, if
+    /** What the lift puts into the states of the inflow, of the @p inflow; by the flow through the @p disk, too, if
      * shapes depend on it. */
     void
-    add_inflow_rows(const Station             &station,
-                    const Gathered<double>    &g,
-                    const AtStation<double>   &at,
-                    const std::vector<double> &load_weights,
-                    const Change<5> *const     disk,
-                    Eigen::MatrixXd           &K,
-                    Eigen::MatrixXd           &C) const
+    add_inflow_rows(const Station           &station,
+                    const Gathered<double>  &g,
+                    const AtStation<double> &at,
+                    const Inflow            &inflow,
+                    const Change<5> *const   disk,
+                    Eigen::MatrixXd         &K,
+                    Eigen::MatrixXd         &C) const
     {
       const unsigned int n_twists = turn.place.cols(), n_states = turn.states.cols();
       Change<1>          thrust(n_twists, n_states);
       thrust.add<3>(at.thrust_axis.transpose(), force);
       thrust.add<3>(at.force.transpose(), axis);
-      const double       F     = at.force.dot(at.thrust_axis);
+      const double       F = at.force.dot(at.thrust_axis), factor = inflow.factor_of_loads(g.radius);
       const unsigned int first = n_twists + g.lags.size();
       for (unsigned int k = 0; k < g.amplitudes.size(); ++k)
         {
-          const double             c     = -station.weight * load_weights[k];
+          const double             c     = -station.weight * factor * inflow.load_weights[k];
           const Eigen::RowVector3d slope = c * F * by_place.row(k);
           K.row(first + k).head(n_twists) += c * at.shapes[k] * thrust.place + slope * on_disk.place;
           K.row(first + k).tail(n_states) += c * at.shapes[k] * thrust.states;
@@ -326,9 +326,9 @@ namespace samara
     {
       const unsigned int n = g.amplitudes.size();
       Eigen::VectorXd    by_x(n), by_y(n);
-      inflow.disk.gradients(at.on_disk(0) / inflow.radius, at.on_disk(1) / inflow.radius, by_x.data(), by_y.data());
-      by_x /= inflow.radius;
-      by_y /= inflow.radius;
+      inflow.disk.gradients(at.on_disk(0) / g.radius, at.on_disk(1) / g.radius, by_x.data(), by_y.data());
+      by_x /= g.radius;
+      by_y /= g.radius;
       by_place.resize(n, 3);
       by_place << by_x, by_y, Eigen::VectorXd::Zero(n);
       const Eigen::Map<const Eigen::VectorXd> z(g.amplitudes.data(), n), phi(at.shapes, n);
@@ -337,7 +337,7 @@ namespace samara
       if (!inflow.states.empty())
         air.states.middleCols(first_state, n) -= at.thrust_axis * g.near * phi.transpose();
       if (inflow.corrections.has_ground)
-        air.add<5>(-at.thrust_axis * z.dot(phi) * inflow.corrections.ground_slopes(g.disk), disk);
+        air.add<5>(-at.thrust_axis * z.dot(phi) * inflow.corrections.ground_slopes(g.disk, g.radius), disk);
     }
 
     /** The flow of a theory of its own follows the place, the flow through the disk and its states. */
@@ -395,8 +395,8 @@ namespace samara
             const Change<5>         &disk,
             const Eigen::Vector4d   &by_kept)
     {
-      const auto slopes =
-        inflow.corrections.tip_slopes(at.on_disk(0), at.on_disk(1), g.disk(2) + g.disk(3), at.spin.dot(at.thrust_axis));
+      const auto slopes = inflow.corrections.tip_slopes(
+        at.on_disk(0), at.on_disk(1), g.disk(2) + g.disk(3), at.spin.dot(at.thrust_axis), g.radius);
       loads.add<3>(by_kept * Eigen::RowVector3d(slopes(0), slopes(1), 0.), on_disk);
       Eigen::Matrix<double, 1, 5> through = Eigen::Matrix<double, 1, 5>::Zero();
       through(2) = through(3) = slopes(2);

@@ -51,7 +51,8 @@ namespace samara
 
     /**
      * Whether what comes behind the section is as S says: a random change is carried through the other sections of the
-     * period, or without symmetry through another period, and compared. Relative to its size; ≈ 1 if it is not so.
+     * period, or without symmetry through another period, and compared. Relative to its size; ≈ 1 if it is not so. Or
+     * what the motion itself lacks to periodicity there, if that is more.
      */
     double difference_behind();
 
