@@ -10,6 +10,19 @@
 
 namespace samara
 {
+  namespace
+  {
+    Unsteady
+    kind_of_unsteady(const std::string &entry)
+    {
+      return entry == "two lags"      ? Unsteady::two_lags :
+             entry == "dynamic stall" ? Unsteady::dynamic_stall :
+                                        Unsteady::quasi_steady;
+    }
+  } // namespace
+
+
+
   void
   Surface::add_parameters(Parameters &prm)
   {
@@ -85,9 +98,7 @@ namespace samara
       parameters.require(entry, model->complaints);
     if (model->complaints.count() != before)
       return;
-    unsteady          = unsteady_name == "two lags"      ? Unsteady::two_lags :
-                        unsteady_name == "dynamic stall" ? Unsteady::dynamic_stall :
-                                                           Unsteady::quasi_steady;
+    unsteady          = kind_of_unsteady(unsteady_name);
     std::string where = "Air";
     try
       {
