@@ -352,7 +352,9 @@ namespace samara
                                                                    "multiplier",
                                                                    "growth rate [1/s]",
                                                                    "frequency [rad/s]",
-                                                                   "frequency mod period [rad/s]"});
+                                                                   "frequency mod period [rad/s]",
+                                                                   "family",
+                                                                   "pattern"});
     std::vector<Mode> shapes;
     for (const auto &mode : modes)
       {
@@ -370,7 +372,9 @@ namespace samara
                           std::abs(modes[i].multiplier),
                           modes[i].growth(),
                           modes[i].frequency(),
-                          std::abs(std::arg(modes[i].multiplier)) / T});
+                          std::abs(std::arg(modes[i].multiplier)) / T,
+                          modes[i].content.family,
+                          modes[i].content.pattern});
   }
 
 

@@ -18,6 +18,9 @@ namespace samara
     constexpr double       smallest_part = 0.05; ///< of a Newton step
     constexpr unsigned int most_products = 100;  ///< for one
 
+    /** Of a change that is carried on, over its size at the start, below which it is not compared any more. */
+    constexpr double least_size = 1e-8;
+
 
 
     /** Where in an increment controls are, which keep their values: what they change is no motion. */
@@ -224,6 +227,7 @@ namespace samara
     for (unsigned int i = 0; i < by_map.size(); ++i)
       by_map[i] = number(generator) * scale[i];
     keep_controls(by_map.data());
+    const double        first   = scaled_norm(by_map);
     std::vector<double> carried = by_map;
     map.apply(carried.data());
     apply(by_map.data());
@@ -238,7 +242,8 @@ namespace samara
         std::vector<double> back = carried;
         for (unsigned int i = 0; i <= j; ++i)
           parts.apply(back.data());
-        const double size = scaled_norm(by_map);
+        // of what has all but died away only round-off is left
+        const double size = std::max(scaled_norm(by_map), least_size * first);
         for (unsigned int i = 0; i < back.size(); ++i)
           back[i] -= by_map[i];
         result = std::max(result, scaled_norm(back) / size);

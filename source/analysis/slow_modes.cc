@@ -240,7 +240,6 @@ namespace samara
       {
         Complex   value;
         VectorXcd vector, residual; ///< unit norm; S v − σ v
-        double    share  = 0;       ///< of its norm in the first columns
         double    change = 1;       ///< of σ since the space has grown last, relative
         /** Either may be small by itself: a residual where left vectors are large, a change where nothing is new. */
         double
@@ -251,10 +250,10 @@ namespace samara
       };
 
       /**
-       * Of pairs the one with Im σ ≥ 0: those with the largest share in the first @p n_first columns, until they span
-       * as many dimensions, a pair two and what is real one; and all others that have a share and do not decay. Where
-       * coefficients change much, modes are not as many as at the start: a pair becomes two real multipliers, and in a
-       * parametric resonance the one that grows must not be the one that is left out.
+       * Of pairs the one with Im σ ≥ 0: those with a share in the first @p n_first columns, largest σ first, until they
+       * span as many dimensions, a pair two and what is real one; and all others that do not decay. Where coefficients
+       * change much, modes are not as many as at the start: a pair becomes two real multipliers, more inflow is slow,
+       * and what is left out must be what is damped most, never one that grows.
        */
       std::vector<Pair>
       pairs(const unsigned int n_first, const double highest) const
@@ -268,12 +267,14 @@ namespace samara
             const double    share = y.head(n_first).norm();
             if (eigen.eigenvalues()(i).imag() < 0 || share < least_share)
               continue;
-            Pair pair{eigen.eigenvalues()(i), V * y, {}, share, 1.};
+            Pair pair{eigen.eigenvalues()(i), V * y, {}};
             pair.residual = images * y - pair.value * pair.vector;
             if (energy.rate(pair.vector) <= too_fast * highest)
               result.push_back(pair);
           }
-        std::stable_sort(result.begin(), result.end(), [](const Pair &a, const Pair &b) { return a.share > b.share; });
+        std::stable_sort(result.begin(), result.end(), [](const Pair &a, const Pair &b) {
+          return std::abs(a.value) > std::abs(b.value);
+        });
         unsigned int n         = 0;
         const auto   is_beyond = [&](const Pair &pair) {
           const bool beyond = n >= n_first;
