@@ -1,6 +1,7 @@
 // Several rotors in one model, mirrored, turned as a whole, with shafts that tilt and radii that change.
 
 #include <samara/aero/finite_state.h>
+#include <samara/model/doubts.h>
 #include <samara/model/drawing.h>
 #include <samara/rotation/rotation.h>
 #include <samara/time/projection.h>
@@ -502,7 +503,7 @@ TEST(Doubts, OfMachNumbers)
       Rotor rotor;
       rotor.steady = true;
       // stations are at up to 3 m, at 30 rad/s
-      Scene       scene(model_of({rotor}, "0, 0, 0", is_slow ? "" : "    set Speed of sound = 95\n"));
+      Scene       scene(model_of({rotor}, "0, 0, 0", is_slow ? "" : "    set Speed of sound = 85\n"));
       std::string doubts;
       scene.equilibrium();
       for (const auto &item : scene.input.model.items)
