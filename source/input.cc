@@ -33,9 +33,11 @@ namespace samara
             analysis_names,
             "What to do, in this order; each starts from the state before: " + join(catalogue.analyses.kinds(), ", ") +
               ".");
-    prm.add("Rotor speeds",
-            rotor_speeds,
-            "Speeds of the first steady rotation for which all analyses are done; others in proportion [rad/s].");
+    prm.add(
+      "Rotor speeds",
+      rotor_speeds,
+      "Speeds of the first steady rotation for which all analyses are done, or those before a dynamic one; others in "
+      "proportion [rad/s].");
     prm.add("Redundant constraints",
             redundant,
             "No effect any more: redundant constraints need no entry. Models of earlier versions say refuse or drop.",

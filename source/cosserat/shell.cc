@@ -80,11 +80,12 @@ namespace samara
   {
     model             = &model_;
     const auto before = model->complaints.count();
-    make_laminate();
-    if (!make_mesh() || laminate == nullptr || model->complaints.count() != before)
+    make_laminates();
+    if (!make_mesh() || laminates.empty() || model->complaints.count() != before)
       return;
     make_rule();
-    materials.push_back({stiffness(), relaxation_time * stiffness()});
+    for (const auto &laminate : laminates)
+      materials.push_back({stiffness(laminate), relaxation_time * stiffness(laminate)});
     make_nodes_and_elements();
     if (model->complaints.count() != before)
       return;
@@ -168,7 +169,7 @@ namespace samara
 
 
   Shell::MatrixN
-  Shell::stiffness() const
+  Shell::stiffness(const Laminate &laminate) const
   {
     // columns of Γ_αi and K_αi
     const auto gamma = [](const int alpha, const int i) { return 6 * (alpha - 1) + i - 1; };
@@ -188,11 +189,11 @@ namespace samara
     plate.topRows<3>() += offset * plate.middleRows<3>(3);
 
     Eigen::Matrix<double, 8, 8> C = Eigen::Matrix<double, 8, 8>::Zero();
-    C.topLeftCorner<6, 6>()       = laminate->ABD;
-    C.bottomRightCorner<2, 2>()   = laminate->shear;
+    C.topLeftCorner<6, 6>()       = laminate.ABD;
+    C.bottomRightCorner<2, 2>()   = laminate.shear;
     MatrixN      result           = plate.transpose() * C * plate;
-    const double drilling         = 0.1 * laminate->ABD(1, 1);
-    const double of_curvature     = drilling * laminate->thickness * laminate->thickness / 12;
+    const double drilling         = 0.1 * laminate.ABD(1, 1);
+    const double of_curvature     = drilling * laminate.thickness * laminate.thickness / 12;
     VectorN      skew_membrane = VectorN::Zero(), twist = VectorN::Zero();
     skew_membrane(gamma(1, 2)) = 1;
     skew_membrane(gamma(2, 1)) = -1;
@@ -205,13 +206,20 @@ namespace samara
 
 
 
-  Matrix6
-  Shell::inertia() const
+  unsigned int
+  Shell::laminate_of(const unsigned int cell) const
   {
-    const Laminate &l      = *laminate;
-    const double    moment = l.mass_moment + offset * l.mass,
-                 rotary    = l.rotary_inertia + 2 * offset * l.mass_moment + offset * offset * l.mass;
-    const Matrix3 c        = skew(Vector3(0, 0, moment));
+    return laminates.size() == 1 ? 0 : mesh->cells[cell].patch;
+  }
+
+
+
+  Matrix6
+  Shell::inertia(const Laminate &l) const
+  {
+    const double moment = l.mass_moment + offset * l.mass,
+                 rotary = l.rotary_inertia + 2 * offset * l.mass_moment + offset * offset * l.mass;
+    const Matrix3 c     = skew(Vector3(0, 0, moment));
     Matrix6       M;
     // about the normal as well: rotations about it have no other inertia
     M << l.mass * Matrix3::Identity(), -c, c, rotary * Matrix3::Identity();
@@ -277,7 +285,7 @@ namespace samara
       return length;
     };
     Vector3 e = axis_1.isZero(0.) ? Vector3(Vector3::UnitX()) : Vector3(axis_1.normalized());
-    if (axis_1.isZero(0.) && layup_name.empty()) // of an isotropic shell any axis will do
+    if (axis_1.isZero(0.) && layup_name.empty() && patch_layups.empty()) // of an isotropic shell any axis will do
       for (const auto &other : {Vector3(Vector3::UnitY()), Vector3(Vector3::UnitZ())})
         if (shortest(e) < 0.5 && shortest(other) > shortest(e))
           e = other;
@@ -300,8 +308,10 @@ namespace samara
   void
   Shell::make_nodes_and_elements()
   {
-    const auto    all_normals = normals();
-    const Matrix6 M           = inertia();
+    const auto           all_normals = normals();
+    std::vector<Matrix6> inertias;
+    for (const auto &laminate : laminates)
+      inertias.push_back(inertia(laminate));
     node_frames.resize(mesh->nodes.size());
     node_axes.resize(mesh->nodes.size());
     std::vector<bool> is_made(mesh->nodes.size(), false);
@@ -309,8 +319,9 @@ namespace samara
       {
         for (unsigned int i = 0; i < mesh->cells.size(); ++i)
           {
-            const auto        &nodes = mesh->cells[i].nodes;
-            const auto         axes  = triads(i, all_normals[i]);
+            const auto        &nodes    = mesh->cells[i].nodes;
+            const auto         axes     = triads(i, all_normals[i]);
+            const unsigned int material = laminate_of(i);
             std::vector<Frame> frames;
             for (unsigned int a = 0; a < table->n_nodes; ++a)
               {
@@ -327,9 +338,9 @@ namespace samara
                   frame = frame.then(Vector3::Zero(), Q);
                 frames.push_back(frame);
                 const auto g = mesh->tangents(mesh->cells[i], a);
-                model->add_inertia(frame, table->node_weights(a) * cross(g[0], g[1]).norm() * M);
+                model->add_inertia(frame, table->node_weights(a) * cross(g[0], g[1]).norm() * inertias[material]);
               }
-            add_element(*model, frames, std::vector<unsigned int>(table->n_points, 0));
+            add_element(*model, frames, std::vector<unsigned int>(table->n_points, material));
           }
       }
     catch (const std::invalid_argument &problem)

@@ -17,6 +17,7 @@ namespace samara
       layup_name,
       "Name of the layup; the normal points from its first ply to its last, angles turn from axis 1 to axis 2. Or "
       "an isotropic material by the next four entries.");
+    prm.add("Patch layups", patch_layups, "Names of the layups of all patches, one for each, in place of one layup.");
     prm.add(
       "Transverse shear",
       transverse_shear,
@@ -37,25 +38,26 @@ namespace samara
 
 
   void
-  Shell::make_laminate()
+  Shell::make_laminates()
   {
-    if (parameters.is_set("Layup"))
+    const bool has_layup = parameters.is_set("Layup"), has_layups = parameters.is_set("Patch layups");
+    if (has_layup || has_layups)
       {
+        const std::string given = has_layup ? "Layup" : "Patch layups";
         for (const std::string entry : {"E", "Poisson ratio", "Density", "Thickness"})
           if (parameters.is_set(entry))
             model->complaints.add(parameters.where(entry),
-                                  "shell <" + name + "> has a <Layup>, which says what <" + entry + "> is");
-        try
-          {
-            laminate =
-              std::make_unique<Laminate>(model->find<Layup>(layup_name, "layup").laminae(),
-                                         transverse_shear == "asymptotic" ? Laminate::TransverseShear::asymptotic :
-                                                                            Laminate::TransverseShear::equilibrium);
-          }
-        catch (const std::invalid_argument &problem)
-          {
-            model->complaints.add(parameters.where("Layup"), problem.what());
-          }
+                                  "shell <" + name + "> has " + (has_layup ? "a <" : "<") + given +
+                                    ">, which says what <" + entry + "> is");
+        if (has_layup && has_layups)
+          return model->complaints.add(parameters.where("Patch layups"),
+                                       "shell <" + name + "> has either a <Layup> or <Patch layups>");
+        if (has_layups && patch_layups.size() != patch_entries.size())
+          return model->complaints.add(parameters.where("Patch layups"),
+                                       "shell <" + name + "> has " + std::to_string(patch_entries.size()) +
+                                         " <Patches>, and <Patch layups> for " + std::to_string(patch_layups.size()));
+        for (const auto &layup : has_layup ? std::vector<std::string>{layup_name} : patch_layups)
+          add_laminate(given, layup);
         return;
       }
     if (parameters.is_set("Transverse shear"))
@@ -69,7 +71,24 @@ namespace samara
       model->complaints.add(parameters.where("Poisson ratio"),
                             "Poisson's ratio of shell <" + name + "> must be above -1 and below 0.5");
     else if (E > 0 && thickness_entry > 0)
-      laminate = std::make_unique<Laminate>(
+      laminates.emplace_back(
         std::vector<Lamina>{{elasticity::isotropic_stiffness(E, nu), 0., thickness_entry, density}});
+  }
+
+
+
+  void
+  Shell::add_laminate(const std::string &entry, const std::string &layup)
+  {
+    try
+      {
+        laminates.emplace_back(model->find<Layup>(layup, "layup").laminae(),
+                               transverse_shear == "asymptotic" ? Laminate::TransverseShear::asymptotic :
+                                                                  Laminate::TransverseShear::equilibrium);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where(entry), problem.what());
+      }
   }
 } // namespace samara

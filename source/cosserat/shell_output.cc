@@ -126,7 +126,10 @@ namespace samara
   double
   Shell::thickness() const
   {
-    return laminate == nullptr ? 0. : laminate->thickness;
+    double largest = 0;
+    for (const auto &laminate : laminates)
+      largest = std::max(largest, laminate.thickness);
+    return largest;
   }
 
 

@@ -44,6 +44,8 @@ namespace samara
     std::vector<Span>        edge(const std::string &name) const override;
     std::vector<std::string> edges() const override;
     double                   thickness() const override;
+    /** The cell that is longest for its tension, if it is too long. */
+    std::string coarse_place(const State &state) const override;
 
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
@@ -67,6 +69,7 @@ namespace samara
     double                                      crease      = 20 * M_PI / 180;
     Vector3                                     axis_1      = Vector3::Zero();
     std::string                                 layup_name;
+    std::vector<std::string>                    patch_layups;
     std::string                                 transverse_shear = "equilibrium";
     double                                      E = 0, nu = 0, density = 0, thickness_entry = 0, offset = 0;
     double                                      relaxation_time = 0;
@@ -75,7 +78,7 @@ namespace samara
     InitialVelocity                             initial_velocity;
 
     Model                             *model = nullptr;
-    std::unique_ptr<Laminate>          laminate;
+    std::vector<Laminate>              laminates; ///< one, or one of each patch
     std::unique_ptr<ShellMesh>         mesh;
     std::shared_ptr<const SurfaceRule> rule;
     Eigen::MatrixXd                    to_nodes; ///< values at the nodes of a cell from those at its integration points
@@ -95,14 +98,17 @@ namespace samara
     std::vector<Matrix3>              node_axes; ///< of the reference configuration, of the nodes of the mesh
 
     void    add_material_parameters(Parameters &prm);
-    void    make_laminate();
+    void    make_laminates();
+    void    add_laminate(const std::string &entry, const std::string &layup);
     bool    make_mesh();
     void    make_rule();
-    MatrixN stiffness() const;
-    Matrix6 inertia() const; ///< per area, in the axes of the surface
-    void    make_nodes_and_elements();
-    void    name_points();
-    void    make_rigid_edges();
+    MatrixN stiffness(const Laminate &laminate) const;
+    Matrix6 inertia(const Laminate &laminate) const; ///< per area, in the axes of the surface
+    /** Number of the laminate of a cell. */
+    unsigned int laminate_of(unsigned int cell) const;
+    void         make_nodes_and_elements();
+    void         name_points();
+    void         make_rigid_edges();
 
     /** Unit normals of the cells at their nodes, averaged over cells within the crease angle. */
     std::vector<std::vector<Vector3>> normals() const;
