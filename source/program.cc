@@ -13,6 +13,7 @@
 #include <samara/program.h>
 #include <samara/section_report.h>
 #include <samara/several_models.h>
+#include <samara/single_nodes.h>
 #include <samara/study.h>
 #include <samara/trim_variants.h>
 
@@ -255,6 +256,8 @@ namespace samara
         throw InputError(with_place({of_laws}, input.where("Title")));
       if (const std::string near = nearly_redundant_text(system, counts.redundant_multipliers); !near.empty())
         log.warning("", near);
+      for (const auto &text : moments_at_single_nodes(input.model))
+        log.warning("", text);
       return counts;
     }
 

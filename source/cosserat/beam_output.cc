@@ -4,7 +4,7 @@
 #include <samara/cosserat/analysed_section.h>
 #include <samara/cosserat/beam.h>
 #include <samara/model/frame_probe.h>
-#include <samara/section/recovery.h>
+#include <samara/section/extremes_by_name.h>
 
 #include <deal.II/fe/fe_q.h>
 
@@ -13,16 +13,6 @@
 
 namespace samara
 {
-  namespace
-  {
-    /** Of the points of a section the largest moduli, in the axes of the material. */
-    const std::vector<std::string>
-      stress_names = {"stress 11", "stress 22", "stress 33", "stress 23", "stress 13", "stress 12", "von Mises stress"},
-      index_names  = {"max stress index", "Tsai-Wu index", "Hashin index", "von Mises index"};
-  } // namespace
-
-
-
   Beam::Local
   Beam::local(const State &state, const double s, const bool with_strains) const
   {
@@ -151,30 +141,18 @@ namespace samara
   std::optional<Probe>
   Beam::stress_probe(const std::string &path, const std::string &quantity, const double s) const
   {
-    using Extremes = SectionStresses::Extremes;
-    std::function<double(const Extremes &)> value;
-    const auto                              stress = std::find(stress_names.begin(), stress_names.end(), quantity);
-    const auto                              index  = std::find(index_names.begin(), index_names.end(), quantity);
-    if (stress != stress_names.end())
-      value = [i = stress - stress_names.begin()](const Extremes &e) {
-        return i < 6 ? e.stress(i) : e.von_mises_stress;
-      };
-    else if (index != index_names.end())
-      value = [i = index - index_names.begin()](const Extremes &e) {
-        const FailureIndices &f = e.indices;
-        return std::array<double, 4>{{f.max_stress, f.tsai_wu, f.hashin, f.von_mises}}[i];
-      };
-    else
+    const ExtremeByName wanted(quantity);
+    if (!wanted.is_known())
       return {};
     const auto [there, curvature] = analysed_at(s);
     const auto analysis           = there->analyse(curvature);
     const auto stresses =
       std::make_shared<SectionStresses>(analysis->section, analysis->mesh, analysis->shape.materials);
-    if (value(stresses->extremes(Vector6::Zero())) < 0)
+    if (wanted.of(stresses->extremes(Vector6::Zero())) < 0)
       throw std::invalid_argument("<" + path + "> needs more strengths of a material of section <" + there->name + ">");
-    return Probe{path, stress != stress_names.end() ? "Pa" : "1", [=](const State &state) {
+    return Probe{path, wanted.unit(), [=](const State &state) {
                    const Local here = local(state, s);
-                   return value(stresses->extremes(here.stress - here.helical, helix_of(here)));
+                   return wanted.of(stresses->extremes(here.stress - here.helical, helix_of(here)));
                  }};
   }
 
@@ -202,8 +180,8 @@ namespace samara
         quantities.push_back(q + " " + i);
     if (section != nullptr && !rigid && section->nearest(0) != nullptr)
       {
-        quantities.insert(quantities.end(), stress_names.begin(), stress_names.end());
-        quantities.insert(quantities.end(), index_names.begin(), index_names.end());
+        const auto of_stresses = ExtremeByName::names();
+        quantities.insert(quantities.end(), of_stresses.begin(), of_stresses.end());
       }
     std::vector<std::string> names;
     for (const auto &point : points())

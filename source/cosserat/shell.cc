@@ -85,7 +85,10 @@ namespace samara
       return;
     make_rule();
     for (const auto &laminate : laminates)
-      materials.push_back({stiffness(laminate), relaxation_time * stiffness(laminate)});
+      {
+        materials.push_back({stiffness(laminate), relaxation_time * stiffness(laminate)});
+        compliances.push_back(laminate.ABD.llt().solve(Matrix6::Identity()));
+      }
     make_nodes_and_elements();
     if (model->complaints.count() != before)
       return;

@@ -71,8 +71,11 @@ namespace samara
       model->complaints.add(parameters.where("Poisson ratio"),
                             "Poisson's ratio of shell <" + name + "> must be above -1 and below 0.5");
     else if (E > 0 && thickness_entry > 0)
-      laminates.emplace_back(
-        std::vector<Lamina>{{elasticity::isotropic_stiffness(E, nu), 0., thickness_entry, density}});
+      {
+        laminates.emplace_back(
+          std::vector<Lamina>{{elasticity::isotropic_stiffness(E, nu), 0., thickness_entry, density}});
+        strengths.emplace_back(1);
+      }
   }
 
 
@@ -82,9 +85,13 @@ namespace samara
   {
     try
       {
-        laminates.emplace_back(model->find<Layup>(layup, "layup").laminae(),
+        const auto &plies = model->find<Layup>(layup, "layup");
+        laminates.emplace_back(plies.laminae(),
                                transverse_shear == "asymptotic" ? Laminate::TransverseShear::asymptotic :
                                                                   Laminate::TransverseShear::equilibrium);
+        strengths.emplace_back();
+        for (const auto &ply : plies.plies())
+          strengths.back().push_back(ply.material->strengths);
       }
     catch (const std::invalid_argument &problem)
       {

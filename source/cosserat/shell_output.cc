@@ -3,10 +3,12 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/shell.h>
 #include <samara/model/frame_probe.h>
+#include <samara/section/extremes_by_name.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace samara
@@ -163,10 +165,28 @@ namespace samara
 
 
 
-  double
-  Shell::resultant(const unsigned int node, const VectorN &weights, const State &state) const
+  bool
+  Shell::is_single_node(const std::string &point) const
   {
-    double       sum   = 0;
+    if (rigid || node_frames.empty() || (named.count(point) == 0 && point.substr(0, 3) != "at "))
+      return false;
+    const NamedPoint at = point_named(point);
+    if (at.node < 0)
+      return false;
+    std::set<int> on_rigid_edges;
+    for (const auto &text : rigid_edges)
+      if (std::string name_of_edge, place; split_at(text, name_of_edge, place))
+        for (const auto &step : mesh->walk(place))
+          on_rigid_edges.insert(step.nodes.begin(), step.nodes.end());
+    return on_rigid_edges.count(at.node) == 0;
+  }
+
+
+
+  Shell::VectorN
+  Shell::mean_stress(const unsigned int node, const State &state) const
+  {
+    VectorN      sum   = VectorN::Zero();
     unsigned int count = 0;
     for (unsigned int i = 0; i < n_elements(); ++i)
       for (unsigned int a = 0; a < table->n_nodes; ++a)
@@ -174,13 +194,10 @@ namespace samara
           const Frame &own = elements[i].frames[a], &of_node = node_frames[node];
           if (mesh->cells[i].nodes[a] != node || (own.rotation - of_node.rotation).norm() > 0.02)
             continue;
-          for (unsigned int g = 0; g < table->n_points; ++g)
-            sum +=
-              to_nodes(a, g) *
-              weights.dot(Eigen::Map<const VectorN>(&state.stress[first_strain + n * (elements[i].first_point + g)]));
+          sum += stress_at_node(i, a, state);
           ++count;
         }
-    return count == 0 ? 0. : sum / count;
+    return count == 0 ? sum : VectorN(sum / count);
   }
 
 
@@ -212,6 +229,8 @@ namespace samara
     if (dot == std::string::npos || node_frames.empty())
       return {};
     const std::string point = trim(path.substr(0, dot)), quantity = trim(path.substr(dot + 1));
+    if (auto of_layers = layer_probe(path, point, quantity))
+      return of_layers;
     // "at 0.5 0" has dots of its own, and may be asked for without a quantity
     if (named.count(point) == 0 && point.substr(0, 3) != "at ")
       return {};
@@ -224,7 +243,7 @@ namespace samara
           VectorN weights = VectorN::Zero();
           for (const auto &[row, weight] : force.weights)
             weights(row) = weight;
-          return Probe{path, force.unit, [=](const State &state) { return resultant(at.node, weights, state); }};
+          return Probe{path, force.unit, [=](const State &state) { return weights.dot(mean_stress(at.node, state)); }};
         }
     // frames are known for good when the model is connected, after probes are checked
     return frame_probe(quantity, [this, point, at](const State &state) {
@@ -241,9 +260,13 @@ namespace samara
     auto quantities = frame_quantities();
     for (const auto &force : plate_forces)
       quantities.push_back(force.name);
+    const auto of_layers = ExtremeByName::names();
+    quantities.insert(quantities.end(), of_layers.begin(), of_layers.end());
     auto places = points();
     places.push_back("at 0 0");
     std::vector<std::string> names;
+    for (const auto &q : of_layers)
+      names.push_back("layers." + q);
     for (const auto &point : places)
       for (const auto &q : quantities)
         names.push_back(point + "." + q);
@@ -273,7 +296,10 @@ namespace samara
           samples[k] = drawing.sample(elements[i].frames[order[k]], state);
         const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
         if (i < n_elements())
-          draw_section_forces(i, state, order, first, drawing);
+          {
+            draw_section_forces(i, state, order, first, drawing);
+            draw_layers(i, state, order, first, drawing);
+          }
       }
   }
 
@@ -292,10 +318,7 @@ namespace samara
                               &drawing.field("shear force", "N/m", {"1", "2"})};
     for (unsigned int k = 0; k < order.size(); ++k)
       {
-        VectorN stress = VectorN::Zero();
-        for (unsigned int g = 0; g < table->n_points; ++g)
-          stress += to_nodes(order[k], g) *
-                    Eigen::Map<const VectorN>(&state.stress[first_strain + n * (elements[element].first_point + g)]);
+        const VectorN         stress = stress_at_node(element, order[k], state);
         std::array<double, 8> values;
         for (unsigned int i = 0; i < 8; ++i)
           {

@@ -314,3 +314,95 @@ TEST(Restart, TablesMustHaveTheirRows)
       EXPECT_NE(refusal(folder.path, {}).find(table + " has 0 rows"), std::string::npos);
     }
 }
+
+
+// A shell, and a strap whose section has the trapeze effect: stresses that are kept beside the state are there again.
+TEST(Restart, ShellsAndStrapsWithTheTrapezeEffect)
+{
+  const std::string   text = R"(
+set Analyses = dynamic
+subsection Materials
+  subsection glass
+    set Type          = isotropic
+    set E             = 50 GPa
+    set Poisson ratio = 0.3
+    set Density       = 1800
+  end
+end
+subsection Sections
+  subsection strap
+    set Type           = rectangle
+    set Width 2        = 40 mm
+    set Width 3        = 2 mm
+    set Material       = glass
+    set Trapeze effect = true
+    set Elements       = 4
+  end
+end
+subsection Bodies
+  subsection strap
+    set Type     = beam
+    set Points   = -0.3, 0, 0; 0, 0, 0
+    set Section  = strap
+    set Elements = 2
+    set Damping  = 1e-4
+  end
+  subsection plate
+    set Type          = shell
+    set Patches       = 0.4*u, 0.2*(v-0.5), 0
+    set Elements      = 2, 1
+    set Degree        = 2
+    set E             = 1 GPa
+    set Poisson ratio = 0.3
+    set Thickness     = 2 mm
+    set Density       = 1000
+    set Damping       = 1e-4
+    set Rigid edges   = root at edge u0
+  end
+end
+subsection Joints
+  subsection clamp
+    set Type   = rigid
+    set Body A = ground
+    set Body B = strap.start
+  end
+  subsection bolt
+    set Type   = rigid
+    set Body A = strap.end
+    set Body B = plate.root
+  end
+end
+subsection Loads
+  subsection pull
+    set Type      = line load
+    set Body      = plate
+    set Edge      = edge u1
+    set Force     = 2000*sin(300*t), 0, 10*sin(300*t)
+    set Variation = 1 + s/(0.1 m)
+  end
+end
+subsection Output
+  set Probes = plate.at 1 1.position z, plate.at 1 1.moment 11, plate.layers.von Mises stress, strap.end.moment 1, strap.end.rotation x
+end
+subsection Dynamic
+  set End time = 0.006
+  set Step     = 0.0002
+  set Pictures = 4
+end
+)";
+  const ScratchFolder scratch;
+  const std::string   whole = scratch.path + "/whole";
+  run_until_killed(text, whole, {}, false);
+  for (const double killed : {0.0007, 0.0051})
+    {
+      const std::string folder = scratch.path + "/" + std::to_string(killed);
+      EXPECT_THROW(run_until_killed(text, folder, {}, false, killed, 4), Killed);
+      EXPECT_NE(content_of(whole + "/dynamic.csv"), content_of(folder + "/dynamic.csv"));
+      run_until_killed(text, folder, {}, true, 1e300, 4);
+      expect_same_files(whole, folder, "killed at " + std::to_string(killed));
+    }
+  // it is the effect that is kept: without it the motion is another one
+  const std::string without = scratch.path + "/without";
+  run_until_killed(text, without, {"Sections/strap/Trapeze effect = false"}, false);
+  EXPECT_NE(content_of(whole + "/dynamic.csv"), content_of(without + "/dynamic.csv"));
+}

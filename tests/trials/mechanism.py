@@ -337,6 +337,9 @@ class Mechanism:
         yield "Title", self.title
         yield "Analyses", ", ".join(self.analyses)
         yield "Sections", [("of " + b.name, list(b.section_text(world))) for b in self.bodies if isinstance(b, Beam)]
+        laminates = [body for body in self.bodies if getattr(body, "plies", None)]
+        yield "Materials", [("of " + b.name, list(b.material_text(world))) for b in laminates]
+        yield "Layups", [("of " + b.name, list(b.layup_text(world))) for b in laminates]
         yield "Bodies", [(body.name, list(body.text(world))) for body in self.bodies]
         if self.is_rough:
             yield "Assembly", [("Gaps", "closed")]

@@ -13,6 +13,7 @@ from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
 from outline import render
 from program import LIMIT, Run
+from shells import Sheller, shelled_mechanism
 from touching import Group, Toucher, rough_touching, touching_mechanism
 from world import World
 
@@ -65,6 +66,17 @@ class RelativeTrial(Trial):
         return [*judges.outcome(second), *relatives.compare(thing, first, second, self.world, self.tolerance)]
 
 
+class ShelledRelativeTrial(RelativeTrial):
+    """Steps that find no solution are halved, which round-off may decide: such runs are not compared."""
+
+    def complaints(self, program, thing):
+        first, second = Run(program, thing.text_here()), Run(program, thing.text(self.world))
+        self.code, self.seconds = first.code, first.seconds + second.seconds
+        if any(re.search("[1-9][0-9]* without solution", run.output) for run in (first, second)):
+            return list(judges.outcome(second))
+        return [*judges.outcome(second), *relatives.compare(thing, first, second, self.world, self.tolerance)]
+
+
 class TextTrial(Trial):
     def __init__(self, name, thing, *arguments):
         super().__init__(name, thing)
@@ -96,6 +108,19 @@ def placed_trials(seed):
     model.radius = 0.5 if model.stages == 1 else model.radius
     yield RelativeTrial(f"placed-turned {seed}", model, relatives.turned(Toucher(seed)), 1e-5)
     yield RelativeTrial(f"placed-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-5)
+
+
+def shelled_trial(seed):
+    return MechanismTrial(f"shelled {seed}", shelled_mechanism(seed))
+
+
+def shelled_relatives(seed):
+    """Shells turned and in another unit, for a short time."""
+    model = shelled_mechanism(seed).with_(steps=5, newton=1e-13)
+    model.step /= 5
+    model.radius = 0.5 if model.stages == 1 else model.radius
+    yield ShelledRelativeTrial(f"shelled-turned {seed}", model, relatives.turned(Sheller(f"turned {seed}")), 1e-7)
+    yield ShelledRelativeTrial(f"shelled-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-7)
 
 
 def relative_trials(seed):
@@ -147,6 +172,10 @@ def short(program):
         yield mutant_trial(seed)
     for seed in range(14):
         yield RoughTrial(f"rough {seed}", rough_mechanism(seed))
+    for seed in range(8):
+        yield shelled_trial(seed)
+    for seed in range(3):
+        yield from shelled_relatives(seed)
     # chosen by their names, so that an entry more in the catalogue leaves the others as they are
     yield from sorted(extreme_trials(program), key=lambda trial: zlib.crc32(trial.name.encode()))[:14]
 
@@ -162,6 +191,8 @@ def endless(program, start):
         yield from (touching_trial(10 * seed + k) for k in range(10))
         yield from relative_trials(seed)
         yield from placed_trials(seed)
+        yield from (shelled_trial(10 * seed + k) for k in range(5))
+        yield from shelled_relatives(seed)
         yield from (RoughTrial(f"rough-touching {10 * seed + k}", rough_touching(10 * seed + k)) for k in range(5))
         yield from (mutant_trial(10 * seed + k) for k in range(10))
         yield from (RoughTrial(f"rough {10 * seed + k}", rough_mechanism(10 * seed + k)) for k in range(10))

@@ -7,6 +7,7 @@
 #include <samara/model/relative_motion.h>
 #include <samara/model/surface.h>
 #include <samara/section/laminate.h>
+#include <samara/section/recovery.h>
 
 namespace samara
 {
@@ -52,7 +53,10 @@ namespace samara
     void                     draw(const State &state, Drawing &drawing) const override;
 
     std::vector<unsigned int> rigid_nodes() const override;
-    void                      add_initial_velocities(State &state) const override;
+
+    /** Whether a point is one node of a flexible shell that is on none of its rigid edges. */
+    bool is_single_node(const std::string &point) const;
+    void add_initial_velocities(State &state) const override;
 
   protected:
     unsigned int degree         = 3;     ///< entry
@@ -79,6 +83,8 @@ namespace samara
 
     Model                             *model = nullptr;
     std::vector<Laminate>              laminates; ///< one, or one of each patch
+    std::vector<std::vector<Strengths>> strengths;   ///< of the layers of each laminate
+    std::vector<Matrix6>                compliances; ///< inverses of ABD
     std::unique_ptr<ShellMesh>         mesh;
     std::shared_ptr<const SurfaceRule> rule;
     Eigen::MatrixXd                    to_nodes; ///< values at the nodes of a cell from those at its integration points
@@ -128,8 +134,42 @@ namespace samara
                              unsigned int                     first_sample,
                              Drawing                         &drawing) const;
 
-    /** The mean of a section force, weights times the stresses of a point, over the cells at a node with its axes. */
-    double resultant(unsigned int node, const VectorN &weights, const State &state) const;
+    /** @name Stresses C e of twelve strains at a point of integration, at a node of an element, at a node of the mesh:
+     * the mean over the cells there with its axes @{ */
+    VectorN stress_at_point(unsigned int element, unsigned int g, const State &state) const;
+    VectorN stress_at_node(unsigned int element, unsigned int a, const State &state) const;
+    VectorN mean_stress(unsigned int node, const State &state) const;
+    /** @} */
+
+    /** Strains of the plate in the middle of its thickness, in the order of the @p laminate, and shear forces [N/m]. */
+    struct PlateState
+    {
+      unsigned int    laminate;
+      Vector6         strains;
+      Eigen::Vector2d shear;
+    };
+    PlateState plate_state(const VectorN &stress, unsigned int laminate) const;
+
+    /** Of the layer, or of all if it is negative, at a place, or over the surface. @{ */
+    SectionStresses::Extremes layer_extremes(const PlateState &at, int layer) const;
+    SectionStresses::Extremes extremes_over_surface(int layer, const State &state) const;
+    /** @} */
+    /** The laminate of all cells at a node. @throws std::invalid_argument if they have several */
+    unsigned int laminate_at(unsigned int node) const;
+
+    /** From "layer 2", counted from 1 at the bottom; -1 for "layers". @throws std::invalid_argument */
+    int layer_named(const std::string &name) const;
+
+    /** Of stresses and indices of failure; @p point: "layers", "tip", "tip.layer 2". */
+    std::optional<Probe>
+    layer_probe(const std::string &path, const std::string &point, const std::string &quantity) const;
+
+    /** Strains, stresses and indices of failure, as draw_section_forces(). */
+    void draw_layers(unsigned int                     element,
+                     const State                     &state,
+                     const std::vector<unsigned int> &order,
+                     unsigned int                     first_sample,
+                     Drawing                         &drawing) const;
   };
 } // namespace samara
 

@@ -1,0 +1,195 @@
+// Stresses of the layers of a shell: at a node, over the surface, in pictures.
+
+#include <samara/base/text.h>
+#include <samara/cosserat/shell.h>
+#include <samara/section/extremes_by_name.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace samara
+{
+  Shell::PlateState
+  Shell::plate_state(const VectorN &s, const unsigned int laminate) const
+  {
+    // what drilling adds is of opposite sign in the two shear forces, and what it adds to the moments in K₁₁ and K₂₂
+    Vector6 forces;
+    forces << s(0), 0.5 * (s(1) + s(6)), s(7), s(4), 0.5 * (s(10) - s(3)), -s(9);
+    forces.tail<3>() -= offset * forces.head<3>(); // about the middle of the thickness
+    return {laminate, compliances[laminate] * forces, {s(2), s(8)}};
+  }
+
+
+
+  SectionStresses::Extremes
+  Shell::layer_extremes(const PlateState &at, const int layer) const
+  {
+    SectionStresses::Extremes result;
+    const Laminate           &laminate = laminates[at.laminate];
+    const int                 n_layers = strengths[at.laminate].size();
+    for (int k = std::max(layer, 0); k < (layer < 0 ? n_layers : std::min(layer + 1, n_layers)); ++k)
+      {
+        const auto [bottom, top] = laminate.heights(k);
+        // in-plane stresses are linear in z, and largest at an end; those across are of second degree
+        for (const double z : {bottom, 0.5 * (bottom + top), top})
+          result.add(strengths[at.laminate][k],
+                     laminate.stress_in_material(k, laminate.stress(k, z, at.strains, at.shear)));
+      }
+    return result;
+  }
+
+
+
+  Shell::VectorN
+  Shell::stress_at_point(const unsigned int element, const unsigned int g, const State &state) const
+  {
+    return Eigen::Map<const VectorN>(&state.stress[first_strain + n * (elements[element].first_point + g)]);
+  }
+
+
+
+  Shell::VectorN
+  Shell::stress_at_node(const unsigned int element, const unsigned int a, const State &state) const
+  {
+    VectorN stress = VectorN::Zero();
+    for (unsigned int g = 0; g < table->n_points; ++g)
+      stress += to_nodes(a, g) * stress_at_point(element, g, state);
+    return stress;
+  }
+
+
+
+  SectionStresses::Extremes
+  Shell::extremes_over_surface(const int layer, const State &state) const
+  {
+    SectionStresses::Extremes result;
+    for (unsigned int i = 0; i < n_elements(); ++i)
+      for (unsigned int g = 0; g < table->n_points; ++g)
+        result.add(layer_extremes(plate_state(stress_at_point(i, g, state), laminate_of(i)), layer));
+    return result;
+  }
+
+
+
+  unsigned int
+  Shell::laminate_at(const unsigned int node) const
+  {
+    int found = -1;
+    for (unsigned int i = 0; laminates.size() > 1 && i < mesh->cells.size(); ++i)
+      if (const auto &nodes = mesh->cells[i].nodes; std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+        {
+          const int here = laminate_of(i);
+          if (found >= 0 && here != found)
+            throw std::invalid_argument("patches with layups of their own meet there in shell <" + name +
+                                        ">: ask for stresses inside of one of them, or over the surface, <layers>");
+          found = here;
+        }
+    return std::max(found, 0);
+  }
+
+
+
+  int
+  Shell::layer_named(const std::string &name_of_layer) const
+  {
+    std::size_t n_layers = 0;
+    for (const auto &of_laminate : strengths)
+      n_layers = std::max(n_layers, of_laminate.size());
+    const std::string first = "layer ";
+    if (name_of_layer == "layers")
+      return -1;
+    double number = 0;
+    if (name_of_layer.substr(0, first.size()) != first || !text_to_number(name_of_layer.substr(first.size()), number) ||
+        !(number >= 1) || number > static_cast<double>(n_layers) || number != std::floor(number))
+      throw std::invalid_argument("shell <" + name + "> has " +
+                                  (n_layers == 1 ? std::string("one layer, <layer 1>") :
+                                                   std::to_string(n_layers) +
+                                                     " layers, <layer 1> the one at the bottom, or all of them, "
+                                                     "<layers>") +
+                                  "; there is no <" + name_of_layer + ">");
+    return static_cast<int>(number) - 1;
+  }
+
+
+
+  std::optional<Probe>
+  Shell::layer_probe(const std::string &path, const std::string &point, const std::string &text) const
+  {
+    // "layers.Hashin index" over the surface; "tip.layer 2.stress 11" or "tip.stress 11" at a node
+    const auto          dot   = point.rfind('.');
+    const std::string   last  = trim(dot == std::string::npos ? point : point.substr(dot + 1));
+    const bool          names = last == "layers" || last.substr(0, 6) == "layer ";
+    const std::string   place = names ? (dot == std::string::npos ? "" : trim(point.substr(0, dot))) : point;
+    const ExtremeByName quantity(text);
+    if (!quantity.is_known() || (!names && named.count(place) == 0 && place.substr(0, 3) != "at "))
+      return {};
+    if (rigid)
+      throw std::invalid_argument("shell <" + name + "> is rigid: nothing is known of its stresses");
+    const int  layer             = names ? layer_named(last) : -1;
+    const auto require_strengths = [&](const unsigned int laminate) {
+      if (!place.empty() && layer >= static_cast<int>(strengths[laminate].size()))
+        throw std::invalid_argument("there are " + std::to_string(strengths[laminate].size()) + " layers at <" + place +
+                                    "> of shell <" + name + ">");
+      for (int k = 0; k < static_cast<int>(strengths[laminate].size()); ++k)
+        if (SectionStresses::Extremes none; layer < 0 || layer == k)
+          {
+            none.add(strengths[laminate][k], Vector6::Zero());
+            if (quantity.of(none) < 0)
+              throw std::invalid_argument("<" + path + "> needs more strengths of the material of layer " +
+                                          std::to_string(k + 1) + " of shell <" + name + ">");
+          }
+    };
+    for (unsigned int laminate = 0; place.empty() && laminate < laminates.size(); ++laminate)
+      require_strengths(laminate);
+    if (place.empty())
+      return Probe{path, quantity.unit(), [=](const State &state) {
+                     return quantity.of(extremes_over_surface(layer, state));
+                   }};
+    const int node = point_named(place).node;
+    if (node < 0)
+      throw std::invalid_argument("shell <" + name + "> has no stresses at <" + place + ">, which is no node of it");
+    const unsigned int laminate = laminate_at(node);
+    require_strengths(laminate);
+    return Probe{path, quantity.unit(), [=](const State &state) {
+                   return quantity.of(layer_extremes(plate_state(mean_stress(node, state), laminate), layer));
+                 }};
+  }
+
+
+
+  void
+  Shell::draw_layers(const unsigned int               element,
+                     const State                     &state,
+                     const std::vector<unsigned int> &order,
+                     const unsigned int               first_sample,
+                     Drawing                         &drawing) const
+  {
+    Field &strain    = drawing.field("membrane strain", "1", {"11", "22", "12"});
+    Field &curvature = drawing.field("bending curvature", "1/m", {"11", "22", "12"});
+    Field &von_mises = drawing.field("von Mises stress", "Pa");
+    for (unsigned int k = 0; k < order.size(); ++k)
+      {
+        const PlateState at = plate_state(stress_at_node(element, order[k], state), laminate_of(element));
+        const SectionStresses::Extremes all      = layer_extremes(at, -1);
+        const auto                      in_order = [&](const int first) {
+          return std::array<double, 3>{{at.strains(first), at.strains(first + 2), at.strains(first + 1)}};
+        };
+        strain.set(first_sample + k, in_order(0));
+        curvature.set(first_sample + k, in_order(3));
+        von_mises.set(first_sample + k, all.von_mises_stress);
+        if (all.indices.largest() < 0)
+          continue; // no strengths are known
+        int    worst = -1;
+        double index = -1;
+        for (unsigned int l = 0; l < strengths[at.laminate].size(); ++l)
+          if (const double here = layer_extremes(at, l).indices.largest(); here > index)
+            {
+              index = here;
+              worst = l;
+            }
+        drawing.field("index of failure", "1").set(first_sample + k, index);
+        drawing.field("layer nearest to failure", "1").set(first_sample + k, worst + 1);
+      }
+  }
+} // namespace samara

@@ -1,0 +1,302 @@
+/*
+ * Problem:   stresses of the layers of a shell and their indices of failure
+ * Reference: N/A and 6 M/h², 1.5 Q/h of a strip; classical lamination by hand; Navier's series of a laminate, whose
+ *            deflection is that of 3D elasticity (tests/reference/sections/pagano_plates.csv)
+ */
+
+#include "../reference.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "models.h"
+
+using namespace samara;
+
+namespace
+{
+  double
+  probed(Scene &scene, const std::string &path)
+  {
+    return scene.input.model.probe(path).value(scene.context.state);
+  }
+
+  /** Layers of carbon, 0.5 mm each, in two angles. */
+  const std::string carbon = R"(
+subsection Materials
+  subsection carbon
+    set Type                 = orthotropic
+    set E1                   = 140 GPa
+    set E2                   = 10 GPa
+    set G12                  = 5 GPa
+    set nu12                 = 0.3
+    set Density              = 1600
+    set Tensile strength     = 1500 MPa, 50 MPa, 50 MPa
+    set Compressive strength = 1200 MPa, 200 MPa, 200 MPa
+    set Shear strength       = 70 MPa, 70 MPa, 60 MPa
+  end
+end
+subsection Layups
+  subsection cross
+    set Material      = carbon
+    set Angles        = 0/90/0
+    set Ply thickness = 0.5 mm
+  end
+end
+)";
+
+  /** A strip 1 m × 0.1 m, clamped at x = 0, under forces along x = 1. */
+  std::string
+  strip(const std::string &material, const std::string &force, const std::string &top = "")
+  {
+    return top + R"(
+set Analyses = static
+subsection Bodies
+  subsection s
+    set Type     = shell
+    set Patches  = u, 0.1*v, 0
+    set Elements = 8, 1
+    set Degree   = 3
+)" + material +
+           R"(
+  end
+end
+subsection Joints
+  subsection root
+    set Type  = support
+    set Along = s.edge u0
+    set Fixed = displacement 1, displacement 2, displacement 3, rotation 1, rotation 2, rotation 3
+  end
+end
+subsection Loads
+  subsection tip
+    set Type  = line load
+    set Body  = s
+    set Edge  = edge u1
+    set Force = )" +
+           force + R"(
+  end
+end
+)";
+  }
+
+  const std::string steel = "    set E = 210 GPa\n    set Thickness = 10 mm\n    set Density = 7800\n";
+} // namespace
+
+
+
+// ν = 0: the strip is a beam, also at the clamped end.
+TEST(LayersOfShells, OfAStripAreThoseOfABeam)
+{
+  Scene scene(strip(steel, "0, 0, 30"));
+  scene.analysis<StaticAnalysis>().run(scene.context);
+  const double h = 0.01, M = 30 * 0.5, Q = 30;
+  EXPECT_NEAR(probed(scene, "s.at 0.5 0.stress 11") / (6 * M / (h * h)), 1, 1e-5) << "the sign is that of the bottom";
+  EXPECT_NEAR(probed(scene, "s.at 0.5 0.layer 1.stress 13") / (1.5 * Q / h), 1, 1e-4) << "in the middle of the layer";
+  // over the surface: at the points of integration next to the clamp, 1/8 (1 − √(3/7 + 2/7 √(6/5)))/2 from it
+  const double x = (1 - std::sqrt(3. / 7 + 2. / 7 * std::sqrt(1.2))) / 16;
+  EXPECT_NEAR(probed(scene, "s.layers.stress 11") / (6 * 30 * (1 - x) / (h * h)), 1, 1e-5);
+  EXPECT_NEAR(probed(scene, "s.layers.von Mises stress") / (6 * 30 * (1 - x) / (h * h)), 1, 1e-3);
+}
+
+
+
+// An offset moves the layers, not the stresses of a force through their middle.
+TEST(LayersOfShells, OffsetsMoveThem)
+{
+  Scene scene(strip(steel + "    set Offset = 4 mm\n", "1, 0, 0"));
+  scene.analysis<StaticAnalysis>().run(scene.context);
+  // a small force per length on the reference surface, 4 mm beside the middle: N/h and M = N z, 1 + 6 z/h at the bottom
+  EXPECT_NEAR(probed(scene, "s.at 0.5 0.stress 11") / (1 / 0.01 * (1 + 6 * 0.4)), 1, 2e-3);
+}
+
+
+
+// Pulled by N, free to contract across: ε = A⁻¹ N, and each ply has Q ε in its own axes.
+TEST(LayersOfShells, OfALaminateAreThoseOfClassicalLamination)
+{
+  Scene scene(strip("    set Layup = cross\n", "3e3, 0, 0", carbon));
+  scene.analysis<StaticAnalysis>().run(scene.context);
+  const double    E1 = 140e9, E2 = 10e9, nu = 0.3, t = 0.5e-3, N = 3e3;
+  const double    stiff = 1 / (1 - nu * nu * E2 / E1), Q11 = E1 * stiff, Q22 = E2 * stiff, Q12 = nu * E2 * stiff;
+  Eigen::Matrix2d A;
+  A << 2 * Q11 + Q22, 3 * Q12, 3 * Q12, 2 * Q22 + Q11;
+  const Eigen::Vector2d e     = (A * t).inverse() * Eigen::Vector2d(N, 0);
+  const double          along = Q11 * e(0) + Q12 * e(1), across = Q12 * e(0) + Q22 * e(1); // of 0
+  const double          along_90 = Q12 * e(0) + Q11 * e(1), across_90 = Q22 * e(0) + Q12 * e(1);
+  const auto            at = [&](const std::string &what) { return probed(scene, "s.at 0.5 0." + what); };
+  EXPECT_NEAR(at("layer 1.stress 11") / along, 1, 1e-3);
+  EXPECT_NEAR(at("layer 1.stress 22") / across, 1, 2e-2);
+  EXPECT_NEAR(at("layer 2.stress 11") / along_90, 1, 2e-2);
+  EXPECT_NEAR(at("layer 2.stress 22") / across_90, 1, 1e-3);
+  EXPECT_NEAR(at("layer 3.stress 11") / along, 1, 1e-3);
+  // matrix of the layer across fails first: a tension of 50 MPa
+  EXPECT_NEAR(at("max stress index") / std::max(along / 1500e6, across_90 / 50e6), 1, 1e-3);
+  EXPECT_EQ(at("max stress index"), at("layer 2.max stress index"));
+  EXPECT_GT(at("layer 2.Hashin index"), at("layer 1.Hashin index"));
+  EXPECT_GE(probed(scene, "s.layers.Tsai-Wu index"), at("Tsai-Wu index"));
+
+  // in pictures: the index, and the layer it is of, where the stress is even
+  const Drawing drawing = scene.system.draw(scene.context.state);
+  unsigned int  n       = 0;
+  for (const auto &field : drawing.fields)
+    for (unsigned int i = 0; i < drawing.samples.size(); ++i)
+      if (std::abs(drawing.samples[i].x(0) - 0.5) < 0.01)
+        {
+          n += field.name == "layer nearest to failure" || field.name == "index of failure" ||
+               field.name == "membrane strain";
+          if (field.name == "layer nearest to failure")
+            {
+              EXPECT_EQ(field(i), 2.f);
+            }
+          if (field.name == "membrane strain")
+            {
+              EXPECT_NEAR(field(i, 0) / e(0), 1, 1e-3);
+            }
+        }
+  EXPECT_GT(n, 0u);
+}
+
+
+
+namespace
+{
+  /** A simply supported square [0/90/0] of side a and thickness 1 under an even load 1: Navier's series. */
+  struct Navier
+  {
+    double deflection = 0, curvature_1 = 0, curvature_2 = 0; ///< in the middle
+    double of_sine = 0;                                      ///< the deflection under sin sin
+
+    Navier(const double a, const double G1, const double G2)
+    {
+      const double stiff = 1 / (1 - 0.25 * 0.25 / 25), inner = 2. / 3 / 216, outer = 2. / 3 * (1. / 8 - 1. / 216);
+      const double D11 = stiff * (25 * outer + inner), D22 = stiff * (outer + 25 * inner),
+                   D12 = stiff * 0.25 * (outer + inner), D66 = 0.5 * (outer + inner);
+      for (int m = 1; m < 60; m += 2)
+        for (int n = 1; n < 60; n += 2)
+          {
+            // w = W sin sin, rotations X cos sin and Y sin cos
+            const double    p = m * M_PI / a, q = n * M_PI / a;
+            Eigen::Matrix3d K;
+            K << G1 * p * p + G2 * q * q, G1 * p, G2 * q,                  //
+              G1 * p, G1 + D11 * p * p + D66 * q * q, (D12 + D66) * p * q, //
+              G2 * q, (D12 + D66) * p * q, G2 + D22 * q * q + D66 * p * p;
+            const Eigen::Vector3d u = K.ldlt().solve(Eigen::Vector3d(1, 0, 0));
+            const double          part =
+              16 / (M_PI * M_PI * m * n) * ((m / 2 + n / 2) % 2 == 0 ? 1 : -1); // of the load, in the middle
+            if (m == 1 && n == 1)
+              of_sine = u(0);
+            deflection += part * u(0);
+            curvature_1 -= part * p * u(1);
+            curvature_2 -= part * q * u(2);
+          }
+    }
+  };
+
+  std::string
+  pagano_plate(const double a)
+  {
+    std::ostringstream text;
+    text << R"(
+set Analyses = static
+subsection Materials
+  subsection ply
+    set Type = orthotropic
+    set E1   = 25
+    set E2   = 1
+    set G12  = 0.5
+    set G23  = 0.2
+    set nu12 = 0.25
+    set nu23 = 0.25
+  end
+end
+subsection Layups
+  subsection l
+    set Material      = ply
+    set Angles        = 0/90/0
+    set Ply thickness = 0.33333333333333333
+  end
+end
+subsection Bodies
+  subsection s
+    set Type     = shell
+    set Patches  = )"
+         << a << "*u, " << a << R"(*v, 0
+    set Elements = 4, 4
+    set Degree   = 4
+    set Layup    = l
+  end
+end
+subsection Joints
+  subsection x
+    set Type  = support
+    set Along = s.edge u0, s.edge u1
+    set Fixed = displacement 2, displacement 3, rotation 1
+  end
+  subsection y
+    set Type  = support
+    set Along = s.edge v0, s.edge v1
+    set Fixed = displacement 1, displacement 3, rotation 2
+  end
+end
+subsection Loads
+  subsection q
+    set Type  = area load
+    set Body  = s
+    set Force = 0, 0, 1e-8
+  end
+end
+)";
+    return text.str();
+  }
+} // namespace
+
+
+
+// Navier's solution under sin sin is that of Pagano's plates as nearly as transverse shear by equilibrium is; the shell
+// has Navier's deflection and stresses under an even load.
+TEST(LayersOfShells, OfPaganosPlate)
+{
+  unsigned int n = 0;
+  for (const auto &row : reference_rows("sections/pagano_plates.csv"))
+    {
+      const double a = std::stod(row.at("a_over_h"));
+      if (row.at("layup") != "0/90/0" || (a != 10 && a != 20))
+        continue;
+      const Navier exact(a, std::stod(row.at("G11_rule")), std::stod(row.at("G22_rule")));
+      EXPECT_NEAR(100 * exact.of_sine / std::pow(a, 4) / std::stod(row.at("w_mean")), 1, a < 15 ? 0.017 : 4e-3);
+      Scene scene(pagano_plate(a));
+      scene.analysis<StaticAnalysis>().run(scene.context);
+      const auto   at    = [&](const std::string &what) { return probed(scene, "s.at 0.5 0.5." + what) / 1e-8; };
+      const double stiff = 1 / (1 - 0.25 * 0.25 / 25), k1 = exact.curvature_1, k2 = exact.curvature_2;
+      EXPECT_NEAR(at("displacement z") / exact.deflection, 1, 1e-3) << a;
+      EXPECT_NEAR(std::abs(at("layer 3.stress 11")) / std::abs(stiff * (25 * k1 + 0.25 * k2) / 2), 1, 5e-3) << a;
+      EXPECT_NEAR(std::abs(at("layer 2.stress 11")) / std::abs(stiff * (25 * k2 + 0.25 * k1) / 6), 1, 5e-3) << a;
+      EXPECT_NEAR(std::abs(at("layer 1.stress 22")) / std::abs(stiff * (k2 + 0.25 * k1) / 2), 1, 5e-3) << a;
+      ++n;
+    }
+  EXPECT_EQ(n, 2u);
+}
+
+
+
+// What is asked for and cannot be known is refused by name.
+TEST(LayersOfShells, Refusals)
+{
+  Scene      scene(strip("    set Layup = cross\n", "1, 0, 0", carbon));
+  const auto refusal = [&](const std::string &path) -> std::string {
+    try
+      {
+        scene.input.model.probe(path);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        return problem.what();
+      }
+    return "";
+  };
+  EXPECT_NE(refusal("s.layer 4.stress 11").find("3 layers"), std::string::npos);
+  EXPECT_NE(refusal("s.layer 0.stress 11").find("no <layer 0>"), std::string::npos);
+  EXPECT_NE(refusal("s.layers.von Mises index").find("needs more strengths"), std::string::npos);
+  EXPECT_NE(refusal("s.at 0.5 0.3.stress 11").find("no node"), std::string::npos);
+}
