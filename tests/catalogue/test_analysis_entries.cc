@@ -46,7 +46,8 @@ TEST_F(Catalogued, Modes)
          {"Hold rotations", "true"},
          {"Axes", "fixed"},
          {"Animations", "1"}},
-        {{"Unsteady motion", "only where parts do not turn steadily: tests/modes/test_rotors.cc"}});
+        {{"Unsteady motion", "only where parts do not turn steadily: tests/modes/test_rotors.cc"},
+         {"Symmetry", "only of repeated parts: tests/modes/test_tracking.cc"}});
 }
 
 

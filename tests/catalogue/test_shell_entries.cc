@@ -108,7 +108,8 @@ TEST_F(Catalogued, Shells)
          {"Rigid edges", "root at edge u0"},
          {"Rigid", "true", {"Output/Probes = it.at 0 0.position x"}},
          {"Velocity", "0.1, 0, 0"},
-         {"Angular velocity", "0.3, 0.2, -0.6"}});
+         {"Angular velocity", "0.3, 0.2, -0.6"}},
+        {{"Patch layups", "one layup a patch: tests/shells/test_patch_layups.cc"}});
   check("support",
         shell("", "subsection it\n set Type = support\n set Along = it.edge u0\n set Fixed = displacement 3\nend\n"),
         "Joints/it",

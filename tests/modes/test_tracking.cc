@@ -81,7 +81,8 @@ TEST(Tracking, BranchesCross)
   Scene      scene("prm/benchmarks/rotating_beam.prm",
               {"Constants/eta = 1", "Sections/slender/EI3 = 4", "Modal/Animations = 0"});
   const auto fan = fan_of(scene, speeds);
-  EXPECT_EQ(fan.at(0).family, "");
+  EXPECT_EQ(fan.at(0).family, "flap 1");
+  EXPECT_EQ(fan.at(0).pattern, "");
 
   for (unsigned int i = 0; i < speeds.size(); ++i)
     for (const unsigned int branch : {1, 2})
@@ -154,7 +155,8 @@ TEST(Tracking, EqualBlades)
           }
       const std::set<std::string> all = {"collective", "progressive", "regressive", "differential"};
       if (symmetry.empty())
-        EXPECT_EQ(patterns, (std::map<std::string, std::set<std::string>>{{"", {""}}}));
+        EXPECT_EQ(patterns,
+                  (std::map<std::string, std::set<std::string>>{{"flap 1", {""}}, {"flap 2", {""}}, {"lag 1", {""}}}));
       else
         EXPECT_EQ(patterns,
                   (std::map<std::string, std::set<std::string>>{{"flap 1", all}, {"flap 2", all}, {"lag 1", all}}));

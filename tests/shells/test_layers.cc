@@ -89,7 +89,7 @@ end
 TEST(LayersOfShells, OfAStripAreThoseOfABeam)
 {
   Scene scene(strip(steel, "0, 0, 30"));
-  scene.analysis<StaticAnalysis>().run(scene.context);
+  scene.equilibrium();
   const double h = 0.01, M = 30 * 0.5, Q = 30;
   EXPECT_NEAR(probed(scene, "s.at 0.5 0.stress 11") / (6 * M / (h * h)), 1, 1e-5) << "the sign is that of the bottom";
   EXPECT_NEAR(probed(scene, "s.at 0.5 0.layer 1.stress 13") / (1.5 * Q / h), 1, 1e-4) << "in the middle of the layer";
@@ -105,7 +105,7 @@ TEST(LayersOfShells, OfAStripAreThoseOfABeam)
 TEST(LayersOfShells, OffsetsMoveThem)
 {
   Scene scene(strip(steel + "    set Offset = 4 mm\n", "1, 0, 0"));
-  scene.analysis<StaticAnalysis>().run(scene.context);
+  scene.equilibrium();
   // a small force per length on the reference surface, 4 mm beside the middle: N/h and M = N z, 1 + 6 z/h at the bottom
   EXPECT_NEAR(probed(scene, "s.at 0.5 0.stress 11") / (1 / 0.01 * (1 + 6 * 0.4)), 1, 2e-3);
 }
@@ -116,7 +116,7 @@ TEST(LayersOfShells, OffsetsMoveThem)
 TEST(LayersOfShells, OfALaminateAreThoseOfClassicalLamination)
 {
   Scene scene(strip("    set Layup = cross\n", "3e3, 0, 0", carbon));
-  scene.analysis<StaticAnalysis>().run(scene.context);
+  scene.equilibrium();
   const double    E1 = 140e9, E2 = 10e9, nu = 0.3, t = 0.5e-3, N = 3e3;
   const double    stiff = 1 / (1 - nu * nu * E2 / E1), Q11 = E1 * stiff, Q22 = E2 * stiff, Q12 = nu * E2 * stiff;
   Eigen::Matrix2d A;
@@ -266,7 +266,7 @@ TEST(LayersOfShells, OfPaganosPlate)
       const Navier exact(a, std::stod(row.at("G11_rule")), std::stod(row.at("G22_rule")));
       EXPECT_NEAR(100 * exact.of_sine / std::pow(a, 4) / std::stod(row.at("w_mean")), 1, a < 15 ? 0.017 : 4e-3);
       Scene scene(pagano_plate(a));
-      scene.analysis<StaticAnalysis>().run(scene.context);
+      scene.equilibrium();
       const auto   at    = [&](const std::string &what) { return probed(scene, "s.at 0.5 0.5." + what) / 1e-8; };
       const double stiff = 1 / (1 - 0.25 * 0.25 / 25), k1 = exact.curvature_1, k2 = exact.curvature_2;
       EXPECT_NEAR(at("displacement z") / exact.deflection, 1, 1e-3) << a;
