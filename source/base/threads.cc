@@ -7,6 +7,9 @@
 #include <atomic>
 #include <mutex>
 
+// of OpenMP, which CHOLMOD uses
+extern "C" void omp_set_max_active_levels(int);
+
 namespace samara
 {
   namespace
@@ -33,6 +36,9 @@ namespace samara
   set_threads(const unsigned int n)
   {
     wanted = n > 0 ? n : dealii::MultithreadInfo::n_cores();
+    // With one thread libraries have one, too: threads of theirs are not there in a process that is forked from this one,
+    // and are waited for without end.
+    omp_set_max_active_levels(wanted == 1 ? 0 : 1);
     if (wanted == 1)
       start_threads();
   }
