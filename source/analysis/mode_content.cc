@@ -1,3 +1,4 @@
+#include <samara/analysis/blade_motion.h>
 #include <samara/analysis/mode_content.h>
 
 #include <algorithm>
@@ -9,12 +10,8 @@ namespace samara
 {
   namespace
   {
-    /** Shares of energy from which on a word stands for all. @{ */
-    constexpr double clear_family = 0.6, clear_pattern = 0.75;
-    /** @} */
-
-    /** Displacements along a blade that count when signs are compared, of the largest. */
-    constexpr double least_displacement = 0.1;
+    /** Share of energy from which on a word stands for all. */
+    constexpr double clear_pattern = 0.75;
 
     const std::array<std::string, 3> family_names = {"flap", "lag", "torsion"};
 
@@ -23,18 +20,6 @@ namespace samara
     /** The family of each number of a motion: along the radius nothing has a name, and it counts as lag. */
     constexpr std::array<unsigned int, 6> family_of = {0, 1, 1, 0, 1, 2};
 
-
-
-    /** Mass centre of a node in its axes, m c~ stands beside the mass. */
-    Vector3
-    centre_of_mass(const Matrix6 &inertia)
-    {
-      const double m = inertia(0, 0);
-      if (!(m > 0))
-        return Vector3::Zero();
-      const Matrix3 c = -inertia.topRightCorner<3, 3>() / m;
-      return {c(2, 1), c(0, 2), c(1, 0)};
-    }
   } // namespace
 
 
@@ -133,10 +118,7 @@ namespace samara
     double sum = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       if (!repeated[node])
-        {
-          const Motion z = x.segment<6>(system.layout.of_node(node));
-          sum += (z.adjoint() * system.model.nodes[node].inertia * z)(0, 0).real();
-        }
+        sum += energy_of_node(system, x, node);
     return sum;
   }
 
@@ -166,21 +148,10 @@ namespace samara
             most    = k;
           }
       }
-    Complex greatest = 0;
+    std::vector<Complex> outwards;
     for (const auto &[radius, value] : along[most])
-      if (std::abs(value) > std::abs(greatest))
-        greatest = value;
-    unsigned int n_changes = 0;
-    double       before    = 0;
-    for (const auto &[radius, value] : along[most])
-      {
-        const double now = std::abs(greatest) > 0 ? (value / greatest).real() : 0.;
-        if (std::abs(now) < least_displacement)
-          continue;
-        n_changes += now * before < 0;
-        before = now;
-      }
-    return std::to_string(n_changes + 1);
+      outwards.push_back(value);
+    return std::to_string(parts_of_alternating_sign(outwards));
   }
 
 
@@ -291,7 +262,7 @@ namespace samara
         result.family       = "support";
         result.family_share = others / total;
       }
-    else if (families[most] >= clear_family * of_parts)
+    else if (families[most] >= clear_share_of_family * of_parts)
       result.family = family_names[most] + " " + number_along(orbit[0], increments[0], most);
     else
       result.family = family_names[most] + "-" + family_names[second];

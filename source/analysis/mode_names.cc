@@ -1,3 +1,4 @@
+#include <samara/analysis/blade_motion.h>
 #include <samara/analysis/mode_names.h>
 
 #include <algorithm>
@@ -9,11 +10,9 @@ namespace samara
 {
   namespace
   {
-    constexpr unsigned int most_slices     = 24;
-    constexpr double       clear_share     = 0.6, ///< of the energy, from which on a word stands for all
-      least_motion                         = 0.1, ///< that counts when signs are compared, of the largest
-      least_slenderness                    = 2;   ///< of what is called a blade
-    constexpr const char *words_of_modes[] = {"flap", "lag", "torsion", "stretch"};
+    constexpr unsigned int most_slices       = 24;
+    constexpr double       least_slenderness = 2; ///< of what is called a blade
+    constexpr const char  *words_of_modes[]  = {"flap", "lag", "torsion", "stretch"};
 
     using Vector3c = Eigen::Vector3cd;
 
@@ -32,9 +31,10 @@ namespace samara
         const Matrix6 &inertia = system.model.nodes[node].inertia;
         const Matrix3  D       = state.triad(node);
         m                      = inertia(0, 0);
-        const Matrix3 c        = m > 0 ? Matrix3(-inertia.topRightCorner<3, 3>() / m) : Matrix3(Matrix3::Zero());
+        const Vector3 centre   = centre_of_mass(inertia);
+        const Matrix3 c        = skew(centre);
         const int     row      = system.layout.of_node(node);
-        at                     = state.position(node) + D * Vector3(c(2, 1), c(0, 2), c(1, 0));
+        at                     = state.position(node) + D * centre;
         J                      = D * (inertia.bottomRightCorner<3, 3>() + m * c * c) * D.transpose();
         spin                   = D.cast<std::complex<double>>() * mode.shape.segment<3>(row + 3);
         velocity               = D.cast<std::complex<double>>() *
@@ -65,28 +65,6 @@ namespace samara
       return most - least;
     }
 
-
-
-    /** How often a motion changes its sign, and one. */
-    unsigned int
-    parts_of_alternating_sign(const std::vector<std::complex<double>> &motion)
-    {
-      std::complex<double> greatest = 0;
-      for (const auto &value : motion)
-        if (std::abs(value) > std::abs(greatest))
-          greatest = value;
-      unsigned int n      = 1;
-      double       before = 0;
-      for (const auto &value : motion)
-        {
-          const double now = std::abs(greatest) > 0 ? (value / greatest).real() : 0.;
-          if (std::abs(now) < least_motion)
-            continue;
-          n += now * before < 0;
-          before = now;
-        }
-      return n;
-    }
   } // namespace
 
 
@@ -154,10 +132,7 @@ namespace samara
   {
     double sum = 0;
     for (const auto node : nodes)
-      {
-        const Eigen::Matrix<Complex, 6, 1> z = mode.shape.segment<6>(system.layout.of_node(node));
-        sum += (z.adjoint() * system.model.nodes[node].inertia * z)(0, 0).real();
-      }
+      sum += energy_of_node(system, mode.shape, node);
     return sum;
   }
 
@@ -231,7 +206,7 @@ namespace samara
       return "local";
     std::array<unsigned int, n_families> order = {0, 1, 2, 3};
     std::sort(order.begin(), order.end(), [&](const auto i, const auto j) { return energies[i] > energies[j]; });
-    if (energies[order[0]] < clear_share * sum)
+    if (energies[order[0]] < clear_share_of_family * sum)
       return std::string(words_of_modes[std::min(order[0], order[1])]) + "-" +
              words_of_modes[std::max(order[0], order[1])];
     std::vector<Complex> along;

@@ -166,9 +166,17 @@ namespace samara
 
 
   bool
+  Shell::is_place(const std::string &point) const
+  {
+    return named.count(point) > 0 || point.substr(0, 3) == "at ";
+  }
+
+
+
+  bool
   Shell::is_single_node(const std::string &point) const
   {
-    if (rigid || node_frames.empty() || (named.count(point) == 0 && point.substr(0, 3) != "at "))
+    if (rigid || node_frames.empty() || !is_place(point))
       return false;
     const NamedPoint at = point_named(point);
     if (at.node < 0)
@@ -232,7 +240,7 @@ namespace samara
     if (auto of_layers = layer_probe(path, point, quantity))
       return of_layers;
     // "at 0.5 0" has dots of its own, and may be asked for without a quantity
-    if (named.count(point) == 0 && point.substr(0, 3) != "at ")
+    if (!is_place(point))
       return {};
     const NamedPoint at = point_named(point);
     for (const auto &force : plate_forces)
@@ -289,7 +297,8 @@ namespace samara
       return std::abs(x[1] - y[1]) > 1e-12 ? x[1] < y[1] : x[0] < y[0];
     });
     // each cell has points of its own: section forces jump between cells, and axes at corners
-    std::vector<Sample> samples(table->n_nodes);
+    std::vector<Sample>  samples(table->n_nodes);
+    std::vector<VectorN> stresses(table->n_nodes);
     for (unsigned int i = 0; i < elements.size(); ++i)
       {
         for (unsigned int k = 0; k < order.size(); ++k)
@@ -297,8 +306,10 @@ namespace samara
         const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
         if (i < n_elements())
           {
-            draw_section_forces(i, state, order, first, drawing);
-            draw_layers(i, state, order, first, drawing);
+            for (unsigned int k = 0; k < order.size(); ++k)
+              stresses[k] = stress_at_node(i, order[k], state);
+            draw_section_forces(stresses, first, drawing);
+            draw_layers(i, stresses, first, drawing);
           }
       }
   }
@@ -306,25 +317,22 @@ namespace samara
 
 
   void
-  Shell::draw_section_forces(const unsigned int               element,
-                             const State                     &state,
-                             const std::vector<unsigned int> &order,
-                             const unsigned int               first_sample,
-                             Drawing                         &drawing) const
+  Shell::draw_section_forces(const std::vector<VectorN> &stresses,
+                             const unsigned int          first_sample,
+                             Drawing                    &drawing) const
   {
     // those of plate_forces: three forces, three moments, two shear forces
     Field *const fields[3] = {&drawing.field("membrane force", "N/m", {"11", "22", "12"}),
                               &drawing.field("bending moment", "N", {"11", "22", "12"}),
                               &drawing.field("shear force", "N/m", {"1", "2"})};
-    for (unsigned int k = 0; k < order.size(); ++k)
+    for (unsigned int k = 0; k < stresses.size(); ++k)
       {
-        const VectorN         stress = stress_at_node(element, order[k], state);
         std::array<double, 8> values;
         for (unsigned int i = 0; i < 8; ++i)
           {
             values[i] = 0;
             for (const auto &[row, weight] : plate_forces[i].weights)
-              values[i] += weight * stress(row);
+              values[i] += weight * stresses[k](row);
           }
         for (unsigned int f = 0; f < 3; ++f)
           fields[f]->set(first_sample + k,

@@ -122,7 +122,7 @@ namespace samara
     const bool          names = last == "layers" || last.substr(0, 6) == "layer ";
     const std::string   place = names ? (dot == std::string::npos ? "" : trim(point.substr(0, dot))) : point;
     const ExtremeByName quantity(text);
-    if (!quantity.is_known() || (!names && named.count(place) == 0 && place.substr(0, 3) != "at "))
+    if (!quantity.is_known() || (!names && !is_place(place)))
       return {};
     if (rigid)
       throw std::invalid_argument("shell <" + name + "> is rigid: nothing is known of its stresses");
@@ -159,35 +159,38 @@ namespace samara
 
 
   void
-  Shell::draw_layers(const unsigned int               element,
-                     const State                     &state,
-                     const std::vector<unsigned int> &order,
-                     const unsigned int               first_sample,
-                     Drawing                         &drawing) const
+  Shell::draw_layers(const unsigned int          element,
+                     const std::vector<VectorN> &stresses,
+                     const unsigned int          first_sample,
+                     Drawing                    &drawing) const
   {
     Field &strain    = drawing.field("membrane strain", "1", {"11", "22", "12"});
     Field &curvature = drawing.field("bending curvature", "1/m", {"11", "22", "12"});
     Field &von_mises = drawing.field("von Mises stress", "Pa");
-    for (unsigned int k = 0; k < order.size(); ++k)
+    for (unsigned int k = 0; k < stresses.size(); ++k)
       {
-        const PlateState at = plate_state(stress_at_node(element, order[k], state), laminate_of(element));
-        const SectionStresses::Extremes all      = layer_extremes(at, -1);
-        const auto                      in_order = [&](const int first) {
+        const PlateState          at = plate_state(stresses[k], laminate_of(element));
+        SectionStresses::Extremes all;
+        int                       worst = -1;
+        double                    index = -1;
+        for (unsigned int l = 0; l < strengths[at.laminate].size(); ++l)
+          {
+            const SectionStresses::Extremes of_layer = layer_extremes(at, l);
+            all.add(of_layer);
+            if (const double here = of_layer.indices.largest(); here > index)
+              {
+                index = here;
+                worst = l;
+              }
+          }
+        const auto in_order = [&](const int first) {
           return std::array<double, 3>{{at.strains(first), at.strains(first + 2), at.strains(first + 1)}};
         };
         strain.set(first_sample + k, in_order(0));
         curvature.set(first_sample + k, in_order(3));
         von_mises.set(first_sample + k, all.von_mises_stress);
-        if (all.indices.largest() < 0)
+        if (worst < 0)
           continue; // no strengths are known
-        int    worst = -1;
-        double index = -1;
-        for (unsigned int l = 0; l < strengths[at.laminate].size(); ++l)
-          if (const double here = layer_extremes(at, l).indices.largest(); here > index)
-            {
-              index = here;
-              worst = l;
-            }
         drawing.field("index of failure", "1").set(first_sample + k, index);
         drawing.field("layer nearest to failure", "1").set(first_sample + k, worst + 1);
       }

@@ -218,7 +218,7 @@ namespace samara
                    const double          energy,
                    const double          remaining) const
   {
-    if (system.layout.n_strains > 0 || !(energy > 0))
+    if (system.layout.n_strains > 0 || !(dissipated > 0) || !(energy > 0))
       return 0;
     double kinetic = 0, change = 0, speed = 0;
     for (unsigned int node = 1; node < radius.size(); ++node)

@@ -3,6 +3,7 @@
 
 #include <samara/analysis/dynamic.h>
 
+#include "../momentum.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -114,23 +115,12 @@ TEST(Leaving, BeadFliesOffATurningRod)
 TEST(Leaving, MomentaOfWhatIsFree)
 {
   Launcher launcher;
-  launcher.rod       = " set Elements = 3\n set Degree = 2\n set Angular velocity = 0, 0, 2\n";
-  launcher.turning   = "";
-  launcher.kind      = "sleeve";
-  launcher.bead      = " set Velocity = -0.8, 0.4, 0\n set Angular velocity = 1, 0, 2\n";
-  launcher.end       = 0.8;
-  launcher.step      = 0.01;
-  const auto momenta = [](const System &system, const State &state) {
-    Vector6 sum = Vector6::Zero();
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const Vector6 p = system.model.nodes[node].inertia * Eigen::Map<const Vector6>(&state.y[6 * node]);
-        const Matrix3 D = state.triad(node);
-        sum.head<3>() += D * p.head<3>();
-        sum.tail<3>() += D * p.tail<3>() + state.position(node).cross(D * p.head<3>());
-      }
-    return sum;
-  };
+  launcher.rod     = " set Elements = 3\n set Degree = 2\n set Angular velocity = 0, 0, 2\n";
+  launcher.turning = "";
+  launcher.kind    = "sleeve";
+  launcher.bead    = " set Velocity = -0.8, 0.4, 0\n set Angular velocity = 1, 0, 2\n";
+  launcher.end     = 0.8;
+  launcher.step    = 0.01;
   Scene scene(launcher.text());
   auto &analysis = scene.analysis<DynamicAnalysis>();
   analysis.start(scene.context);
@@ -139,9 +129,9 @@ TEST(Leaving, MomentaOfWhatIsFree)
   double       worst = 0;
   analysis.observer  = [&](const State &state) {
     if (n_on_rod == 0)
-      first = momenta(scene.system, state);
+      first = momentum_of(scene.system, state);
     ++(scene.input.model.probe("slide.attached").value(state) > 0 ? n_on_rod : n_free);
-    worst = std::max(worst, (momenta(scene.system, state) - first).norm() / first.norm());
+    worst = std::max(worst, (momentum_of(scene.system, state) - first).norm() / first.norm());
   };
   analysis.run(scene.context);
   EXPECT_GT(n_on_rod, 15u);

@@ -3,6 +3,7 @@
 
 #include <samara/analysis/dynamic.h>
 
+#include "../momentum.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -90,22 +91,11 @@ TEST(SlidingOnShells, MomentaOfAPlateInFlight)
   plate.mesh   = " set Elements = 4, 2\n set Degree = 2\n";
   plate.rest   = "set Analyses = dynamic\nsubsection Dynamic\n set End time = 0.6\n set Step = 0.02\n set Stages = 2\n"
                  " set Spectral radius = 1\n set Newton tolerance = 1e-12\n set Inconsistent velocities = project\nend\n";
-  const auto momentum = [](const System &system, const State &state) {
-    Vector6 sum = Vector6::Zero();
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const Vector6 p = system.model.nodes[node].inertia * Eigen::Map<const Vector6>(&state.y[6 * node]);
-        const Matrix3 D = state.triad(node);
-        sum.head<3>() += D * p.head<3>();
-        sum.tail<3>() += D * p.tail<3>() + state.position(node).cross(D * p.head<3>());
-      }
-    return sum;
-  };
   Scene scene(plate.text());
   auto &analysis = scene.analysis<DynamicAnalysis>();
   analysis.start(scene.context);
   std::vector<Vector6> momenta;
-  analysis.observer = [&](const State &state) { momenta.push_back(momentum(scene.system, state)); };
+  analysis.observer = [&](const State &state) { momenta.push_back(momentum_of(scene.system, state)); };
   analysis.run(scene.context);
   for (const Vector6 &p : momenta)
     EXPECT_LT((p - momenta.front()).norm(), 1e-5 * momenta.front().norm()); // of the scheme, which turns with the nodes

@@ -5,6 +5,7 @@
 
 #include <samara/time/stage_integrator.h>
 
+#include "../momentum.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,21 +117,6 @@ namespace samara
   {
     StageIntegrator integrator(system, tableau, 1e-14);
     return run(system, start, integrator, h, n, afresh);
-  }
-
-  /** Momentum, and moment of momentum about the origin. */
-  inline Vector6
-  momentum_of(const System &system, const State &state)
-  {
-    Vector6 sum = Vector6::Zero();
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        const Vector6 p = system.model.nodes[node].inertia * Eigen::Map<const Vector6>(&state.y[6 * node]);
-        const Matrix3 D = state.triad(node);
-        sum.head<3>() += D * p.head<3>();
-        sum.tail<3>() += D * p.tail<3>() + state.position(node).cross(D * p.head<3>());
-      }
-    return sum;
   }
 
   /** Relative distance of two vectors. */

@@ -81,13 +81,13 @@ namespace samara
     bool                                        rigid = false;
     InitialVelocity                             initial_velocity;
 
-    Model                             *model = nullptr;
-    std::vector<Laminate>              laminates; ///< one, or one of each patch
+    Model                              *model = nullptr;
+    std::vector<Laminate>               laminates;   ///< one, or one of each patch
     std::vector<std::vector<Strengths>> strengths;   ///< of the layers of each laminate
     std::vector<Matrix6>                compliances; ///< inverses of ABD
-    std::unique_ptr<ShellMesh>         mesh;
-    std::shared_ptr<const SurfaceRule> rule;
-    Eigen::MatrixXd                    to_nodes; ///< values at the nodes of a cell from those at its integration points
+    std::unique_ptr<ShellMesh>          mesh;
+    std::shared_ptr<const SurfaceRule>  rule;
+    Eigen::MatrixXd to_nodes; ///< values at the nodes of a cell from those at its integration points
 
     /** Of each node of the mesh, with the axes of the first cell there. */
     std::vector<Frame> node_frames;
@@ -124,15 +124,13 @@ namespace samara
     NamedPoint point_of(unsigned int node) const;
     /** The node of the mesh at "0.5 0" or "1 0.2 0.3". @throws std::invalid_argument if there is none. */
     unsigned int node_at(const std::string &place) const;
+    /** Whether @p point is written as a named point is, or as "at ...". */
+    bool is_place(const std::string &point) const;
     /** A named point, or "at ...". @throws std::invalid_argument */
     NamedPoint point_named(const std::string &point) const;
 
-    /** Section forces of an element at its nodes, as fields at samples in this @p order of the nodes. */
-    void draw_section_forces(unsigned int                     element,
-                             const State                     &state,
-                             const std::vector<unsigned int> &order,
-                             unsigned int                     first_sample,
-                             Drawing                         &drawing) const;
+    /** Section forces from stresses, see below, as fields at as many samples. */
+    void draw_section_forces(const std::vector<VectorN> &stresses, unsigned int first_sample, Drawing &drawing) const;
 
     /** @name Stresses C e of twelve strains at a point of integration, at a node of an element, at a node of the mesh:
      * the mean over the cells there with its axes @{ */
@@ -164,12 +162,11 @@ namespace samara
     std::optional<Probe>
     layer_probe(const std::string &path, const std::string &point, const std::string &quantity) const;
 
-    /** Strains, stresses and indices of failure, as draw_section_forces(). */
-    void draw_layers(unsigned int                     element,
-                     const State                     &state,
-                     const std::vector<unsigned int> &order,
-                     unsigned int                     first_sample,
-                     Drawing                         &drawing) const;
+    /** Strains, stresses and indices of failure of an element, as draw_section_forces(). */
+    void draw_layers(unsigned int                element,
+                     const std::vector<VectorN> &stresses,
+                     unsigned int                first_sample,
+                     Drawing                    &drawing) const;
   };
 } // namespace samara
 
