@@ -68,6 +68,11 @@ namespace samara
       "How lift follows the motion: at once; with two lags a station, states in m/s; or with these and two states of "
       "flow that separates: dynamic stall.",
       Selection("two lags|quasi-steady|dynamic stall"));
+    prm.add("Separation lags",
+            entered_lags,
+            "Of dynamic stall, in half chords that the air passes: of the angle that pressure follows, of the boundary "
+            "layer [1].",
+            List(Double(1e-3), 2, 2));
     prm.add("Virtual mass",
             has_virtual_mass,
             "Whether the mass of the air moved along counts: needed for flutter, small against the mass of blades.");
@@ -98,7 +103,10 @@ namespace samara
       parameters.require(entry, model->complaints);
     if (model->complaints.count() != before)
       return;
-    unsteady          = kind_of_unsteady(unsteady_name);
+    unsteady        = kind_of_unsteady(unsteady_name);
+    separation_lags = {entered_lags[0], entered_lags[1]};
+    if (unsteady != Unsteady::dynamic_stall && entered_lags != std::vector<double>{1.7, 3.})
+      model->complaints.add(parameters.where("Separation lags"), "<Unsteady = dynamic stall> alone has them");
     std::string where = "Air";
     try
       {

@@ -88,7 +88,7 @@ namespace samara
     if (has_lags)
       d.add_lag_rows(station, g, at, *air, K, C);
     if (unsteady == Unsteady::dynamic_stall)
-      d.add_stall_rows(station, g, at, *air, K, C);
+      d.add_stall_rows(station, g, at, *air, separation_lags, K, C);
 
     if (annular != nullptr)
       {

@@ -191,8 +191,8 @@ namespace samara
         const Number       angle = g.lags[k], lack = lags::angle_between(angle, at.flow.alpha);
         const auto         v = station.section.separation->at(std::real(angle));
         const Number       f = internal::continued(v.place, v.place_alpha, 0., angle, Number(0));
-        local(first_lag + k) -= speed / lags::T_p * lack;
-        local(first_lag + k + 1) -= speed / lags::T_f * (f - g.lags[k + 1]);
+        local(first_lag + k) -= speed / separation_lags.pressure * lack;
+        local(first_lag + k + 1) -= speed / separation_lags.boundary_layer * (f - g.lags[k + 1]);
       }
     if (annular != nullptr)
       {

@@ -226,6 +226,7 @@ TEST_F(Catalogued, Surfaces)
          {"Upper side", "0, 0, -1"},
          {"Airfoils", "second"},
          {"Unsteady", "quasi-steady"},
+         {"Separation lags", "2, 8", {"Surfaces/it/Unsteady = dynamic stall"}},
          {"Virtual mass", "true"},
          {"Lift factor", "0.9"},
          {"Inflow", "flow"},

@@ -61,16 +61,13 @@ namespace samara
    * w = (1 − A₁ − A₂) V₃ + A₁ x₁ + A₂ x₂ with ẋ_i = b_i U/(c/2) (V₃ − x_i): R. T. Jones, NACA Report 681 (1940).
    * Where the air rests U is not below 10⁻⁴ of the speed of sound, so that the states are not lost: √(U² + U₀²).
    * Dynamic stall (Risø-R-1354, see Separation): an angle α_p that follows α, T_p α̇_p = U/(c/2) (α − α_p), and a place
-   * of separation that follows that of steady flow at α_p, T_f ẋ = U/(c/2) (f(α_p) − x).
+   * of separation that follows that of steady flow at α_p, T_f ẋ = U/(c/2) (f(α_p) − x): SeparationLags.
    * @{
    */
   namespace lags
   {
     constexpr unsigned int n   = 2;
     constexpr double       A[] = {0.165, 0.335}, b[] = {0.0455, 0.3};
-
-    // of separation, in half chords that the air passes: of the angle at which pressure lags, of the boundary layer
-    constexpr double T_p = 1.7, T_f = 3;
 
     template <typename Number>
     Number
@@ -98,6 +95,14 @@ namespace samara
     }
   } // namespace lags
   /** @} */
+
+
+
+  /** T_p and T_f, in half chords that the air passes. */
+  struct SeparationLags
+  {
+    double pressure = 1.7, boundary_layer = 3;
+  };
 
 
 

@@ -62,6 +62,8 @@ namespace samara
     std::vector<double>      range, more_breaks;
     unsigned int             points_a_panel = 4;
     Expression               chord, offset, twist, lift_factor{1.};
+    std::vector<double>      entered_lags = {1.7, 3.};
+    SeparationLags           separation_lags;
     bool                     has_virtual_mass = false;
     Vector3                  leading_edge = Vector3::Zero(), upper_side = Vector3::Zero();
     std::vector<std::string> airfoil_names;

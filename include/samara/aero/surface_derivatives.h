@@ -200,6 +200,7 @@ namespace samara
                    const Gathered<double>  &g,
                    const AtStation<double> &at,
                    const Air               &air,
+                   const SeparationLags    &T,
                    Eigen::MatrixXd         &K,
                    Eigen::MatrixXd         &C) const
     {
@@ -214,8 +215,8 @@ namespace samara
       const double             angle = g.lags[k], lack = lags::angle_between(angle, at.flow.alpha), x = g.lags[k + 1];
       const auto               v = station.section.separation->at(angle);
 
-      const Eigen::RowVector3d first  = -(speed * dalpha + lack * dspeed) / lags::T_p,
-                               second = -(v.place - x) / lags::T_f * dspeed;
+      const Eigen::RowVector3d first  = -(speed * dalpha + lack * dspeed) / T.pressure,
+                               second = -(v.place - x) / T.boundary_layer * dspeed;
       for (unsigned int i = 0; i < 2; ++i)
         {
           const Eigen::RowVector3d &slope = i == 0 ? first : second;
@@ -224,10 +225,10 @@ namespace samara
           C.row(row + i).head(n_twists) += slope * V.twist;
         }
       for (unsigned int i = 0; i < lags::n; ++i)
-        K(row, n_twists + station.first_lag + i) -= speed / lags::T_p * by_w * lags::A[i];
-      K(row, row) += speed / lags::T_p;
-      K(row + 1, row) -= speed / lags::T_f * v.place_alpha;
-      K(row + 1, row + 1) += speed / lags::T_f;
+        K(row, n_twists + station.first_lag + i) -= speed / T.pressure * by_w * lags::A[i];
+      K(row, row) += speed / T.pressure;
+      K(row + 1, row) -= speed / T.boundary_layer * v.place_alpha;
+      K(row + 1, row + 1) += speed / T.boundary_layer;
     }
 
     /** What of the virtual mass is a load. */
