@@ -2,6 +2,7 @@
 #include <samara/output/checkpoint.h>
 #include <samara/output/file.h>
 #include <samara/output/hdf5.h>
+#include <samara/output/plain_hdf5.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -82,7 +83,49 @@ namespace samara
       return body;
     }
 
-    // --------------------------------------------------------------------------------------------- HDF5 in memory
+    // ----------------------------------------------------------------------------------------------- HDF5, written
+
+    /** A file in memory that is being written. */
+    class Body
+    {
+    public:
+      template <typename Numbers>
+      void
+      write(const std::string &path,
+            const Numbers     &values,
+            const std::string &attribute = "",
+            const std::string &text      = "")
+      {
+        using Number = typename Numbers::value_type;
+        file.add(path,
+                 sizeof(Number) == 1 ? PlainHdf5::Kind::character : PlainHdf5::Kind::real,
+                 values.size(),
+                 attribute,
+                 text);
+        contents.emplace_back(reinterpret_cast<const char *>(values.data()), sizeof(Number) * values.size());
+      }
+
+      /** Arrays under names that may contain anything: they are numbered, and the name is an attribute. */
+      void
+      write_named(const std::string &group, const std::map<std::string, std::vector<double>> &arrays)
+      {
+        unsigned int index = 0;
+        for (const auto &[name, values] : arrays)
+          write(group + "/" + std::to_string(index++), values, "name", name);
+      }
+
+      std::string
+      image()
+      {
+        return file.image(contents);
+      }
+
+    private:
+      PlainHdf5                file;
+      std::vector<std::string> contents;
+    };
+
+    // -------------------------------------------------------------------------------------------------- HDF5, read
 
     /** Properties of a file in memory that never comes to the disk by itself. */
     Handle
@@ -110,19 +153,6 @@ namespace samara
 
 
     template <typename Number>
-    Handle
-    write(const hid_t file, const std::string &path, const std::vector<Number> &values)
-    {
-      const hid_t type    = type_of(Number());
-      Handle      dataset = hdf5::create_dataset(file, path, type, values.size());
-      if (!values.empty())
-        check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-      return dataset;
-    }
-
-
-
-    template <typename Number>
     std::vector<Number>
     read(const hid_t file, const std::string &path)
     {
@@ -143,17 +173,6 @@ namespace samara
       if (numbers.size() != 1)
         throw std::runtime_error(path + " is not one number");
       return numbers[0];
-    }
-
-
-
-    /** Arrays under names that may contain anything: they are numbered, and the name is an attribute. */
-    void
-    write_named(const hid_t file, const std::string &group, const std::map<std::string, std::vector<double>> &arrays)
-    {
-      unsigned int index = 0;
-      for (const auto &[name, values] : arrays)
-        hdf5::write_attribute(write(file, group + "/" + std::to_string(index++), values), "name", name);
     }
 
 
@@ -203,15 +222,15 @@ namespace samara
 
 
     void
-    write_state(const hid_t file, const State &state)
+    write_state(Body &body, const State &state)
     {
       for (const auto &[path, vector] : vectors_of_state)
-        write(file, path, state.*vector);
-      write(file, "state/motion", numbers_of(state.motion));
-      write(file, "state/time", std::vector<double>{state.time});
-      write(file, "state/factor", std::vector<double>{state.factor});
-      write(file, "state/held", std::vector<double>{state.held ? 1. : 0.});
-      write(file, "state/left out", std::vector<double>(state.left_out.begin(), state.left_out.end()));
+        body.write(path, state.*vector);
+      body.write("state/motion", numbers_of(state.motion));
+      body.write("state/time", std::vector<double>{state.time});
+      body.write("state/factor", std::vector<double>{state.factor});
+      body.write("state/held", std::vector<double>{state.held ? 1. : 0.});
+      body.write("state/left out", std::vector<double>(state.left_out.begin(), state.left_out.end()));
     }
 
 
@@ -236,22 +255,16 @@ namespace samara
     std::string
     body_of(const Checkpoint &checkpoint)
     {
-      const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory()), &H5Fclose);
-      write_state(file, checkpoint.state);
-      write(file, "step", std::vector<double>{checkpoint.step});
-      write(file, "model", std::vector<char>(checkpoint.model->begin(), checkpoint.model->end()));
-      write_named(file, "arrays", checkpoint.arrays);
+      Body body;
+      write_state(body, checkpoint.state);
+      body.write("step", std::vector<double>{checkpoint.step});
+      body.write("model", *checkpoint.model);
+      body.write_named("arrays", checkpoint.arrays);
       std::map<std::string, std::vector<double>> numbers;
       for (const auto &[name, number] : checkpoint.numbers)
         numbers[name] = {number};
-      write_named(file, "numbers", numbers);
-
-      check(H5Fflush(file, H5F_SCOPE_GLOBAL));
-      const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-      std::string   body(std::max<ssize_t>(size, 0), '\0');
-      if (size <= 0 || H5Fget_file_image(file, body.data(), body.size()) != size)
-        throw std::runtime_error("the HDF5 library failed");
-      return body;
+      body.write_named("numbers", numbers);
+      return body.image();
     }
 
 
@@ -264,11 +277,11 @@ namespace samara
       const Handle file(H5Fopen("checkpoint", H5F_ACC_RDONLY, access), &H5Fclose);
 
       Checkpoint checkpoint;
-      checkpoint.state                    = read_state(file);
-      checkpoint.step                     = read_number(file, "step");
+      checkpoint.state              = read_state(file);
+      checkpoint.step               = read_number(file, "step");
       const std::vector<char> model = read<char>(file, "model");
-      checkpoint.model = std::make_shared<const std::string>(model.begin(), model.end());
-      checkpoint.arrays = read_named(file, "arrays");
+      checkpoint.model              = std::make_shared<const std::string>(model.begin(), model.end());
+      checkpoint.arrays             = read_named(file, "arrays");
       for (const auto &[name, numbers] : read_named(file, "numbers"))
         checkpoint.numbers[name] = numbers.at(0);
       return checkpoint;
@@ -280,8 +293,7 @@ namespace samara
   void
   write_checkpoint(const std::string &file, const Checkpoint &checkpoint, const bool wait)
   {
-    const hdf5::Quiet quiet;
-    std::string       body;
+    std::string body;
     try
       {
         body = body_of(checkpoint);

@@ -112,33 +112,6 @@ namespace samara
 
 
 
-    Handle
-    create_dataset(const hid_t file, const std::string &name, const hid_t type, const hsize_t size)
-    {
-      const Handle links(H5Pcreate(H5P_LINK_CREATE), &H5Pclose);
-      check(H5Pset_create_intermediate_group(links, 1));
-      check(H5Pset_char_encoding(links, H5T_CSET_UTF8));
-      const Handle properties(H5Pcreate(H5P_DATASET_CREATE), &H5Pclose);
-      check(H5Pset_obj_track_times(properties, 0));
-      const Handle space(H5Screate_simple(1, &size, nullptr), &H5Sclose);
-      return {H5Dcreate2(file, name.c_str(), type, space, links, properties, H5P_DEFAULT), &H5Dclose};
-    }
-
-
-
-    void
-    write_attribute(const hid_t object, const std::string &name, const std::string &text)
-    {
-      const Handle type(H5Tcopy(H5T_C_S1), &H5Tclose);
-      check(H5Tset_size(type, text.size() + 1)); // with the final zero: HDF5 knows no texts of length 0
-      check(H5Tset_cset(type, H5T_CSET_UTF8));
-      const Handle space(H5Screate(H5S_SCALAR), &H5Sclose);
-      const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose);
-      check(H5Awrite(attribute, type, text.c_str()));
-    }
-
-
-
     std::string
     read_attribute(const hid_t object, const std::string &name)
     {

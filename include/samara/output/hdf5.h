@@ -71,16 +71,8 @@ namespace samara
     /** Throw if the library returned a failure. */
     void check(herr_t error);
 
-    /**
-     * A new 1-D dataset of numbers of this type; groups in its name are made. It holds no time of its making, so that
-     * equal runs leave equal files.
-     */
-    Handle create_dataset(hid_t file, const std::string &name, hid_t type, hsize_t size);
-
-    /** Text attributes. @{ */
-    void        write_attribute(hid_t object, const std::string &name, const std::string &text);
+    /** A text attribute. */
     std::string read_attribute(hid_t object, const std::string &name);
-    /** @} */
   } // namespace hdf5
 } // namespace samara
 
