@@ -3,6 +3,7 @@
 #include <samara/solvers/eigen.h>
 #include <samara/solvers/frequency_scale.h>
 #include <samara/solvers/shift_invert.h>
+#include <samara/solvers/undamped.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,8 +18,9 @@ namespace samara
     /** An eigenvalue of the shifted problem and its ζ. */
     struct EigenPair
     {
-      Complex          lambda;
-      Eigen::VectorXcd zeta;
+      Complex                               lambda;
+      Eigen::VectorXcd                      zeta;
+      std::optional<ShiftInvert::Judgement> judgement = {}; ///< if it is known already
     };
 
 
@@ -208,6 +210,20 @@ namespace samara
 
 
 
+    /** Modes of lowest frequency of an undamped motion; those of another are nothing. */
+    std::vector<EigenPair>
+    undamped_pairs(const ShiftInvert &op, const unsigned int n_modes)
+    {
+      std::vector<EigenPair> pairs;
+      if (op.is_undamped())
+        if (const auto modes = undamped_modes(op, n_modes))
+          for (const auto &mode : *modes)
+            pairs.push_back({Complex(0., std::sqrt(std::abs(mode.square))), mode.zeta.cast<Complex>(), mode.judgement});
+      return pairs;
+    }
+
+
+
     /**
      * No more eigenvalues are finite than two for each unknown with mass and, if nothing is viscous, one for each of
      * the others whose rate counts: states of first order.
@@ -296,8 +312,9 @@ namespace samara
         {
           if (pair.lambda.imag() < 0)
             continue; // its conjugate stands for both
-          const auto   judgement = op.judge(pair.lambda, pair.zeta, distance_to_nearest(pair, pairs));
-          const double size      = std::abs(pair.lambda);
+          const auto judgement =
+            pair.judgement ? *pair.judgement : op.judge(pair.lambda, pair.zeta, distance_to_nearest(pair, pairs));
+          const double size = std::abs(pair.lambda);
           if (size < 3e-8 * frequency ||
               (size < 1e-5 * frequency && size * size * judgement.mass <= 100 * judgement.lost))
             free.push_back(pair.zeta);
@@ -325,7 +342,11 @@ namespace samara
       const unsigned int n = motion.n_kinematic, wanted = std::min(2 * n_modes, most_eigenvalues(motion));
       // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
       const bool is_small = n <= std::max(2 * wanted, 60u);
-      const auto pairs    = is_small ? dense_pairs(motion, op) : krylov_pairs(op, wanted);
+      if (is_small)
+        return select(dense_pairs(motion, op), motion, op, frequency);
+      auto pairs = undamped_pairs(op, n_modes);
+      if (pairs.empty())
+        pairs = krylov_pairs(op, wanted);
       return select(pairs, motion, op, frequency);
     }
 

@@ -1,5 +1,6 @@
 #include <samara/solvers/arnoldi.h>
 #include <samara/solvers/frequency_scale.h>
+#include <samara/solvers/undamped.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,19 +86,55 @@ namespace samara
       bool   is_blurred = false; ///< whether something is much nearer to zero than to σ, where it cannot be told apart
     };
 
+    /** A rough |λ|, by how much it may be wrong, and |ν| relative to the largest one. */
+    struct RoughValue
+    {
+      double size, doubt, share;
+    };
+
+    std::vector<RoughValue>
+    rough_values(const ShiftInvert &op)
+    {
+      const unsigned int      enough = std::min(32u, op.size() - 1); // twelve may be free motions
+      std::vector<RoughValue> result;
+      if (op.is_undamped())
+        {
+          BlockLanczos lanczos(op, 4);
+          if (lanczos.expand(enough))
+            {
+              for (unsigned int i = 0; i < lanczos.size(); ++i)
+                {
+                  const double theta = std::abs(lanczos.values[i]), doubt = lanczos.residuals[i] / (theta * theta);
+                  const double size = std::sqrt(std::abs(1 / lanczos.values[i] - op.shift() * op.shift()));
+                  // each frequency is there twice, as in the first-order form
+                  for (unsigned int twice = 0; twice < 2; ++twice)
+                    result.push_back(
+                      {size, std::min(doubt / size, std::sqrt(doubt)), std::sqrt(theta / std::abs(lanczos.values[0]))});
+                }
+              return result;
+            }
+        }
+      Arnoldi arnoldi([&](const double *x, double *y) { op.apply(x, y); }, op.size(), 1);
+      arnoldi.expand(enough);
+      for (unsigned int i = 0; i < arnoldi.size(); ++i)
+        {
+          const double nu = std::abs(arnoldi.values[i]);
+          result.push_back({std::abs(op.shift() + 1. / arnoldi.values[i]),
+                            arnoldi.residuals[i] / (nu * nu),
+                            nu / std::abs(arnoldi.values[0])});
+        }
+      return result;
+    }
+
     Spectrum
     spectrum_near(const ShiftInvert &op)
     {
-      Arnoldi arnoldi([&](const double *x, double *y) { op.apply(x, y); }, op.size(), 1);
-      arnoldi.expand(std::min(32u, op.size() - 1)); // twelve may be free motions
       const double        sigma = std::abs(op.shift());
       Spectrum            result;
       std::vector<double> sizes;
-      for (unsigned int i = 0; i < arnoldi.size(); ++i)
+      for (const auto &[size, doubt, share] : rough_values(op))
         {
-          const double nu = std::abs(arnoldi.values[i]), size = std::abs(op.shift() + 1. / arnoldi.values[i]),
-                       doubt = arnoldi.residuals[i] / (nu * nu);
-          if (size + doubt < 1e-6 * sigma || nu < 1e-6 * std::abs(arnoldi.values[0]))
+          if (size + doubt < 1e-6 * sigma || share < 1e-6)
             continue; // a free motion; nothing that has mass
           if (doubt < 0.1 * size)
             sizes.push_back(size);

@@ -53,6 +53,19 @@ namespace samara
         factorization->solve(b);
       }
 
+      void
+      solve_columns(double *b, const unsigned int n_columns, const std::size_t size) const override
+      {
+        Assert(is_factorized, dealii::ExcMessage("solve_columns() before factorize(), or after one that failed."));
+        factorization->solve_columns(b, n_columns, size);
+      }
+
+      std::optional<int>
+      n_negative() const override
+      {
+        return factorization->n_negative();
+      }
+
       int
       determinant_sign() const override
       {

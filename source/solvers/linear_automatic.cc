@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace samara
 {
@@ -135,6 +136,21 @@ namespace samara
       solve(Number *b) const override
       {
         is_symmetric ? symmetric.get().solve(b) : is_diagonal ? factors.solve(b) : other->solve(b);
+      }
+
+      void
+      solve_columns(Number *b, const unsigned int n_columns, const std::size_t size) const override
+      {
+        if constexpr (std::is_same_v<Number, double>)
+          if (is_symmetric)
+            return symmetric.get().solve_columns(b, n_columns, size);
+        Factorization<Number>::solve_columns(b, n_columns, size);
+      }
+
+      std::optional<int>
+      n_negative() const override
+      {
+        return is_symmetric ? std::optional<int>(n_negative_pivots()) : std::nullopt;
       }
 
       int

@@ -4,37 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace samara
 {
-  namespace
-  {
-    /** Entries of a matrix in any order; those of one place are added. */
-    class Triplets
-    {
-    public:
-      void
-      add(const int row, const int column, const double value)
-      {
-        if (value != 0.)
-          entries.emplace_back(row, column, value);
-      }
-
-      std::unique_ptr<SparseMatrix>
-      compress(const int n) const
-      {
-        Eigen::SparseMatrix<double> sum(n, n);
-        sum.setFromTriplets(entries.begin(), entries.end());
-        return from_eigen(sum);
-      }
-
-    private:
-      std::vector<Eigen::Triplet<double>> entries;
-    };
-  } // namespace
-
-
-
   MixedMatrix::MixedMatrix(const LinearMotion &motion)
     : motion(motion)
     , n(motion.M.pattern->size())
@@ -45,21 +18,24 @@ namespace samara
   void
   MixedMatrix::factorize(const double shift)
   {
-    sigma = shift;
-    reduce_points();
+    const auto before = condensed ? condensed->pattern : nullptr;
+    sigma             = shift;
+    if (points.empty() || motion.strains.is_viscous()) // otherwise they know of no shift
+      reduce_points();
     assemble();
-    const auto          rest     = eliminate();
-    const SparseMatrix &unscaled = rest ? *rest : *A;
+    condensed.reset();
+    if (!eliminated.empty())
+      {
+        condensed = std::make_unique<SparseMatrix>(*A);
+        eliminated.add_stiffness(*condensed);
+      }
+    const SparseMatrix &unscaled = condensed ? *condensed : *A;
     scale                        = equilibrating_factors(unscaled, 6);
-    const Pattern &pattern       = *unscaled.pattern;
-    SparseMatrix   scaled(unscaled.pattern);
-    for (int j = 0; j < pattern.size(); ++j)
-      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        scaled.values[k] = unscaled.values[k] * scale[j] * scale[pattern.rows[k]];
-    solver = make_solver(unscaled.pattern, library_in_use(), Ordering::columns);
+    if (!solver || unscaled.pattern != before) // the order of elimination is that of the pattern
+      solver = make_solver(unscaled.pattern, library_in_use(), Ordering::columns);
     try
       {
-        solver->factorize(scaled);
+        factorize_scaled(*solver, unscaled);
       }
     catch (const SingularMatrix &singular)
       {
@@ -70,14 +46,52 @@ namespace samara
 
 
   void
+  MixedMatrix::factorize_scaled(LinearSolver &by, const SparseMatrix &matrix) const
+  {
+    const Pattern &pattern = *matrix.pattern;
+    SparseMatrix   scaled(matrix.pattern);
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        scaled.values[k] = matrix.values[k] * scale[j] * scale[pattern.rows[k]];
+    by.factorize(scaled);
+  }
+
+
+
+  bool
+  MixedMatrix::is_eliminated(const StrainRows::Point &p, const Point &reduced) const
+  {
+    return p.size > 6 && motion.B_dot.n_rows() == 0 && reduced.F.rows() > 0;
+  }
+
+
+
+  void
   MixedMatrix::reduce_points()
   {
     points.clear();
-    rows = {};
+    rows       = {};
+    n_stresses = 0;
     for (const auto &p : motion.strains.points)
       {
         points.push_back(reduced(p));
-        add_rows(p, points.back());
+        points.back().first = n_stresses;
+        n_stresses += points.back().T.cols();
+      }
+    eliminated = EliminatedPoints(n, size());
+    place.resize(size());
+    std::iota(place.begin(), place.begin() + n, 0);
+    n_left = n;
+    for (unsigned int g = 0; g < points.size(); ++g)
+      {
+        const auto &p             = motion.strains.points[g];
+        const bool  is_eliminated = this->is_eliminated(p, points[g]);
+        for (int i = 0; i < points[g].T.cols(); ++i)
+          place[n + points[g].first + i] = is_eliminated ? -1 : static_cast<int>(n_left++);
+        if (is_eliminated)
+          eliminated.add(motion.strains.B, p.first_row, points[g].T, points[g].F, points[g].first);
+        else
+          add_rows(p, points[g]);
       }
   }
 
@@ -119,8 +133,7 @@ namespace samara
     for (unsigned int i = 0; i < m; ++i)
       for (unsigned int j = 0; j < m; ++j)
         scaled(i, j) = C(stiff[i], stiff[j]) / (d(i) * d(j));
-    Point result;
-    result.first                        = rows.n_rows();
+    Point                             result;
     Eigen::MatrixXd                   V = Eigen::MatrixXd::Identity(m, m);
     const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled);
     if (cholesky.info() == Eigen::Success && (cholesky.matrixLLT().diagonal().array() > 1e-6).all())
@@ -158,28 +171,64 @@ namespace samara
 
 
 
+  /** S + σΓ + of_mass M */
+  void
+  MixedMatrix::add_shifted(const Pattern &pattern, std::vector<double> &values, const double of_mass) const
+  {
+    for (int k = 0; k < pattern.n_nonzeros(); ++k)
+      values[k] = motion.S.values[k] + sigma * motion.gyroscopic.values[k] + of_mass * motion.M.values[k];
+  }
+
+
+
   void
   MixedMatrix::assemble()
   {
-    Triplets       sum;
-    const Pattern &p = *motion.M.pattern;
+    const auto    &shared = motion.M.pattern;
+    const Pattern &p      = *shared;
+    SparseMatrix   shifted(shared);
+    add_shifted(p, shifted.values, sigma * sigma);
+    if (!eliminated.empty() && rows.n_rows() == 0)
+      {
+        A = std::make_unique<SparseMatrix>(std::move(shifted));
+        return;
+      }
+    std::vector<Eigen::Triplet<double>> entries;
     for (int j = 0; j < p.size(); ++j)
       for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
-        sum.add(p.rows[k],
-                j,
-                motion.S.values[k] + sigma * motion.gyroscopic.values[k] + sigma * sigma * motion.M.values[k]);
+        if (shifted.values[k] != 0. || !eliminated.empty()) // the pattern of what is eliminated has to be there
+          entries.emplace_back(p.rows[k], j, shifted.values[k]);
+    assemble_rows(entries);
+    Eigen::SparseMatrix<double> sum(n_left, n_left);
+    sum.setFromTriplets(entries.begin(), entries.end());
+    A = from_eigen(sum);
+  }
+
+
+
+  /** What belongs to stresses that are not eliminated. */
+  void
+  MixedMatrix::assemble_rows(std::vector<Eigen::Triplet<double>> &entries) const
+  {
+    const auto add = [&](const int row, const int column, const double value) {
+      if (value != 0.)
+        entries.emplace_back(row, column, value);
+    };
     for (unsigned int i = 0; i < rows.n_rows(); ++i)
       for (unsigned int k = rows.start[i]; k < rows.start[i + 1]; ++k)
         {
-          sum.add(n + i, rows.columns[k], rows.values[k]);
-          sum.add(rows.columns[k], n + i, rows.values[k]);
+          add(n + i, rows.columns[k], rows.values[k]);
+          add(rows.columns[k], n + i, rows.values[k]);
         }
     for (unsigned int g = 0; g < points.size(); ++g)
       {
         const Point &point = points[g];
+        if (is_eliminated(motion.strains.points[g], point) || point.F.rows() == 0)
+          continue;
+        const int first = place[n + point.first];
         for (int i = 0; i < point.F.rows(); ++i)
           for (int j = 0; j < point.F.cols(); ++j)
-            sum.add(n + point.first + i, n + point.first + j, -point.F(i, j));
+            add(first + i, first + j, -point.F(i, j));
         if (motion.B_dot.n_rows() == 0)
           continue;
         for (int i = 0; i < point.viscous.rows(); ++i)
@@ -187,10 +236,9 @@ namespace samara
             {
               const unsigned int row = motion.strains.points[g].first_row + j;
               for (unsigned int k = motion.B_dot.start[row]; k < motion.B_dot.start[row + 1]; ++k)
-                sum.add(n + point.first + i, motion.B_dot.columns[k], point.viscous(i, j) * motion.B_dot.values[k]);
+                add(first + i, motion.B_dot.columns[k], point.viscous(i, j) * motion.B_dot.values[k]);
             }
       }
-    A = sum.compress(size());
   }
 
 
@@ -212,10 +260,16 @@ namespace samara
   void
   MixedMatrix::for_entries(const std::function<void(int, int, double)> &f) const
   {
+    std::vector<int> unknown(n_left);
+    for (unsigned int i = 0; i < size(); ++i)
+      if (place[i] >= 0)
+        unknown[place[i]] = i;
     const Pattern &pattern = *A->pattern;
     for (int j = 0; j < pattern.size(); ++j)
       for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
-        f(pattern.rows[k], j, A->values[k]);
+        if (A->values[k] != 0.)
+          f(unknown[pattern.rows[k]], unknown[j], A->values[k]);
+    eliminated.for_entries(f);
   }
 
 
@@ -246,184 +300,114 @@ namespace samara
 
 
 
+  /** y += factor A x without what is eliminated. */
   void
-  MixedMatrix::multiply(const double *x, double *y) const
+  MixedMatrix::add_product_left(const double factor, const double *x, double *y, const unsigned int n_columns) const
   {
-    A->multiply(x, y);
+    const Pattern &pattern = *A->pattern;
+    for (unsigned int c = 0; c < n_columns; ++c, x += size(), y += size())
+      {
+        left.resize(n_left);
+        product.assign(n_left, 0.);
+        for (unsigned int i = 0; i < size(); ++i)
+          if (place[i] >= 0)
+            left[place[i]] = x[i];
+        for (int j = 0; j < pattern.size(); ++j)
+          for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+            product[pattern.rows[k]] += A->values[k] * left[j];
+        for (unsigned int i = 0; i < size(); ++i)
+          if (place[i] >= 0)
+            y[i] += factor * product[place[i]];
+      }
+  }
+
+
+
+  void
+  MixedMatrix::multiply(const double *x, double *y, const unsigned int n_columns) const
+  {
+    std::fill_n(y, std::size_t(size()) * n_columns, 0.);
+    add_product_left(1., x, y, n_columns);
+    eliminated.add_product(x, y, n_columns);
+  }
+
+
+
+  void
+  MixedMatrix::solve_left(double *b, const unsigned int n_columns, const std::size_t length) const
+  {
+    n_solutions += n_columns;
+    left.assign(std::size_t(n_left) * n_columns, 0.);
+    for (unsigned int c = 0; c < n_columns; ++c)
+      for (unsigned int i = 0; i < length; ++i)
+        if (const int p = place[i]; p >= 0)
+          left[p + std::size_t(c) * n_left] = b[i + c * length] * scale[p];
+    solver->solve_columns(left.data(), n_columns, n_left);
+    for (unsigned int c = 0; c < n_columns; ++c)
+      for (unsigned int i = 0; i < length; ++i)
+        if (const int p = place[i]; p >= 0)
+          b[i + c * length] = left[p + std::size_t(c) * n_left] * scale[p];
+  }
+
+
+
+  void
+  MixedMatrix::solve_condensed(double *b, const unsigned int n_columns) const
+  {
+    solve_left(b, n_columns, n);
+  }
+
+
+
+  void
+  MixedMatrix::solve(double *b, const unsigned int n_columns) const
+  {
+    const std::size_t all = std::size_t(size()) * n_columns;
+    solution.assign(b, b + all);
+    eliminated.condense(solution.data(), n_columns);
+    solve_left(solution.data(), n_columns, size());
+    // what is left of the equations is solved for once more
+    add_product_left(-1., solution.data(), b, n_columns);
+    eliminated.refine(solution.data(), b, n_columns);
+    solve_left(b, n_columns, size());
+    eliminated.expand(b, n_columns);
+    for (std::size_t i = 0; i < all; ++i)
+      b[i] += solution[i];
   }
 
 
 
   bool
-  MixedMatrix::is_eliminated(const unsigned int point) const
+  MixedMatrix::has_inertia() const
   {
-    return motion.strains.points[point].size > 6 && motion.B_dot.n_rows() == 0 && points[point].F.rows() > 0;
+    return condensed && solver && solver->n_negative();
   }
 
 
 
-  namespace
+  std::optional<unsigned int>
+  MixedMatrix::n_squares_below(const double square) const
   {
-    /** Sums BᵀF⁻¹B of points that follow each other at the same nodes, those of an element. */
-    class ElementSums
-    {
-    public:
-      explicit ElementSums(std::vector<Eigen::Triplet<double>> &entries)
-        : entries(entries)
-      {}
-
-      /** @p unknowns are sorted; @p B has a column for each. */
-      void
-      add(const std::vector<int> &unknowns, const Eigen::MatrixXd &B, const Eigen::MatrixXd &stiffness)
+    if (!has_inertia())
+      return std::nullopt;
+    SparseMatrix   moved = *condensed;
+    const Pattern &p     = *motion.M.pattern;
+    for (int j = 0; j < p.size(); ++j)
+      for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+        if (motion.M.values[k] != 0.)
+          moved.values[moved.pattern->position(p.rows[k], j)] -= (square + sigma * sigma) * motion.M.values[k];
+    const auto other = make_solver(moved.pattern, library_in_use(), Ordering::columns);
+    try
       {
-        if (unknowns != columns)
-          {
-            flush();
-            columns = unknowns;
-            sum.setZero(columns.size(), columns.size());
-          }
-        sum.noalias() += B.transpose() * (stiffness * B);
+        factorize_scaled(*other, moved);
       }
-
-      void
-      flush()
+    catch (const SingularMatrix &)
       {
-        for (unsigned int j = 0; j < columns.size(); ++j)
-          for (unsigned int i = 0; i < columns.size(); ++i)
-            if (sum(i, j) != 0. || sum(j, i) != 0.) // a symmetric pattern, whatever rounds to zero
-              entries.emplace_back(columns[i], columns[j], sum(i, j));
-        columns.clear();
+        return std::nullopt;
       }
-
-    private:
-      std::vector<Eigen::Triplet<double>> &entries;
-      std::vector<int>                     columns;
-      Eigen::MatrixXd                      sum;
-    };
-  } // namespace
-
-
-
-  std::unique_ptr<SparseMatrix>
-  MixedMatrix::eliminate()
-  {
-    place.assign(size(), 0);
-    stiffness.assign(points.size(), {});
-    for (unsigned int g = 0; g < points.size(); ++g)
-      if (is_eliminated(g))
-        {
-          stiffness[g] = points[g].F.ldlt().solve(Eigen::MatrixXd::Identity(points[g].F.rows(), points[g].F.cols()));
-          std::fill_n(place.begin() + n + points[g].first, points[g].F.rows(), -1);
-        }
-    n_left = 0;
-    for (auto &p : place)
-      p = p < 0 ? -1 : static_cast<int>(n_left++);
-    if (n_left == size())
-      return nullptr;
-
-    std::vector<Eigen::Triplet<double>> entries;
-    for_entries([&](const int i, const int j, const double value) {
-      if (place[i] < 0 || place[j] < 0)
-        return;
-      entries.emplace_back(place[i], place[j], value);
-      if (i != j && A->pattern->position(j, i) < 0)
-        entries.emplace_back(place[j], place[i], 0.);
-    });
-    ElementSums      sums(entries);
-    std::vector<int> unknowns;
-    for (unsigned int g = 0; g < points.size(); ++g)
-      {
-        if (stiffness[g].size() == 0)
-          continue;
-        // all six unknowns of each node: the same for all points of an element, whatever happens to be zero
-        const unsigned int first = rows.start[points[g].first], last = rows.start[points[g].first + points[g].F.rows()];
-        unknowns.clear();
-        for (unsigned int k = first; k < last; ++k)
-          unknowns.push_back(rows.columns[k] - rows.columns[k] % 6);
-        std::sort(unknowns.begin(), unknowns.end());
-        unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
-        std::vector<int> all;
-        for (const int node : unknowns)
-          for (int i = 0; i < 6; ++i)
-            all.push_back(node + i);
-        Eigen::MatrixXd B = Eigen::MatrixXd::Zero(points[g].F.rows(), all.size());
-        for (int i = 0; i < B.rows(); ++i)
-          for (unsigned int k = rows.start[points[g].first + i]; k < rows.start[points[g].first + i + 1]; ++k)
-            B(i, std::lower_bound(all.begin(), all.end(), static_cast<int>(rows.columns[k])) - all.begin()) +=
-              rows.values[k];
-        sums.add(all, B, stiffness[g]);
-      }
-    sums.flush();
-    Eigen::SparseMatrix<double> sum(n_left, n_left);
-    sum.setFromTriplets(entries.begin(), entries.end());
-    return from_eigen(sum);
-  }
-
-
-
-  void
-  MixedMatrix::condense(double *b) const
-  {
-    for (unsigned int g = 0; g < points.size(); ++g)
-      if (stiffness[g].size() > 0)
-        {
-          const unsigned int    first = points[g].first;
-          const Eigen::VectorXd s =
-            stiffness[g] * Eigen::Map<const Eigen::VectorXd>(b + n + first, stiffness[g].rows());
-          for (int i = 0; i < s.size(); ++i)
-            for (unsigned int k = rows.start[first + i]; k < rows.start[first + i + 1]; ++k)
-              b[rows.columns[k]] += rows.values[k] * s(i);
-        }
-  }
-
-
-
-  void
-  MixedMatrix::expand(double *b) const
-  {
-    for (unsigned int g = 0; g < points.size(); ++g)
-      if (stiffness[g].size() > 0)
-        {
-          const unsigned int first = points[g].first;
-          Eigen::VectorXd    strain(stiffness[g].rows());
-          for (int i = 0; i < strain.size(); ++i)
-            strain(i) = rows.row_times(first + i, b) - b[n + first + i];
-          Eigen::Map<Eigen::VectorXd>(b + n + first, strain.size()) = stiffness[g] * strain;
-        }
-  }
-
-
-
-  void
-  MixedMatrix::solve_scaled(double *b) const
-  {
-    ++n_solutions;
-    condense(b);
-    left.resize(n_left);
-    for (unsigned int i = 0; i < size(); ++i)
-      if (place[i] >= 0)
-        left[place[i]] = b[i] * scale[place[i]];
-    solver->solve(left.data());
-    for (unsigned int i = 0; i < size(); ++i)
-      if (place[i] >= 0)
-        b[i] = left[place[i]] * scale[place[i]];
-    expand(b);
-  }
-
-
-
-  void
-  MixedMatrix::solve(double *b) const
-  {
-    right_side.assign(b, b + size());
-    solve_scaled(b);
-    residual.resize(size());
-    multiply(b, residual.data());
-    for (unsigned int i = 0; i < size(); ++i)
-      residual[i] = right_side[i] - residual[i];
-    solve_scaled(residual.data());
-    for (unsigned int i = 0; i < size(); ++i)
-      b[i] += residual[i];
+    if (!other->n_negative() || *other->n_negative() < *solver->n_negative())
+      return std::nullopt;
+    return *other->n_negative() - *solver->n_negative();
   }
 
 
@@ -437,5 +421,19 @@ namespace samara
         Eigen::Map<Eigen::VectorXd>(q + motion.strains.points[g].first_row, p.T.rows()) =
           p.T * Eigen::Map<const Eigen::VectorXd>(solution + n + p.first, p.T.cols());
       }
+  }
+
+
+
+  double
+  MixedMatrix::work(const double *solution) const
+  {
+    double sum = 0;
+    for (const Point &p : points)
+      {
+        const Eigen::Map<const Eigen::VectorXd> s(solution + n + p.first, p.F.rows());
+        sum += s.cwiseAbs().dot((p.F * s).cwiseAbs());
+      }
+    return sum;
   }
 } // namespace samara

@@ -41,6 +41,25 @@ namespace samara
       return difference <= 1e-9 * largest + round_off;
     }
 
+    /** Whether Gᵀ is that of G, and multipliers have nothing else. */
+    bool
+    has_mirrored_constraints(const LinearMotion &motion)
+    {
+      const Pattern &p = *motion.S.pattern;
+      for (int j = motion.n_kinematic; j < p.size(); ++j)
+        for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+          {
+            const double a     = motion.S.values[k];
+            const int    i     = p.rows[k];
+            const int    other = p.position(j, i);
+            if (i >= static_cast<int>(motion.n_kinematic) ?
+                  a != 0. :
+                  !(std::abs(a - motion.S.values[other]) <= 1e-12 * std::abs(a)))
+              return false;
+          }
+      return true;
+    }
+
     /** The largest stiffness of a strain for an unknown. */
     double
     largest_stiffness(const LinearMotion &motion)
@@ -78,6 +97,26 @@ namespace samara
     const bool S_is = is_mirrored(motion.S, 1., n, 1e-14 * largest_stiffness(motion));
     is_symmetric    = S_is && is_mirrored(motion.gyroscopic, 1., n) && motion.B_dot.n_rows() == 0;
     is_conservative = S_is && is_mirrored(motion.gyroscopic, -1., n) && !motion.strains.is_viscous();
+    has_no_rates    = is_conservative && gyroscopic.values.empty() && motion.B_dot.n_rows() == 0 &&
+                   is_mirrored(motion.M, 1., n) && has_mirrored_constraints(motion);
+  }
+
+
+
+  bool
+  ShiftInvert::is_undamped() const
+  {
+    return has_no_rates && matrix.has_inertia();
+  }
+
+
+
+  Eigen::VectorXd
+  ShiftInvert::mass_times(const Eigen::VectorXd &zeta) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n);
+    M.add_product(1., zeta.data(), result.data());
+    return result;
   }
 
 

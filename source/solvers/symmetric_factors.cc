@@ -19,6 +19,41 @@ namespace samara
     constexpr int    of_block = 48, of_strip = 192; ///< columns that are eliminated, or changed, together
     constexpr double round_off = 1e-14;             ///< of the larger diagonal entry: as good as symmetric
 
+    /** C = factor C + sign A B, or Aᵀ B, with m × n entries, k columns of A, or rows. */
+    void
+    add_product(const int     m,
+                const int     n,
+                const int     k,
+                const double  sign,
+                const double *a,
+                const int     a_rows,
+                const bool    is_transposed,
+                const double *b,
+                const int     b_rows,
+                const double  factor,
+                double       *c,
+                const int     c_rows)
+    {
+      if (m <= 0 || n <= 0 || k <= 0)
+        return;
+      const dealii::types::blas_int size[3] = {m, n, k}, stride[3] = {a_rows, b_rows, c_rows};
+      dealii::gemm(is_transposed ? "T" : "N",
+                   "N",
+                   &size[0],
+                   &size[1],
+                   &size[2],
+                   &sign,
+                   a,
+                   &stride[0],
+                   b,
+                   &stride[1],
+                   &factor,
+                   c,
+                   &stride[2]);
+    }
+
+
+
     /** C = factor C + sign A Bᵀ, with m × n entries, k columns of A and B. */
     void
     add_product(const int     m,
@@ -52,7 +87,7 @@ namespace samara
     local.assign(place.size(), 0);
     values.assign(structure.value_start.back(), 0.);
     pivots.assign(place.size(), 0.);
-    int most_rows = 0;
+    most_rows = 0;
     for (int s = 0; s < structure.size(); ++s)
       most_rows = std::max(most_rows, structure.n_rows(s));
     work.resize(most_rows);
@@ -310,6 +345,77 @@ namespace samara
       }
     for (unsigned int i = 0; i < place.size(); ++i)
       b[structure.order[i]] = x[i];
+  }
+
+
+
+  void
+  SymmetricFactors::forward_columns(const unsigned int n_columns) const
+  {
+    const std::size_t size = place.size();
+    for (int s = 0; s < structure.size(); ++s)
+      {
+        const int        n = structure.n_columns(s), height = structure.n_rows(s), m = height - n;
+        const int       *below = structure.rows_of(s) + n;
+        const double    *L     = values.data() + structure.value_start[s];
+        double          *own   = x.data() + structure.first[s];
+        const ConstBlock unit(L, n, n, Eigen::OuterStride<>(height));
+        DenseBlock       of_own(own, n, n_columns, Eigen::OuterStride<>(size));
+        unit.triangularView<Eigen::UnitLower>().solveInPlace(of_own);
+        add_product(m, n_columns, n, 1., L + n, height, false, own, size, 0., work.data(), m);
+        for (unsigned int c = 0; c < n_columns; ++c)
+          for (int i = 0; i < m; ++i)
+            x[below[i] + c * size] -= work[i + std::size_t(c) * m];
+      }
+  }
+
+
+
+  void
+  SymmetricFactors::backward_columns(const unsigned int n_columns) const
+  {
+    const std::size_t size = place.size();
+    for (int s = structure.size() - 1; s >= 0; --s)
+      {
+        const int        n = structure.n_columns(s), height = structure.n_rows(s), m = height - n;
+        const int       *below = structure.rows_of(s) + n;
+        const double    *L     = values.data() + structure.value_start[s];
+        double          *own   = x.data() + structure.first[s];
+        const ConstBlock unit(L, n, n, Eigen::OuterStride<>(height));
+        DenseBlock       of_own(own, n, n_columns, Eigen::OuterStride<>(size));
+        for (unsigned int c = 0; c < n_columns; ++c)
+          for (int i = 0; i < m; ++i)
+            work[i + std::size_t(c) * m] = x[below[i] + c * size];
+        add_product(n, n_columns, m, -1., L + n, height, true, work.data(), m, 1., own, size);
+        unit.triangularView<Eigen::UnitLower>().transpose().solveInPlace(of_own);
+      }
+  }
+
+
+
+  void
+  SymmetricFactors::solve_columns(double *b, const unsigned int n_columns, const std::size_t size) const
+  {
+    if (n_columns == 1 || (n_passes > 0 && !skew.empty()))
+      {
+        for (unsigned int c = 0; c < n_columns; ++c)
+          solve(b + c * size);
+        return;
+      }
+    const std::size_t n = place.size();
+    x.resize(n * n_columns);
+    work.resize(std::max<std::size_t>(work.size(), std::size_t(most_rows) * n_columns));
+    for (unsigned int c = 0; c < n_columns; ++c)
+      for (std::size_t i = 0; i < n; ++i)
+        x[i + c * n] = b[structure.order[i] + c * size];
+    forward_columns(n_columns);
+    for (unsigned int c = 0; c < n_columns; ++c)
+      for (std::size_t i = 0; i < n; ++i)
+        x[i + c * n] /= pivots[i];
+    backward_columns(n_columns);
+    for (unsigned int c = 0; c < n_columns; ++c)
+      for (std::size_t i = 0; i < n; ++i)
+        b[structure.order[i] + c * size] = x[i + c * n];
   }
 
 

@@ -23,6 +23,21 @@ namespace samara
     /** Replace the right-hand side @p b by the solution. */
     virtual void solve(Number *b) const = 0;
 
+    /** The same for @p n_columns right-hand sides of @p size numbers, one behind the other. */
+    virtual void
+    solve_columns(Number *b, const unsigned int n_columns, const std::size_t size) const
+    {
+      for (unsigned int c = 0; c < n_columns; ++c)
+        solve(b + c * size);
+    }
+
+    /** The number of negative eigenvalues of a real matrix, where the pivots of symmetric factors show it. */
+    virtual std::optional<int>
+    n_negative() const
+    {
+      return std::nullopt;
+    }
+
     /** Sign of the determinant of a real matrix. */
     virtual int determinant_sign() const = 0;
 

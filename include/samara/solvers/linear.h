@@ -5,6 +5,7 @@
 
 #include <complex>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -34,6 +35,21 @@ namespace samara
 
     /** Replace the right-hand side @p b by the solution. */
     virtual void solve(double *b) const = 0;
+
+    /** The same for @p n_columns right-hand sides of @p size numbers, one behind the other. */
+    virtual void
+    solve_columns(double *b, const unsigned int n_columns, const std::size_t size) const
+    {
+      for (unsigned int c = 0; c < n_columns; ++c)
+        solve(b + c * size);
+    }
+
+    /** The number of negative eigenvalues, where the pivots of symmetric factors show it. */
+    virtual std::optional<int>
+    n_negative() const
+    {
+      return std::nullopt;
+    }
 
     /** Sign of the determinant, +1 or -1: it changes where an equilibrium loses its stability statically. */
     virtual int determinant_sign() const = 0;

@@ -2,9 +2,13 @@
 #define samara_solvers_mixed_matrix_h
 
 #include <samara/model/strain_rows.h>
+#include <samara/solvers/eliminated_points.h>
 #include <samara/solvers/linear.h>
 
+#include <Eigen/SparseCore>
+
 #include <functional>
+#include <optional>
 
 namespace samara
 {
@@ -53,7 +57,14 @@ namespace samara
     unsigned int
     size() const
     {
-      return n + rows.n_rows();
+      return n + n_stresses;
+    }
+
+    /** Of these, ζ and μ. */
+    unsigned int
+    n_condensed() const
+    {
+      return n;
     }
 
     /** For a state (ζ, v): minus F w C_d B ζ is the right-hand side of the strains, behind the first n of @p b. */
@@ -66,14 +77,30 @@ namespace samara
     void for_entries(const std::function<void(int, int, double)> &f) const;
     void for_viscous_entries(const std::function<void(int, int, double)> &f) const;
 
-    /** Replace the right-hand side by the solution; size() numbers. */
-    void solve(double *b) const;
+    /** Replace right-hand sides by solutions, one behind the other; size() numbers each. */
+    void solve(double *b, unsigned int n_columns = 1) const;
+
+    /** The same without refinement, where strains have no right-hand side and stresses are not asked for: (ζ, μ) only.
+     */
+    void solve_condensed(double *b, unsigned int n_columns) const;
 
     /** A x, the left-hand side of the equations. */
-    void multiply(const double *x, double *y) const;
+    void multiply(const double *x, double *y, unsigned int n_columns = 1) const;
+
+    /** Whether factors are symmetric and count negative eigenvalues, and points are eliminated: large shells. */
+    bool has_inertia() const;
+
+    /**
+     * Of motions without damping and gyroscopic terms: the number of ω² between −σ² and @p square, by the signs of the
+     * pivots at both (Sylvester), with factors that are made for it; nothing where it cannot be told.
+     */
+    std::optional<unsigned int> n_squares_below(double square) const;
 
     /** q of all strains, in the order of the rows of B, from a solution. */
     void stresses(const double *solution, double *q) const;
+
+    /** The sum of |s F s| over all strains. */
+    double work(const double *solution) const;
 
     double
     shift() const
@@ -94,31 +121,31 @@ namespace samara
 
     const LinearMotion           &motion;
     unsigned int                  n; ///< of ζ and μ
-    double                        sigma = 0;
+    unsigned int                  n_stresses = 0;
+    double                        sigma      = 0;
     std::vector<Point>            points;
-    SparseRows                    rows; ///< Tᵀ B
-    std::unique_ptr<SparseMatrix> A;    ///< as assembled
+    SparseRows                    rows; ///< Tᵀ B of the points that are not eliminated
+    EliminatedPoints              eliminated;
+    std::vector<int>              place;      ///< of each unknown among those that are left; negative: eliminated
+    unsigned int                  n_left = 0; ///< after the elimination
+    std::unique_ptr<SparseMatrix> A;          ///< of what is left, as assembled, without the points that are eliminated
+    std::unique_ptr<SparseMatrix> condensed;  ///< with them; null if there are none
     std::vector<double>           scale;
     std::unique_ptr<LinearSolver> solver;
-    mutable std::vector<double>   right_side, residual;
-
-    std::vector<int>                place;      ///< of each unknown among those that are left; negative: eliminated
-    unsigned int                    n_left = 0; ///< after the elimination
-    std::vector<Eigen::MatrixXd>    stiffness;  ///< F⁻¹ of the points that are eliminated; empty of others
-    mutable std::vector<double>     left;
+    mutable std::vector<double>   solution, left, product;
 
     void  reduce_points();
     Point reduced(const StrainRows::Point &p) const;
     void  add_rows(const StrainRows::Point &p, const Point &reduced);
     void  assemble();
+    void  assemble_rows(std::vector<Eigen::Triplet<double>> &entries) const;
 
-    bool is_eliminated(unsigned int point) const;
-    /** Decide what is eliminated, and give the matrix of what is left; null if that is everything. */
-    std::unique_ptr<SparseMatrix> eliminate();
-    /** Stress by stress: f += Bᵀ F⁻¹ e before a solution, and s = F⁻¹ (B ζ − e), in the place of e, after it. */
-    void condense(double *b) const;
-    void  expand(double *b) const;
-    void  solve_scaled(double *b) const;
+    bool is_eliminated(const StrainRows::Point &p, const Point &reduced) const;
+    void add_shifted(const Pattern &pattern, std::vector<double> &values, double of_mass) const;
+    void factorize_scaled(LinearSolver &by, const SparseMatrix &matrix) const;
+    /** Of (ζ, μ, s), @p length numbers a column. */
+    void solve_left(double *b, unsigned int n_columns, std::size_t length) const;
+    void add_product_left(double factor, const double *x, double *y, unsigned int n_columns) const;
   };
 } // namespace samara
 

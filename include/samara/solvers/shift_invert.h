@@ -39,6 +39,18 @@ namespace samara
 
     void apply(const double *z, double *result) const;
 
+    /** Whether K φ = ω² M φ with symmetric K and M is all of the motion, and the factors are of a kind to count ω². */
+    bool is_undamped() const;
+
+    const MixedMatrix &
+    mixed() const
+    {
+      return matrix;
+    }
+
+    /** M ζ */
+    Eigen::VectorXd mass_times(const Eigen::VectorXd &zeta) const;
+
     /** The second half of a state from velocities [m/s, rad/s]. */
     void momenta(const double *v, double *p) const;
 
@@ -91,6 +103,7 @@ namespace samara
     Entries                     M, gyroscopic;
     std::vector<double>         mass;            ///< of each row: the largest entry of M, in the motion's units
     bool                        is_symmetric;    ///< M, Γ, S: x is a left vector of each mode
+    bool                        has_no_rates;    ///< nothing but M, S, B and C, all symmetric
     bool                        is_conservative; ///< Γ antisymmetric, M, S symmetric: x̄ is one where λ is imaginary
     mutable std::vector<double> b, zeta_now;
 
@@ -99,8 +112,7 @@ namespace samara
     slope(const std::complex<double> &lambda, const Eigen::VectorXcd &left, const Eigen::VectorXcd &zeta) const;
 
     /** Of (ζ, μ, q): x̄ or x, whichever is nearer to a left vector, or a left vector if neither is near enough. */
-    Eigen::VectorXcd
-    left_vector(const std::complex<double> &lambda, const Eigen::VectorXcd &x, double gap) const;
+    Eigen::VectorXcd left_vector(const std::complex<double> &lambda, const Eigen::VectorXcd &x, double gap) const;
   };
 } // namespace samara
 

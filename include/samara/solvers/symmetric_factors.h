@@ -29,6 +29,9 @@ namespace samara
     /** Replace the right-hand side @p b by the solution, after n_passes with N. */
     void solve(double *b) const;
 
+    /** The same for right-hand sides of @p size numbers, one behind the other: factors are read once for all of them. */
+    void solve_columns(double *b, unsigned int n_columns, std::size_t size) const;
+
     /** The smallest pivot over the largest one, rows of the matrix scaled by their largest entries; 0 if not finite. */
     double
     reciprocal_condition() const
@@ -58,7 +61,8 @@ namespace samara
     std::vector<double> values; ///< L, unit diagonals not stored
     std::vector<double> pivots;
     std::vector<Skew>   skew; ///< column by column
-    double              rcond = 0;
+    double              rcond     = 0;
+    int                 most_rows = 0; ///< of a supernode
 
     // of the supernode that is made
     std::vector<int>            local; ///< place of a row in it
@@ -73,6 +77,8 @@ namespace samara
     void wait(int source, int begin);
     void judge_pivots(const std::vector<double> &row_sizes);
     void solve_symmetric(double *b) const;
+    void forward_columns(unsigned int n_columns) const;
+    void backward_columns(unsigned int n_columns) const;
   };
 } // namespace samara
 
