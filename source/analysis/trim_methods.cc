@@ -384,14 +384,16 @@ namespace samara
         VectorX share = du;
         for (unsigned int j = 0; j < controls.size(); ++j)
           share(j) /= controls[j].scale * controls[j].scale;
-        // and only where it has said most of it: what is still settling is no effect of controls
+        // and only where it has said most of it, as what is still settling is no effect of controls; or where it has
+        // led away, so that it was wrong
         const VectorX foreseen = J * du, surprise = next.averages - now.averages - foreseen;
         const auto    scaled = [&](VectorX y) {
           for (unsigned int k = 0; k < targets.size(); ++k)
             y(k) /= targets[k].scale;
           return y.norm();
         };
-        if (scaled(surprise) < 0.5 * scaled(foreseen))
+        if (scaled(surprise) < 0.5 * scaled(foreseen) ||
+            scaled(next.averages - wanted()) > scaled(now.averages - wanted()))
           J += surprise * share.transpose() / share.dot(du);
         now = next;
         tell(now);
