@@ -1,6 +1,7 @@
 #include <samara/aero/inflow.h>
 #include <samara/base/errors.h>
 #include <samara/model/drawing.h>
+#include <samara/model/probe_needs.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -200,17 +201,17 @@ namespace samara
                std::string::npos;
     };
     if (path == "thrust")
-      return Probe{path, "N", [=](const State &s) { return axes(s).col(2).dot(loads(s).force); }};
+      return Probe{path, "N", OfVelocities{{[=](const State &s) { return axes(s).col(2).dot(loads(s).force); }}}};
     if (path == "torque")
-      return Probe{path, "N m", [=](const State &s) { return -axes(s).col(2).dot(loads(s).moment); }};
+      return Probe{path, "N m", OfVelocities{{[=](const State &s) { return -axes(s).col(2).dot(loads(s).moment); }}}};
     if (path == "power")
-      return Probe{path, "W", [=](const State &s) { return -loads(s).power; }};
+      return Probe{path, "W", OfVelocities{{[=](const State &s) { return -loads(s).power; }}}};
     if (path == "mean")
       return Probe{path, "m/s", [=](const State &s) { return mean(s); }};
     if (const auto i = part("force"); i != std::string::npos)
-      return Probe{path, "N", [=](const State &s) { return axes(s).col(i).dot(loads(s).force); }};
+      return Probe{path, "N", OfVelocities{{[=](const State &s) { return axes(s).col(i).dot(loads(s).force); }}}};
     if (const auto i = part("moment"); i != std::string::npos)
-      return Probe{path, "N m", [=](const State &s) { return axes(s).col(i).dot(loads(s).moment); }};
+      return Probe{path, "N m", OfVelocities{{[=](const State &s) { return axes(s).col(i).dot(loads(s).moment); }}}};
     for (unsigned int k = 0; k < states.size(); ++k)
       if (path == "state " + std::to_string(k + 1))
         return Probe{path, "m/s", [=](const State &s) { return s.states[states[k]]; }};

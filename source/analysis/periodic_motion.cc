@@ -16,9 +16,6 @@ namespace samara
     /** Of differences of probes, in the scales of increments: errors of its square. */
     constexpr double step_of_probes = 1e-4;
 
-    /** Of the equations of each step's tangent: enough for Newton's method, at less than half the cost of round-off. */
-    constexpr double tolerance_of_tangent = 1e-8;
-
 
 
     double
@@ -98,14 +95,78 @@ namespace samara
 
 
   void
+  PeriodicMotion::repeat(const RepeatedParts &repeated)
+  {
+    AssertThrow(n_steps % repeated.n() == 0, dealii::ExcMessage("Sections have as many steps as each other."));
+    parts.reset();
+    if (repeated.n() > 1)
+      parts.emplace(repeated);
+  }
+
+
+
+  State
+  PeriodicMotion::in_next_section(const State &state) const
+  {
+    State result = parts ? parts->renumbered(state, false) : state;
+    result.time += period / n_sections();
+    return result;
+  }
+
+
+
+  std::vector<double>
+  PeriodicMotion::all_values(State state, Projection &projection) const
+  {
+    std::vector<double> result = values(state, projection);
+    for (unsigned int section = 1; section < n_sections(); ++section)
+      {
+        state        = in_next_section(state);
+        const auto y = values(state, projection);
+        result.insert(result.end(), y.begin(), y.end());
+      }
+    return result;
+  }
+
+
+
+  std::vector<double>
+  PeriodicMotion::all_changes(State state, const double *x, Projection &projection) const
+  {
+    std::vector<double> result = change_of_values(state, x, projection), changed(x, x + scales.size());
+    for (unsigned int section = 1; section < n_sections(); ++section)
+      {
+        state = in_next_section(state);
+        parts->apply_inverse(changed.data());
+        const auto y = change_of_values(state, changed.data(), projection);
+        result.insert(result.end(), y.begin(), y.end());
+      }
+    return result;
+  }
+
+
+
+  double
+  PeriodicMotion::weighted(const unsigned int k, const std::vector<double> &values, const double time) const
+  {
+    double sum = 0;
+    for (unsigned int section = 0; section < n_sections(); ++section)
+      sum += averages[k].weighted(values[section * averages.size() + k],
+                                  2 * M_PI * (time / period + double(section) / n_sections()));
+    return sum;
+  }
+
+
+
+  void
   PeriodicMotion::add(std::vector<double>       &sums,
                       const std::vector<double> &y,
                       const double               time,
                       const unsigned int         step) const
   {
-    const double weight = (step > 0 && step < n_steps ? 1. : 0.5) / n_steps;
+    const double weight = (step > 0 && step < steps_of_turn() ? 1. : 0.5) / n_steps;
     for (unsigned int k = 0; k < sums.size(); ++k)
-      sums[k] += weight * weighted(k, y[k], time);
+      sums[k] += weight * weighted(k, y, time);
   }
 
 
@@ -118,8 +179,8 @@ namespace samara
     Stepper             stepper(system, integrator, h, 1e-3 * h);
     Projection          projection(system);
     std::vector<double> sums(averages.size(), 0.);
-    add(sums, values(state, projection), state.time, 0);
-    for (unsigned int i = 0; i < n_steps; ++i)
+    add(sums, all_values(state, projection), state.time, 0);
+    for (unsigned int i = 0; i < steps_of_turn(); ++i)
       {
         throw_if_interrupted();
         const double goal = start + (i + 1) * h;
@@ -129,7 +190,7 @@ namespace samara
             n_iterations += advance.step.iterations;
             ++n_marched;
           }
-        const auto y = values(state, projection);
+        const auto y = all_values(state, projection);
         add(sums, y, state.time, i + 1);
         if (observer)
           {
@@ -148,19 +209,19 @@ namespace samara
 
 
   void
-  PeriodicMotion::linearize(const State &start)
+  PeriodicMotion::linearize(const State &start, const double tolerance)
   {
     map = std::make_unique<PeriodMap>(system,
-                                      PeriodSettings{period,
-                                                     n_steps,
+                                      PeriodSettings{period / n_sections(),
+                                                     steps_of_turn(),
                                                      settings.n_stages,
                                                      settings.spectral_radius,
                                                      settings.newton_tolerance,
                                                      settings.max_iterations,
-                                                     tolerance_of_tangent});
+                                                     tolerance});
     ++n_turns;
     map->linearize(start);
-    n_marched += n_steps;
+    n_marched += steps_of_turn();
     n_iterations += map->n_iterations;
     n_factorizations += map->n_factorizations();
   }
@@ -192,14 +253,16 @@ namespace samara
     AssertThrow(map, dealii::ExcMessage("No turn has been linearised."));
     Projection          projection(system);
     std::vector<double> sums(averages.size(), 0.);
-    for (unsigned int i = 0; i <= n_steps; ++i)
+    for (unsigned int i = 0; i <= steps_of_turn(); ++i)
       {
         throw_if_interrupted();
         if (i > 0)
           map->apply_step(x, i - 1);
         const State &state = map->states()[i];
-        add(sums, change_of_values(state, x, projection), state.time, i);
+        add(sums, all_changes(state, x, projection), state.time, i);
       }
+    if (parts)
+      parts->apply(x);
     ++n_applied;
     return sums;
   }
@@ -209,6 +272,11 @@ namespace samara
   void
   PeriodicMotion::begin_again(const State &start, State &end) const
   {
+    if (parts)
+      {
+        end             = parts->renumbered(end);
+        end.multipliers = start.multipliers;
+      }
     end.time = start.time;
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
       if (!system.layout.is_length(system.layout.of_coordinate(i)))
@@ -220,7 +288,7 @@ namespace samara
   std::vector<double>
   PeriodicMotion::gap(const State &start, const State &end) const
   {
-    return increment(system, start, end, true);
+    return increment(system, start, parts ? parts->renumbered(end) : end, true);
   }
 
 

@@ -1,5 +1,6 @@
 #include <samara/analysis/repeated_parts.h>
 #include <samara/base/text.h>
+#include <samara/solvers/newton.h>
 #include <samara/time/increment.h>
 
 #include <algorithm>
@@ -149,6 +150,7 @@ namespace samara
     : system(system)
     , node_turns(system.layout.n_nodes, false)
     , coordinate_turns(system.layout.n_coordinates, false)
+    , turns_by(system.layout.n_coordinates, 0.)
     , axes(system.layout.n_nodes, Matrix3::Identity())
   {
     for (const auto &group : groups)
@@ -190,6 +192,132 @@ namespace samara
     for (unsigned int node = 1; node < axes.size(); ++node)
       if (node_turns[node])
         axes[node] = start.triad(node_becomes[node]).transpose() * end.triad(node);
+  }
+
+
+
+  Matrix3
+  RepeatedParts::turn_as_built(const State &moving) const
+  {
+    const auto &nodes  = system.model.nodes;
+    Vector3     centre = Vector3::Zero(), spin = Vector3::Zero();
+    double  n = 0;
+    for (unsigned int i = 1; i < nodes.size(); ++i)
+      if (node_becomes[i] != i)
+        {
+          centre += nodes[i].x;
+          spin += nodes[i].D * Eigen::Map<const Vector3>(&moving.y[6 * i + 3]);
+          ++n;
+        }
+    centre /= std::max(n, 1.);
+    Matrix3 H = Matrix3::Zero();
+    for (unsigned int i = 1; i < nodes.size(); ++i)
+      if (node_becomes[i] != i)
+        H += (nodes[i].x - centre) * (nodes[node_becomes[i]].x - centre).transpose();
+    Eigen::JacobiSVD<Matrix3> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Vector3             sizes = svd.singularValues();
+    if (sizes(1) < 1e-6 * sizes(0) || !(sizes(0) > 0))
+      {
+        // all on one line, as two straight blades: what they turn about tells the rest
+        const Vector3 line = svd.matrixU().col(0), across = spin - line * line.dot(spin);
+        if (!(across.norm() > 0) || !(sizes(0) > 0))
+          throw std::invalid_argument("nothing tells how one part comes to the place of the next: all of them lie on "
+                                      "one line, and do not turn at the start");
+        H += sizes(0) * across.normalized() * across.normalized().transpose();
+        svd.compute(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+      }
+    Matrix3 sense     = Matrix3::Identity();
+    sense(2, 2)       = svd.matrixV().determinant() * svd.matrixU().determinant() > 0 ? 1 : -1;
+    const Matrix3 R   = svd.matrixV() * sense * svd.matrixU().transpose();
+    const double  out = n_parts > 2 ? vector_of_rotation(R).dot(spin) : 1.;
+    if (spin.norm() > 0 && !(out > 0))
+      throw std::invalid_argument("parts stand in another order than that in which they come round: each must be named "
+                                  "before the one whose place it takes");
+    return R;
+  }
+
+
+
+  void
+  RepeatedParts::require_places(const Matrix3 &turn) const
+  {
+    const auto &nodes  = system.model.nodes;
+    Vector3     centre = Vector3::Zero();
+    double      n      = 0;
+    for (unsigned int i = 1; i < nodes.size(); ++i)
+      if (node_becomes[i] != i)
+        {
+          centre += nodes[i].x;
+          ++n;
+        }
+    centre /= std::max(n, 1.);
+    for (unsigned int i = 1; i < nodes.size(); ++i)
+      if (node_becomes[i] != i)
+        {
+          const auto  &next = nodes[node_becomes[i]];
+          const double off  = (centre + turn * (nodes[i].x - centre) - next.x).norm();
+          if (off > 1e-3 * model_length(system.model))
+            throw std::invalid_argument("<" + nodes[i].name + ">, turned by " + number_to_text("%.4g", 360. / n_parts) +
+                                        " degrees, is " + number_to_text("%.3g", off) + " m away from <" + next.name +
+                                        ">, whose place it should take");
+        }
+  }
+
+
+
+  void
+  RepeatedParts::align_as_built(const State &moving)
+  {
+    if (n_parts == 1)
+      return;
+    const Matrix3 R = turn_as_built(moving);
+    if (const double angle = vector_of_rotation(R).norm(); std::abs(angle - 2 * M_PI / n_parts) > 1e-3)
+      throw std::invalid_argument("each part is " + number_to_text("%.4g", angle * 180 / M_PI) +
+                                  " degrees from the next one, and not " + number_to_text("%.4g", 360. / n_parts));
+    require_places(R);
+    const auto &nodes = system.model.nodes;
+    for (unsigned int node = 1; node < axes.size(); ++node)
+      if (node_turns[node])
+        axes[node] = nodes[node_becomes[node]].D.transpose() * R * nodes[node].D;
+    for (unsigned int i = 0; i < turns_by.size(); ++i)
+      if (coordinate_turns[i])
+        turns_by[i] = std::copysign(2 * M_PI / n_parts, moving.rates[i]);
+  }
+
+
+
+  State
+  RepeatedParts::renumbered(const State &state, const bool forward) const
+  {
+    State result = state;
+    if (n_parts == 1)
+      return result;
+    result.accelerations.clear();
+    for (unsigned int node = 1; node < axes.size(); ++node)
+      {
+        const unsigned int  from = forward ? node : node_becomes[node], to = forward ? node_becomes[node] : node;
+        const Matrix3       A = forward ? axes[node] : Matrix3(axes[node].transpose());
+        Eigen::Map<Vector3> place(&result.q[12 * to]);
+        place                                       = state.position(from);
+        Eigen::Map<Matrix3>(&result.q[12 * to + 3]) = state.triad(from) * A.transpose();
+        for (const int part : {0, 3})
+          Eigen::Map<Vector3>(&result.y[6 * to + part]) = A * Eigen::Map<const Vector3>(&state.y[6 * from + part]);
+      }
+    for (unsigned int i = 0; i < coordinate_becomes.size(); ++i)
+      {
+        const unsigned int from = forward ? i : coordinate_becomes[i], to = forward ? coordinate_becomes[i] : i;
+        result.coordinates[to] = state.coordinates[from] - (forward ? 1 : -1) * turns_by[i];
+        result.rates[to]       = state.rates[from];
+      }
+    for (unsigned int i = 0; i < state_becomes.size(); ++i)
+      {
+        const unsigned int from = forward ? i : state_becomes[i], to = forward ? state_becomes[i] : i;
+        result.states[to] = state.states[from];
+        if (!state.state_rates.empty())
+          result.state_rates[to] = state.state_rates[from];
+      }
+    system.stresses(result, result.stress);
+    return result;
   }
 
 

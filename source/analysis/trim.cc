@@ -36,11 +36,26 @@ namespace samara
     , system(context.system)
   {
     find_controls();
-    const auto averages = find_targets();
+    motion = make_motion();
     history.emplace(columns());
+  }
+
+
+
+  std::unique_ptr<PeriodicMotion>
+  TrimAnalysis::Run::make_motion()
+  {
     const IntegratorSettings settings{
       trim.spectral_radius, trim.newton_tolerance, trim.max_iterations, 1e-4, trim.n_stages};
-    motion = std::make_unique<PeriodicMotion>(context, trim.period, trim.n_steps, settings, averages);
+    return std::make_unique<PeriodicMotion>(context, trim.period, trim.n_steps, settings, find_targets());
+  }
+
+
+
+  double
+  TrimAnalysis::Run::turns() const
+  {
+    return double(motion->n_turns) / motion->n_sections() + (whole ? whole->n_turns : 0);
   }
 
 
@@ -87,6 +102,7 @@ namespace samara
   TrimAnalysis::Run::find_targets()
   {
     std::vector<PeriodAverage> averages;
+    targets.clear();
     for (unsigned int k = 0; k < trim.targets.size(); ++k)
       {
         const TrimTarget &given = trim.targets[k];
@@ -214,17 +230,18 @@ namespace samara
           from.state.states[i] = 0;
     state = start_of_motion(from, {trim.parameters.where(), trim.start_time});
     require_controls(state);
-    State end = state;
-    motion->turn(end, [&](State &now, const unsigned int step, const std::vector<double> &) {
-      for (unsigned int i = 0; grows && i < rates.size(); ++i)
-        if (rates[i] == 0)
-          now.states[i] = double(step + 1) / trim.n_steps * values[i];
-    });
-    motion->begin_again(state, end);
-    state = end;
-    for (unsigned int i = 1; i < trim.settle; ++i)
+    use_symmetry(state);
+    const unsigned int n = motion->n_sections();
+    for (unsigned int section = 0; section < trim.settle * n; ++section)
       {
-        motion->turn(end);
+        State      end = state;
+        const auto f   = [&](State &now, const unsigned int step, const std::vector<double> &) {
+          const double share = double(section * motion->steps_of_turn() + step + 1) / trim.n_steps;
+          for (unsigned int i = 0; i < rates.size(); ++i)
+            if (rates[i] == 0)
+              now.states[i] = share * values[i];
+        };
+        motion->turn(end, grows && section < n ? f : PeriodicMotion::Observer());
         motion->begin_again(state, end);
         state = end;
       }
@@ -248,7 +265,7 @@ namespace samara
   TrimAnalysis::Run::Look
   TrimAnalysis::Run::look(const State &from, const PeriodicMotion::Observer &observer)
   {
-    if (motion->n_turns >= trim.most_turns)
+    if (turns() >= trim.most_turns)
       fail("it is not found in " + std::to_string(trim.most_turns) + " turns (<Most turns>)");
     Look result;
     result.start    = from;
@@ -270,7 +287,8 @@ namespace samara
     motion->begin_again(from, result.end);
     result.turned.resize(coordinates.size());
     for (unsigned int i = 0; i < coordinates.size(); ++i)
-      result.turned[i] = coordinates[i] - result.end.coordinates[i];
+      if (!parts || parts->next_of_coordinate(i) == i)
+        result.turned[i] = motion->n_sections() * (coordinates[i] - result.end.coordinates[i]);
     return result;
   }
 
@@ -280,7 +298,7 @@ namespace samara
   TrimAnalysis::Run::settled(State from)
   {
     Look result;
-    for (unsigned int i = 0; i < trim.settle; ++i)
+    for (unsigned int i = 0; i < trim.settle * motion->n_sections(); ++i)
       {
         result = look(from);
         from   = result.end;
@@ -315,6 +333,7 @@ namespace samara
     for (unsigned int j = 0; j < controls.size(); ++j)
       u(j) = std::clamp(u(j), controls[j].lower, controls[j].upper);
     set_controls(state, u);
+    use_symmetry(state);
     search();
   }
 
@@ -325,15 +344,20 @@ namespace samara
   {
     Look now = look(state);
     tell(now);
+    check_symmetry(now);
     Look found = trim.method == "Newton-Krylov" ? newton_krylov(now) :
                  trim.method == "discrete"      ? discrete(now) :
                                                   auto_pilot(now);
-    confirm(found);
+    if (State end = confirm(found); parts)
+      found.end = end; // a motion of its own numbers, with the multipliers that belong to it
     leave(found);
     write(found);
-    context.log.line("trim: found in " + std::to_string(motion->n_turns) + " turns" +
-                     (motion->n_applied > 0 ? " and " + std::to_string(motion->n_applied) + " products with a tangent" :
-                                              std::string()) +
+    const std::string of_section =
+      motion->n_sections() > 1 ? " of 1/" + std::to_string(motion->n_sections()) + " turn" : "";
+    context.log.line("trim: found in " + short_text(turns()) + " turns" +
+                     (motion->n_applied > 0 ?
+                        " and " + std::to_string(motion->n_applied) + " products with a tangent" + of_section :
+                        std::string()) +
                      "; the orbit closes to " + number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
                      number_to_text("%.1e", found.miss) + " of their scales");
     for (unsigned int j = 0; j < controls.size(); ++j)

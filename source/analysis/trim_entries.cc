@@ -209,6 +209,13 @@ namespace samara
             "Newton-Krylov: periodicity and targets at once; discrete: settle, correct, settle; auto-pilot: controls "
             "follow the mean over the last period while the motion goes on.",
             Selection("Newton-Krylov|discrete|auto-pilot"));
+    prm.add(
+      "Symmetry",
+      symmetry,
+      "Names of repeated parts, each where the next one was a part of the period before, groups behind semicolons: "
+      "blade 1, blade 2; lag 1, lag 2. Turns are over that part of the period then, and parts are renumbered behind it. "
+      "Belongs to a part what has its name in its own.");
+    prm.add("Turning", turning, "Names of bodies and joints that turn with the repeated parts and are not repeated.");
     prm.add("Start time", start_time, "Time at which the period starts, and the orbit is left [s].");
     prm.add("Settle", settle, "Periods before the first look, and of discrete corrections after each.", Integer(1));
     prm.add("Most turns", most_turns, "Periods after which trim is given up.", Integer(1));
@@ -222,7 +229,7 @@ namespace samara
     prm.add("Most products",
             most_products,
             "Of Newton-Krylov: dimensions of a Krylov space, each of which costs a product with the tangent of a "
-            "period, or a period where that is not there.",
+            "period, or a period where that is not there. With a <Symmetry>, of whole periods.",
             Integer(1));
     prm.add("Stages", n_stages, "Stages of the integrator, 1 to 3.", Integer(1, 3));
     prm.add("Spectral radius",
@@ -282,6 +289,11 @@ namespace samara
         complain("Targets",
                  "harmonic " + std::to_string(target.harmonic) + " of <" + target.probe + "> needs more than " +
                    std::to_string(2 * target.harmonic) + " <Steps> a period");
+    if (symmetry.empty() && !turning.empty())
+      complain("Turning", "<Turning> belongs to a <Symmetry>: which parts are repeated");
+    if (const auto groups = groups_of_names(symmetry); !groups.empty() && n_steps % groups[0].size() != 0)
+      complain("Steps",
+               "the <Steps> must be a multiple of the " + std::to_string(groups[0].size()) + " repeated parts");
     if (!rotor_speeds.empty())
       complaints.add(parameters.where(), "trim is found at one speed; leave out <Rotor speeds>, or the analysis");
   }

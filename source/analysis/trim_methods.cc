@@ -17,8 +17,14 @@ namespace samara
     constexpr double difference_step = 1e-4; ///< of products with the Jacobian, in scales
 
     /** Of the linear equations, relative to their right side, never absolute. @{ */
-    constexpr double loosest_forcing = 1e-2, tightest_forcing = 1e-4;
+    constexpr double loosest_forcing = 0.1, tightest_forcing = 1e-4, forcing_of_differences = 1e-2;
     /** @} */
+
+    /** Of the steps' own equations in products with tangents, below what is asked of the sum. */
+    constexpr double share_of_forcing = 1e-3;
+
+    /** Of an image over its size: what is left of it across the images before, if it is to tell anything new. */
+    constexpr double least_news = 0.05;
 
     /** After so many turns without a tangent one after another none is looked for any more: it costs a turn. */
     constexpr unsigned int most_turns_without_tangent = 3;
@@ -31,22 +37,87 @@ namespace samara
 
 
     /** x by A x = b to @p forcing |b|, or as far as @p most products lead, which is no fault of an inexact method. */
-    template <typename Matrix>
+    template <typename Matrix, typename Preconditioner>
     dealii::Vector<double>
-    gmres(const Matrix &A, const dealii::Vector<double> &b, const double forcing, const unsigned int most)
+    gmres(const Matrix                 &A,
+          const dealii::Vector<double> &b,
+          const double                  forcing,
+          const unsigned int            most,
+          const Preconditioner         &preconditioner)
     {
       using Settings = dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData;
       dealii::Vector<double>                      x(b.size());
       dealii::SolverControl                       control(most, forcing * b.l2_norm(), false, false);
-      dealii::SolverGMRES<dealii::Vector<double>> solver(control, Settings(most + 2));
+      dealii::SolverGMRES<dealii::Vector<double>> solver(control, Settings(most + 2, true));
       try
         {
-          solver.solve(A, x, b, dealii::PreconditionIdentity());
+          solver.solve(A, x, b, preconditioner);
         }
       catch (const dealii::SolverControl::NoConvergence &)
         {}
       return x;
     }
+
+
+
+    /**
+     * Nearly the inverse of a matrix of which J u = q was known at another place, q orthonormal: q becomes u, and what
+     * is across all q becomes what is across all u, by the least rotation. (Left as it is, it could be among the u:
+     * the whole would be singular.)
+     */
+    class NearlyInverse
+    {
+    public:
+      NearlyInverse(const std::vector<Eigen::VectorXd> &u, const std::vector<Eigen::VectorXd> &q)
+      {
+        if (u.empty())
+          return;
+        const unsigned int n = u[0].size(), m = u.size();
+        U.resize(n, m);
+        Q.resize(n, m);
+        for (unsigned int i = 0; i < m; ++i)
+          {
+            U.col(i) = u[i];
+            Q.col(i) = q[i];
+          }
+        const Eigen::MatrixXd V =
+          Eigen::HouseholderQR<Eigen::MatrixXd>(U).householderQ() * Eigen::MatrixXd::Identity(n, m);
+        // principal directions: pairs of which each turns in a plane of its own
+        const Eigen::BDCSVD<Eigen::MatrixXd> svd(V.transpose() * Q, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const Eigen::MatrixXd                v = V * svd.matrixU(), w = Q * svd.matrixV();
+        from.resize(n, m);
+        to.resize(n, m);
+        unsigned int n_planes = 0;
+        for (unsigned int i = 0; i < m; ++i)
+          {
+            const double          cosine = svd.singularValues()(i);
+            const Eigen::VectorXd across = v.col(i) - cosine * w.col(i);
+            const double          sine   = across.norm();
+            if (sine < 1e-8)
+              continue;
+            from.col(n_planes) = across / sine;
+            to.col(n_planes++) = cosine * across / sine - sine * w.col(i);
+          }
+        from.conservativeResize(n, n_planes);
+        to.conservativeResize(n, n_planes);
+      }
+
+      void
+      vmult(dealii::Vector<double> &result, const dealii::Vector<double> &x) const
+      {
+        result = x;
+        if (U.cols() == 0)
+          return;
+        Eigen::Map<Eigen::VectorXd> y(result.begin(), result.size());
+        const Eigen::VectorXd       known = Q.transpose() * y;
+        y -= Q * known;
+        const Eigen::VectorXd turned = from.transpose() * y;
+        y += (to - from) * turned + U * known;
+      }
+
+    private:
+      Eigen::MatrixXd U, Q, from, to; ///< the rotation leads from one to the other
+    };
   } // namespace
 
 
@@ -107,7 +178,7 @@ namespace samara
     if (n_without_tangent < most_turns_without_tangent)
       try
         {
-          motion->linearize(now.start);
+          motion->linearize(now.start, share_of_forcing * forcing);
           const VectorX x = solve([this](const VectorX &direction) { return by_tangent(direction); }, r, forcing);
           if (n_without_tangent > 0)
             context.log.line("trim: products by tangents again");
@@ -120,7 +191,12 @@ namespace samara
             context.log.line(std::string("trim: products by differences of turns, as the tangent is not there: ") +
                              problem.what());
         }
-    return solve([&](const VectorX &direction) { return by_difference(now, r, direction); }, r, forcing);
+    known           = {}; // of differences too many digits are lost where images are small
+    const VectorX x = solve([&](const VectorX &direction) { return by_difference(now, r, direction); },
+                            r,
+                            std::min(forcing, forcing_of_differences));
+    known           = {};
+    return x;
   }
 
 
@@ -128,26 +204,60 @@ namespace samara
   TrimAnalysis::Run::VectorX
   TrimAnalysis::Run::solve(const std::function<VectorX(const VectorX &)> &product,
                            const VectorX                                 &r,
-                           const double                                   forcing) const
+                           const double                                   forcing)
   {
+    Known now; // directions and their images as they are, in the order of products
     struct Jacobian
     {
       const std::function<VectorX(const VectorX &)> &product;
+      Known                                         &now;
 
       void
       vmult(dealii::Vector<double> &to, const dealii::Vector<double> &v) const
       {
         const Eigen::Map<const VectorX> direction(v.begin(), v.size());
         to = 0.;
-        if (direction.norm() > 0) // GMRES starts at zero
-          Eigen::Map<VectorX>(to.begin(), to.size()) = product(direction);
+        if (!(direction.norm() > 0))
+          return; // GMRES starts at zero
+        now.u.emplace_back(direction);
+        now.q.push_back(product(direction));
+        Eigen::Map<VectorX>(to.begin(), to.size()) = now.q.back();
       }
     };
     dealii::Vector<double> b(r.size());
     for (unsigned int i = 0; i < b.size(); ++i)
       b[i] = -r(i);
-    const auto x = gmres(Jacobian{product}, b, forcing, trim.most_products);
+    const auto x = gmres(
+      Jacobian{product, now}, b, forcing, trim.most_products * motion->n_sections(), NearlyInverse(known.u, known.q));
+    remember(now);
     return Eigen::Map<const VectorX>(x.begin(), x.size());
+  }
+
+
+
+  void
+  TrimAnalysis::Run::remember(const Known &products)
+  {
+    Known      all;
+    const auto add = [&](VectorX u, VectorX q) {
+      const double size = q.norm();
+      for (int pass = 0; pass < 2; ++pass)
+        for (unsigned int i = 0; i < all.q.size(); ++i)
+          {
+            const double part = all.q[i].dot(q);
+            q -= part * all.q[i];
+            u -= part * all.u[i];
+          }
+      if (const double left = q.norm(); left > least_news * size)
+        {
+          all.q.emplace_back(q / left);
+          all.u.emplace_back(u / left);
+        }
+    };
+    for (const Known *const from : {&products, static_cast<const Known *>(&known)})
+      for (unsigned int i = 0; i < from->q.size() && all.q.size() < trim.most_products * motion->n_sections(); ++i)
+        add(from->u[i], from->q[i]);
+    known = all;
   }
 
 
@@ -181,7 +291,7 @@ namespace samara
               }
             catch (const NotConverged &)
               {
-                if (motion->n_turns >= trim.most_turns)
+                if (turns() >= trim.most_turns)
                   throw;
                 continue; // no motion goes on from there
               }
@@ -274,8 +384,16 @@ namespace samara
         VectorX share = du;
         for (unsigned int j = 0; j < controls.size(); ++j)
           share(j) /= controls[j].scale * controls[j].scale;
-        const VectorX surprise = next.averages - now.averages - J * du;
-        if (surprise.norm() < 0.5 * (J * du).norm())
+        // and only where it has said most of it, as what is still settling is no effect of controls; or where it has
+        // led away, so that it was wrong
+        const VectorX foreseen = J * du, surprise = next.averages - now.averages - foreseen;
+        const auto    scaled = [&](VectorX y) {
+          for (unsigned int k = 0; k < targets.size(); ++k)
+            y(k) /= targets[k].scale;
+          return y.norm();
+        };
+        if (scaled(surprise) < 0.5 * scaled(foreseen) ||
+            scaled(next.averages - wanted()) > scaled(now.averages - wanted()))
           J += surprise * share.transpose() / share.dot(du);
         now = next;
         tell(now);
@@ -300,11 +418,11 @@ namespace samara
     const auto          pilot = [&](State &state, unsigned int, const std::vector<double> &values) {
       VectorX y(targets.size());
       for (unsigned int k = 0; k < targets.size(); ++k)
-        y(k) = targets[k].factor * motion->weighted(k, values[k], state.time) / trim.n_steps;
+        y(k) = targets[k].factor * motion->weighted(k, values, state.time) / trim.n_steps;
       window.push_back(y);
-      if (window.size() < trim.n_steps)
+      if (window.size() < motion->steps_of_turn())
         return;
-      if (window.size() > trim.n_steps)
+      if (window.size() > motion->steps_of_turn())
         window.pop_front();
       VectorX sum = VectorX::Zero(targets.size());
       for (const auto &part : window)

@@ -87,6 +87,12 @@ namespace samara
     table.add_row(row);
     if (!context.folder.empty())
       table.write(context.folder + "/trim_path.csv");
+    Eigen::VectorXd u(of.report.controls.size());
+    for (unsigned int j = 0; j < u.size(); ++j)
+      for (const auto &state : context.system.model.states)
+        if (state.name == trim.controls[j].name)
+          u(j) = of.report.controls[j] / state.scale;
+    controls_at.emplace_back(next.share, u);
     found.push_back(next);
     if (found.size() > 2)
       found.erase(found.begin());
@@ -152,6 +158,32 @@ namespace samara
 
 
 
+  std::string
+  TrimAnalysis::Path::limit_point(const double beyond) const
+  {
+    const unsigned int n = controls_at.size();
+    if (n < 3)
+      return "";
+    // controls go as the root of what is left of the way: the point for which the last three lie on one parabola
+    const auto &[s_1, u_1] = controls_at[n - 3];
+    const auto &[s_2, u_2] = controls_at[n - 2];
+    const auto &[s_3, u_3] = controls_at[n - 1];
+    const double wanted = (u_3 - u_2).norm() / (u_2 - u_1).norm(), first = s_1, second = s_2, third = s_3;
+    const auto   ratio = [=](const double at) {
+      return (std::sqrt(at - second) - std::sqrt(at - third)) / (std::sqrt(at - first) - std::sqrt(at - second));
+    };
+    double lower = third, upper = beyond + shortest_step_of_path;
+    if (!(wanted < ratio(lower) && wanted > ratio(upper)))
+      return ""; // slower, or faster, as towards an asymptote
+    for (unsigned int i = 0; i < 50; ++i)
+      (ratio((lower + upper) / 2) > wanted ? lower : upper) = (lower + upper) / 2;
+    return "; on the way there controls change ever faster, as they do before a limit point, which would be at about " +
+           values_at(upper) +
+           ": there the path turns round, and beyond it there is no motion that goes on from this one";
+  }
+
+
+
   void
   TrimAnalysis::Path::stop(const double beyond, const std::string &why)
   {
@@ -166,7 +198,7 @@ namespace samara
       {
         text += "it does not go on by itself, so that what controls do is not known";
       }
-    throw NotConverged(text + limits_ahead());
+    throw NotConverged(text + limit_point(beyond) + limits_ahead());
   }
 
 

@@ -21,14 +21,14 @@ namespace samara
     if (look.size() < best.size() || n_looks == 0)
       best = look;
     ++n_looks;
-    std::vector<Table::Cell> row = {motion->n_turns, look.largest_gap, look.miss};
+    std::vector<Table::Cell> row = {turns(), look.largest_gap, look.miss};
     const VectorX            u   = controls_of(look.start);
     for (unsigned int j = 0; j < controls.size(); ++j)
       row.emplace_back(u(j));
     for (unsigned int k = 0; k < targets.size(); ++k)
       row.emplace_back(look.averages(k) / targets[k].factor);
     history->add_row(row);
-    context.log.progress("trim: turn " + std::to_string(motion->n_turns) + ", periodic to " +
+    context.log.progress("trim: turn " + short_text(turns()) + ", periodic to " +
                          number_to_text("%.1e", look.largest_gap) + " (" + motion->name_of(look.worst_gap) +
                          "), targets missed by " + number_to_text("%.1e", look.miss) + " of their scales, most " +
                          targets[look.worst_target].name);
@@ -71,6 +71,7 @@ namespace samara
   std::string
   TrimAnalysis::Run::weakness(const State &orbit)
   {
+    use_symmetry(orbit);
     const Look            now = look(orbit);
     const Eigen::MatrixXd J   = control_matrix(now);
     if (const std::string fault = fault_of(J); !fault.empty())
@@ -177,7 +178,7 @@ namespace samara
     const VectorX u         = controls_of(look.start);
     trim.report.controls    = {u.data(), u.data() + u.size()};
     trim.report.averages    = {look.averages.data(), look.averages.data() + look.averages.size()};
-    trim.report.turns       = motion->n_turns;
+    trim.report.turns       = turns();
     trim.report.products    = motion->n_applied;
     trim.report.periodicity = look.largest_gap;
     trim.report.miss        = look.miss;
@@ -216,7 +217,7 @@ namespace samara
 
 
 
-  void
+  State
   TrimAnalysis::Run::confirm(const Look &look)
   {
     // time goes on here, while all turns before were over the same time
@@ -224,15 +225,19 @@ namespace samara
     next.time += trim.period;
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
       next.coordinates[i] += look.turned[i];
-    State      end      = next;
-    const auto averages = averages_in_si(motion->turn(end));
-    const auto largest  = motion->largest(motion->gap(next, end));
-    double     miss     = 0;
+    State           end      = next;
+    PeriodicMotion &of_turn  = parts ? *(whole = make_motion()) : *motion;
+    const auto      averages = averages_in_si(of_turn.turn(end));
+    const auto      largest  = of_turn.largest(of_turn.gap(next, end));
+    double          miss     = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
       miss = std::max(miss, std::abs(averages(k) - targets[k].value) / targets[k].scale);
     if (!(std::max(largest.size, miss) < 100 * trim.tolerance))
-      fail("the motion comes back after the period from t = " + number_to_text("%.6g", look.start.time) +
-           " s, but not after the next one, most " + motion->name_of(largest.entry) +
-           ": something that acts does not have this <Period>, or what was found is not stable");
+      fail("the motion comes back after " + std::string(parts ? "a section of " : "") + "the period from t = " +
+           number_to_text("%.6g", look.start.time) + " s, but not after the next one" + (parts ? " as a whole" : "") +
+           ", most " + motion->name_of(largest.entry) + ": something that acts does not have this <Period>" +
+           (parts ? " or this <Symmetry>" : "") + ", or what was found is not stable");
+    of_turn.begin_again(look.start, end);
+    return end;
   }
 } // namespace samara

@@ -7,7 +7,6 @@
 #include <samara/analysis/dynamic.h>
 #include <samara/analysis/trim.h>
 #include <samara/base/errors.h>
-
 #include <samara/trim_variants.h>
 
 #include "../reference.h"
@@ -375,6 +374,23 @@ TEST(Trim, ContinuationStops)
   EXPECT_LT(at, 0.5) << text;
   EXPECT_GT(at, 0.45) << text;
   EXPECT_TRUE(contains(text, "the targets 1.00 <slide.displacement>, which the controls 1.00 <bias> move by")) << text;
+  EXPECT_FALSE(contains(text, "limit point")) << text; // an asymptote
+}
+
+
+
+// The force has its largest value, 4 N, at bias = 1 N, and less beyond: the path turns round at half of the way.
+TEST(Trim, ContinuationNamesALimitPoint)
+{
+  auto overrides = saturated("40*way mm");
+  overrides[1]   = "States/bias/Value = 0.1 N";
+  overrides[2]   = "Joints/slide/displacement/Force = 8 N*(bias/(1 N))/(1 + (bias/(1 N))^2)";
+  Scene scene(mass, overrides);
+  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + mass, overrides);
+  const std::string text = failure_of(scene), before = "limit point, which would be at about way = ";
+  const auto        point = text.find(before);
+  ASSERT_NE(point, std::string::npos) << text;
+  EXPECT_NEAR(std::stod(text.substr(point + before.size())), 0.5, 0.02) << text;
 }
 
 
@@ -396,5 +412,6 @@ TEST(Trim, RefusalsOfContinuation)
   EXPECT_TRUE(contains(complaint("Trim/Continue = none from 1"), "<none> is zero"));
   EXPECT_TRUE(contains(complaint("Trim/Continue = omega from 8 rad/s"), "has this value already"));
   EXPECT_TRUE(contains(complaint("Trim/Continue = omga from 1 rad/s"), "omga"));
-  EXPECT_TRUE(contains(complaint("Trim/Continue = omega from 1 m"), "m")) << complaint("Trim/Continue = omega from 1 m");
+  EXPECT_TRUE(contains(complaint("Trim/Continue = omega from 1 m"), "m"))
+    << complaint("Trim/Continue = omega from 1 m");
 }

@@ -76,6 +76,28 @@ namespace samara
     /** Axes are taken from these states, a Q-th of a period from each other. */
     void align(const State &start, const State &end);
 
+    /**
+     * Axes are those of the model as it was built, turned by a Q-th of a turn: by the rotation that takes each part to
+     * the place of the next one. So they do not depend on a motion that is not yet periodic. @p moving tells about
+     * which axis and in which sense things turn.
+     * @throws std::invalid_argument saying what is not where the next part is, or that the order is another
+     */
+    void align_as_built(const State &moving);
+
+    /**
+     * P of a state, or P⁻¹: what belongs to a part belongs to the next one, what turns is turned back. Time stays, and
+     * so do multipliers, which have no parts here: a place to begin for who solves for them. To be called after
+     * align_as_built().
+     */
+    State renumbered(const State &state, bool forward = true) const;
+
+    /** Whether a joint coordinate is one that turns and is not repeated. */
+    bool
+    coordinate_only_turns(const unsigned int i) const
+    {
+      return coordinate_turns[i] && coordinate_becomes[i] == i;
+    }
+
     /** P x and P⁻¹ x, for increments as those of StepTangent. @{ */
     void apply(double *x) const;
     void apply_inverse(double *x) const;
@@ -91,11 +113,17 @@ namespace samara
     /** P x, or P⁻¹ x. */
     void exchange(double *x, bool forward) const;
 
+    /** The rotation that takes each part to the next one where the model was built, and whether it does. @{ */
+    Matrix3 turn_as_built(const State &moving) const;
+    void    require_places(const Matrix3 &turn) const;
+    /** @} */
+
     const System             &system;
     unsigned int              n_parts = 1;
     std::vector<unsigned int> node_becomes, coordinate_becomes, state_becomes;
     std::vector<bool>         node_turns, coordinate_turns; ///< by a Q-th of a turn
-    std::vector<Matrix3>      axes; ///< of each node at the end, as seen from those of what it becomes at the start
+    std::vector<double>       turns_by; ///< a coordinate in a Q-th of the period; 0 of what does not turn
+    std::vector<Matrix3>      axes;     ///< of each node at the end, as seen from those of what it becomes at the start
   };
 } // namespace samara
 

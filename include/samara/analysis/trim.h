@@ -118,6 +118,9 @@ namespace samara
    * If a search fails and there is a <Continue>, a constant of the model goes from another value to that of the file,
    * in steps that are halved where a search fails, each from the motions found before (doc/theory/trim.md).
    *
+   * With a <Symmetry> a turn is a Q-th of the period, behind which the Q repeated parts are renumbered
+   * (PeriodicMotion, RepeatedParts); that they are alike is tested before and behind the search, on whole periods.
+   *
    * The latter two begin with J from differences of settled motions. The motion starts as that of a dynamic analysis
    * does. The state that is left, at the <Start time>, lies on the orbit: dynamic goes on from there.
    *
@@ -142,7 +145,7 @@ namespace samara
     {
       std::vector<double>   controls, averages; ///< SI
       double                turns       = 0;
-      unsigned int          products    = 0; ///< with the exact tangent of a turn
+      unsigned int          products    = 0; ///< with the exact tangent of a turn, or of a section
       double                periodicity = 0; ///< largest gap of the orbit, in scales
       double                miss        = 0; ///< of the worst target, in scales
       unsigned int          iterations  = 0;
@@ -159,8 +162,9 @@ namespace samara
     /** A model whose constants are these parts of what the file says; set by who reads files. */
     std::function<std::unique_ptr<TrimVariant>(const std::vector<std::pair<std::string, double>> &)> variant;
 
-    std::string method = "Newton-Krylov";
-    double      period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
+    std::string              method = "Newton-Krylov", symmetry;
+    std::vector<std::string> turning;
+    double period = 0, start_time = 0, tolerance = 1e-8, spectral_radius = 0.5, newton_tolerance = 1e-12,
            time_constant = 2;
     unsigned int n_steps = 60, n_stages = 3, settle = 3, most_turns = 200, max_iterations = 50, most_products = 60;
 

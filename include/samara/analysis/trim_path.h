@@ -32,6 +32,8 @@ namespace samara
     std::vector<Found> found; ///< the last two
     Table              table;
     double             turns = 0;
+    /** Shares of the way and controls in their scales, of all that was found. */
+    std::vector<std::pair<double, Eigen::VectorXd>> controls_at;
 
     /** The model at @p share of the way. @throws InputError if it has other unknowns */
     std::shared_ptr<TrimVariant> model_at(double share) const;
@@ -42,6 +44,8 @@ namespace samara
     /** Search at a share of the way, the last one in the model itself. @throws NotConverged */
     void advance(double share);
     void keep(const Found &next, TrimAnalysis &of);
+    /** Where controls, which change ever faster, would turn round, if they do before @p beyond; empty if not. */
+    std::string limit_point(double beyond) const;
     /** Controls that reach a limit soon, if they go on as they have from one value to the next. */
     std::string       limits_ahead() const;
     [[noreturn]] void stop(double beyond, const std::string &why);

@@ -69,24 +69,46 @@ namespace samara
     const System                   &system;
     std::vector<Control>            controls;
     std::vector<Target>             targets;
-    std::unique_ptr<PeriodicMotion> motion;
-    State                           state; ///< at the start of the next period
+    std::optional<RepeatedParts>    parts;  ///< with a symmetry
+    std::unique_ptr<PeriodicMotion> motion; ///< its turns are sections then
+    std::unique_ptr<PeriodicMotion> whole;  ///< periods, in the end
+    State                           state;  ///< at the start of the next period
     Look                            best;
     std::optional<Table>            history;
     unsigned int                    n_looks = 0;
-    unsigned int n_without_tangent          = 0; ///< turns one after another that had none: on some a stop is touched
+    /**
+     * What products with the Jacobian have told so far, that of the last step of Newton's method first: J u = q with
+     * orthonormal q. The next step begins with it: u for q, and nothing changed across all q, is nearly J⁻¹ there.
+     */
+    struct Known
+    {
+      std::vector<VectorX> q, u;
+    };
+    Known        known;
+    unsigned int n_without_tangent = 0; ///< turns one after another that had none: on some a stop is touched
 
-    std::vector<PeriodAverage> find_targets();
-    void                       find_controls();
-    std::vector<std::string>   columns() const;
+    std::vector<PeriodAverage>      find_targets();
+    std::unique_ptr<PeriodicMotion> make_motion();
+    /** Turns that were marched, sections as parts of them. */
+    double                   turns() const;
+    void                     find_controls();
+    std::vector<std::string> columns() const;
 
     /** @name Motions @{ */
-    void    search();
-    void    start();
-    void    require_controls(const State &now) const;
-    Look    look(const State &from, const PeriodicMotion::Observer &observer = {});
-    Look    settled(State from);
-    bool    is_trimmed(const Look &look) const;
+    void search();
+    void start();
+    void require_controls(const State &now) const;
+    Look look(const State &from, const PeriodicMotion::Observer &observer = {});
+    Look settled(State from);
+    bool is_trimmed(const Look &look) const;
+    /** @name Sections: trim_sections.cc @{ */
+    /** Turns become sections of the repeated parts. @p moving: how things turn. @throws InputError */
+    void use_symmetry(const State &moving);
+    /** What turns without being named is refused. @throws InputError */
+    void require_turning(const State &moving) const;
+    /** Whether the section behind a look is the same with the parts in each other's places. @throws NotConverged */
+    void check_symmetry(const Look &first);
+    /** @} */
     VectorX controls_of(const State &state) const;
     VectorX wanted() const;
     VectorX averages_in_si(const std::vector<double> &averages) const;
@@ -109,7 +131,9 @@ namespace samara
     VectorX by_tangent(const VectorX &direction);
     /** @} */
     /** x with J x = −r to @p forcing |r|, or as near as <Most products> lead. */
-    VectorX solve(const std::function<VectorX(const VectorX &)> &product, const VectorX &r, double forcing) const;
+    VectorX solve(const std::function<VectorX(const VectorX &)> &product, const VectorX &r, double forcing);
+    /** Keep directions u and their images q for the next step. */
+    void remember(const Known &products);
     /** ∂ȳ/∂u of settled motions. */
     Eigen::MatrixXd control_matrix(const Look &now);
     VectorX         solve(const Eigen::MatrixXd &J, const VectorX &y) const;
@@ -125,7 +149,8 @@ namespace samara
     [[noreturn]] void fail_with_reason(const Look &now, const std::string &why);
     void              leave(const Look &look);
     void              write(const Look &look) const;
-    void              confirm(const Look &look);
+    /** A whole period more, in time. Returns its end, from which the period can begin again. */
+    State confirm(const Look &look);
     /** @} */
   };
 } // namespace samara

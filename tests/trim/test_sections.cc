@@ -1,0 +1,205 @@
+/*
+ * Problem:   trim over a part of the period, behind which repeated parts take each other's places
+ * Reference: the same trim over whole periods; differences of turns
+ */
+
+#include <samara/analysis/trim.h>
+#include <samara/base/errors.h>
+
+#include "../scene.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace samara;
+
+namespace
+{
+  const std::string of_sections = "prm/rotorcraft/flapping_rotor.prm";
+
+  // coordinates of all blades, as a target asks for that of the first
+  const std::string all_flaps = "Output/Probes = blade 1:flap.rotation, blade 2:flap.rotation, blade 3:flap.rotation, "
+                                "blade 4:flap.rotation";
+
+  const std::string few_stations = "Subsystems/blade/Surfaces/blade/Stations = 4";
+
+  /** Four blades in sections of a quarter of a turn, besides @p more. */
+  std::vector<std::string>
+  in_quarters(const std::vector<std::string> &more)
+  {
+    std::vector<std::string> result = {all_flaps,
+                                       few_stations,
+                                       "Trim/Steps = 24",
+                                       "Trim/Symmetry = blade 1, blade 2, blade 3, blade 4",
+                                       "Trim/Turning = hub, shaft"};
+    result.insert(result.end(), more.begin(), more.end());
+    return result;
+  }
+
+  std::string
+  answer_in_sections(const std::vector<std::string> &entries, const std::string &model = of_sections)
+  {
+    try
+      {
+        Scene scene(model, entries);
+        scene.analysis<TrimAnalysis>().run(scene.context);
+      }
+    catch (const std::exception &problem)
+      {
+        return problem.what();
+      }
+    return "";
+  }
+} // namespace
+
+
+
+// Controls, averages and the orbit are those of whole periods; and so are all methods'.
+TEST(Sections, SameTrimAsWholePeriods)
+{
+  Scene whole(of_sections, {all_flaps, few_stations, "Trim/Steps = 24", "Trim/Tolerance = 1e-9"});
+  auto &of_whole = whole.analysis<TrimAnalysis>();
+  of_whole.run(whole.context);
+  for (const std::string method : {"Newton-Krylov", "discrete", "auto-pilot"})
+    {
+      SCOPED_TRACE(method);
+      Scene scene(of_sections, in_quarters({"Trim/Tolerance = 1e-7", "Trim/Method = " + method}));
+      auto &trim = scene.analysis<TrimAnalysis>();
+      trim.run(scene.context);
+      for (unsigned int j = 0; j < 3; ++j)
+        EXPECT_NEAR(trim.report.controls[j], of_whole.report.controls[j], 1e-6);
+      if (method != "Newton-Krylov")
+        continue;
+      EXPECT_LT(trim.report.turns, 0.8 * of_whole.report.turns);
+      // what is left lies on the same orbit
+      const auto x      = increment(scene.system, whole.context.state, scene.context.state, true);
+      const auto scales = scales_of_increment(scene.system, 1. / 30);
+      double     size   = 0;
+      for (unsigned int i = 0; i < x.size(); ++i)
+        size = std::max(size, std::abs(x[i]) / scales[i]);
+      EXPECT_LT(size, 1e-5); // 100 tolerances
+      EXPECT_DOUBLE_EQ(scene.context.state.time, whole.context.state.time);
+    }
+}
+
+
+
+// Two blades lie on one line: what they turn about has to tell how one comes to the place of the other.
+TEST(Sections, TwoBlades)
+{
+  const std::vector<std::string> two = {"Subsystems/blade/Copies = 2 about z",
+                                        "Subsystems/blade/Constants/copy_angle = (copy - 1)*pi",
+                                        "Constants/weight = 0.0032*rho*pi*R^2*(Omega*R)^2",
+                                        "Output/Probes = blade 1:flap.rotation, blade 2:flap.rotation",
+                                        few_stations,
+                                        "Trim/Steps = 24"};
+  Scene                          whole(of_sections, two);
+  whole.analysis<TrimAnalysis>().run(whole.context);
+  auto halves = two;
+  halves.insert(halves.end(), {"Trim/Symmetry = blade 1, blade 2", "Trim/Turning = hub, shaft"});
+  Scene scene(of_sections, halves);
+  scene.analysis<TrimAnalysis>().run(scene.context);
+  for (unsigned int j = 0; j < 3; ++j)
+    EXPECT_NEAR(scene.analysis<TrimAnalysis>().report.controls[j],
+                whole.analysis<TrimAnalysis>().report.controls[j],
+                1e-6);
+}
+
+
+
+// The tangent of a section and of averages over the whole period, away from the orbit.
+TEST(Sections, Tangent)
+{
+  Scene                            scene(of_sections, in_quarters({"Trim/Tolerance = 0.1"}));
+  const Model                     &model = scene.system.model;
+  const std::vector<PeriodAverage> averages{{PeriodAverage::mean, 0, model.probe("flow.thrust")},
+                                            {PeriodAverage::cosine, 1, model.probe("blade 1:flap.rotation")},
+                                            {PeriodAverage::sine, 2, model.probe("blade 2:flap.rotation")}};
+  scene.analysis<TrimAnalysis>().run(scene.context);
+  const State    start = scene.context.state;
+  PeriodicMotion motion(scene.context, 2 * M_PI / 30, 24, {0.5, 1e-13, 50, 1e-4, 3}, averages);
+  RepeatedParts  parts(scene.system, {{"blade 1", "blade 2", "blade 3", "blade 4"}}, {"hub", "shaft"});
+  parts.align_as_built(start);
+  motion.repeat(parts);
+
+  std::mt19937                           generator(1);
+  std::uniform_real_distribution<double> number(-1., 1.);
+  std::vector<double>                    x(motion.scales.size()), of_end(x.size(), 0.), of_averages(3, 0.);
+  for (unsigned int i = 0; i < x.size(); ++i)
+    x[i] = 0.02 * number(generator) * motion.scales[i];
+  State middle = start;
+  motion.turn(middle);
+  motion.begin_again(start, middle);
+  const double step = 2e-3;
+  for (const auto &[side, weight] : {std::pair{1., 2. / 3}, {-1., -2. / 3}, {2., -1. / 12}, {-2., 1. / 12}})
+    {
+      State      end = moved(scene.system, start, x.data(), side * step);
+      const auto y   = motion.turn(end);
+      motion.begin_again(start, end);
+      const auto change = increment(scene.system, middle, end, true);
+      for (unsigned int i = 0; i < x.size(); ++i)
+        of_end[i] += weight / step * change[i];
+      for (unsigned int k = 0; k < 3; ++k)
+        of_averages[k] += weight / step * y[k];
+    }
+  motion.linearize(start);
+  const auto found = motion.apply(x.data());
+  double     size = 0, error = 0;
+  for (unsigned int i = 0; i < x.size(); ++i)
+    {
+      size  = std::max(size, std::abs(of_end[i]) / motion.scales[i]);
+      error = std::max(error, std::abs(of_end[i] - x[i]) / motion.scales[i]);
+    }
+  EXPECT_LT(error, 1e-6 * size);
+  for (unsigned int k = 0; k < 3; ++k)
+    EXPECT_NEAR(found[k], of_averages[k], 1e-6 * std::abs(of_averages[k])) << k;
+}
+
+
+
+TEST(Sections, Refusals)
+{
+  const std::string blades = "Trim/Symmetry = blade 1, blade 2, blade 3, blade 4", turning = "Trim/Turning = ";
+  struct Case
+  {
+    std::vector<std::string> entries;
+    std::string              says;
+  };
+  for (const Case &c :
+       {Case{{blades, turning + "hub, shaft"}, "ask for those of all parts"},
+        Case{{blades, turning + "hub", all_flaps}, "<shaft.rotation> turns by 90 degrees in 1/4 of the period"},
+        Case{{blades, turning + "shaft", all_flaps}, "<hub> turns by 90 degrees"},
+        Case{{"Trim/Symmetry = blade 1, blade 4, blade 3, blade 2", turning + "hub, shaft", all_flaps},
+             "in another order"},
+        Case{{"Trim/Symmetry = blade 1, blade 3, blade 2, blade 4", turning + "hub, shaft", all_flaps},
+             "each part is 180 degrees"},
+        Case{{"Trim/Symmetry = blade 1, blade 2, blade 3", turning + "hub, shaft", all_flaps}, "each part is"},
+        Case{{"Trim/Symmetry = blade 1, blade 2, blade 3, blade 5", turning + "hub, shaft"}, "blade 5"},
+        Case{{blades, "Trim/Steps = 26"}, "must be a multiple of the 4 repeated parts"},
+        Case{{turning + "hub"}, "<Turning> belongs to a <Symmetry>"}})
+    {
+      const std::string answer = answer_in_sections(c.entries);
+      EXPECT_NE(answer.find(c.says), std::string::npos) << c.entries[0] << ": " << answer;
+    }
+}
+
+
+
+// What is not alike is found before the search; what is another in a later part of the turn behind it.
+TEST(Sections, NoSymmetry)
+{
+  const std::string model = "include " SAMARA_SOURCE_DIR "/" + of_sections + "\n";
+  const std::string one   = answer_in_sections(
+    in_quarters({}),
+    model + "subsection Joints\n subsection blade 3:flap\n  subsection rotation\n   set Damper = 1e4 N*m*s/rad\n  end\n"
+              " end\nend\n");
+  EXPECT_NE(one.find("the <Symmetry> is none"), std::string::npos) << one;
+  EXPECT_NE(one.find("the best motion that was reached is kept"), std::string::npos) << one;
+  const std::string late =
+    answer_in_sections(in_quarters({}),
+                       model + "subsection Loads\n subsection push\n  set Type = point load\n  set At = blade 1:rod\n"
+                               "  set Force = 0, 0, 1 kN*max(0, -sin(Omega*t))\n end\nend\n");
+  EXPECT_NE(late.find("not after the next one as a whole"), std::string::npos) << late;
+  EXPECT_NE(late.find("or this <Symmetry>"), std::string::npos) << late;
+}
