@@ -206,6 +206,15 @@ namespace samara
       return Probe{path, "N m", OfVelocities{{[=](const State &s) { return -axes(s).col(2).dot(loads(s).moment); }}}};
     if (path == "power")
       return Probe{path, "W", OfVelocities{{[=](const State &s) { return -loads(s).power; }}}};
+    if (path == "figure of merit")
+      return Probe{path, "1", OfVelocities{{[=](const State &s) {
+                     const AirLoads sum    = loads(s);
+                     const double   thrust = axes(s).col(2).dot(sum.force), R = radius_at(s.time);
+                     // that of a rotor that hovers: where it does not lift, or is driven by the air, there is none
+                     return thrust > 0 && sum.power < 0 ?
+                              thrust * std::sqrt(thrust / (2 * air->density * M_PI * R * R)) / -sum.power :
+                              0.;
+                   }}}};
     if (path == "mean")
       return Probe{path, "m/s", [=](const State &s) { return mean(s); }};
     if (const auto i = part("force"); i != std::string::npos)
@@ -223,7 +232,7 @@ namespace samara
   std::vector<std::string>
   Inflow::probe_names() const
   {
-    std::vector<std::string> names = {"thrust", "torque", "power", "mean"};
+    std::vector<std::string> names = {"thrust", "torque", "power", "figure of merit", "mean"};
     for (const std::string quantity : {"force", "moment"})
       for (const char i : {'1', '2', '3'})
         names.push_back(quantity + " " + i);

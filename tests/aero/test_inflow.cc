@@ -320,6 +320,10 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
       EXPECT_NEAR(T, 2 * 1.225 * M_PI * 9 * nu * nu, 1e-8 * T) << kind;
       // the power of a rotor that hovers turns the shaft
       EXPECT_NEAR(scene.value("flow.power"), 30 * scene.value("flow.torque"), 1e-8 * scene.value("flow.power"));
+      EXPECT_NEAR(scene.value("flow.figure of merit"),
+                  T * std::sqrt(T / (2 * 1.225 * M_PI * 9)) / scene.value("flow.power"),
+                  1e-12);
+      EXPECT_LT(scene.value("flow.figure of merit"), 1.);
       // in axes that stand still, flow without harmonics is the same, and steady harmonics are not to be had
       Scene fixed(four_bladed_rotor(kind, "ground"));
       if (scene.system.layout.n_states == 1)
