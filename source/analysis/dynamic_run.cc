@@ -281,7 +281,7 @@ namespace samara
         analysis.report.n_steps < not_at_once + times_more * (analysis.n_grid + 1) ||
         (layout.frictions.empty() && std::none_of(layout.contact_groups.begin(),
                                                   layout.contact_groups.end(),
-                                                  [](const ContactGroup *group) { return group->has_friction; })))
+                                                  [](const ContactGroup *group) { return group->has_friction(); })))
       return;
     is_ringing = true;
     context.log.warning(

@@ -88,6 +88,7 @@ namespace samara
           origins.push_back({number, u, v, static_cast<unsigned int>(nodes.size())});
           nodes.push_back(x);
         }
+    patch_cells.push_back({static_cast<unsigned int>(cells.size()), patch.elements});
     const std::string prefix = number == 0 ? "" : "patch " + std::to_string(number + 1) + " ";
     for (unsigned int j = 0; j < patch.elements.v; ++j)
       for (unsigned int i = 0; i < patch.elements.u; ++i)
@@ -192,18 +193,16 @@ namespace samara
 
 
 
-  void
-  ShellMesh::name_line(const std::string &line)
+  std::vector<ShellMesh::Side>
+  ShellMesh::sides_of_line(const std::string &line, double &nearest) const
   {
-    if (edges.count(line) > 0)
-      return;
     double     place   = 0;
     const bool along_v = line.compare(0, 7, "line u ") == 0;
     if ((!along_v && line.compare(0, 7, "line v ") != 0) || !text_to_number(line.substr(7), place))
       throw std::invalid_argument("a line on a shell is written <line u 0.5> or <line v 0.5>, not <" + line + ">");
     constexpr double  rounding = 1e-6;
     std::vector<bool> is_on(nodes.size(), false);
-    double            nearest = std::numeric_limits<double>::infinity();
+    nearest = std::numeric_limits<double>::infinity();
     for (const Origin &origin : origins)
       if (origin.patch == 0)
         {
@@ -216,6 +215,27 @@ namespace samara
     for (const auto &[numbers, of_cells] : cells_at_sides())
       if (std::all_of(numbers.begin(), numbers.end(), [&](const unsigned int node) { return is_on[node]; }))
         sides.push_back(of_cells.front());
+    return sides;
+  }
+
+
+
+  bool
+  ShellMesh::has_line(const std::string &line) const
+  {
+    double nearest = 0;
+    return !sides_of_line(line, nearest).empty();
+  }
+
+
+
+  void
+  ShellMesh::name_line(const std::string &line)
+  {
+    if (edges.count(line) > 0)
+      return;
+    double                  nearest = 0;
+    const std::vector<Side> sides   = sides_of_line(line, nearest);
     if (sides.empty())
       throw std::invalid_argument("no sides of cells of the first patch are on <" + line + ">" +
                                   (std::isfinite(nearest) ? ": the nearest nodes have " + line.substr(5, 1) + " = " +

@@ -131,6 +131,7 @@ namespace samara
           const auto before = cells[i].nodes;
           for (unsigned int a = 0; a < table.n_nodes; ++a)
             cells[i].nodes[a] = before[exchanged[a]];
+          cells[i].exchanged = !cells[i].exchanged;
         }
     for (auto &edge : edges)
       for (auto &side : edge.second)

@@ -113,6 +113,20 @@ namespace samara
             dealii::Patterns::Selection("refused|allowed"));
     contact.add_parameters(prm, "", false);
     friction.add_parameters(prm, false, false);
+    prm.add("Rolling friction",
+            rolling,
+            "Moment against rolling as part of the force that presses times the radius, of two balls the smaller one [1].",
+            dealii::Patterns::Double(0));
+    prm.add("Turning friction",
+            turning,
+            "The same about the normal of the surfaces, against turning on the spot [1].",
+            dealii::Patterns::Double(0));
+    prm.add("Laws",
+            law_entries,
+            "What is different between some of the bodies: rubber * with ground friction 0.9 restitution 0.3, a with b "
+            "stiffness 1e6, ... Words, each with a number in SI units: stiffness, exponent, damping, restitution, speed "
+            "(of impact), line (stiffness of beams), friction, static, stribeck, sticking, rolling, turning. Of two that "
+            "fit the first one holds; what it does not say is that of the group.");
   }
 
 
@@ -283,20 +297,23 @@ namespace samara
       complain("Stiffness", "balls need a <Stiffness> above zero");
     if (!beams.empty() && !group.surfaces.empty() && line_stiffness == 0)
       complain("Line stiffness", "beams need a <Line stiffness> above zero");
-    group.law                = contact.law(parameters, "", whose, model->complaints);
-    group.line_law           = group.law;
-    group.line_law.stiffness = line_stiffness;
-    group.line_law.exponent  = 1;
-    group.line_law.expression.reset();
-    if (!beams.empty() && group.law.damping != 0)
+    PairLaw &all           = group.laws.front();
+    all.law                = contact.law(parameters, "", whose, model->complaints);
+    all.line_law           = all.law;
+    all.line_law.stiffness = line_stiffness;
+    all.line_law.exponent  = 1;
+    all.line_law.expression.reset();
+    if (!beams.empty() && all.law.damping != 0)
       complain("Damping", "beams have no <Damping> of their contacts; take a <Restitution>, which is per force");
-    if (friction.is_given())
+    if (friction.is_given() || rolling > 0 || turning > 0)
       {
-        group.has_friction = true;
-        group.friction     = friction.law(parameters, whose, model->complaints);
-        if (group.friction.has_bristles())
+        all.has_friction = true;
+        all.friction     = friction.law(parameters, whose, model->complaints);
+        if (all.friction.has_bristles())
           complain("Bristle stiffness", "contacts in groups have no bristles; take a <Sticking speed>");
       }
+    all.rolling = rolling;
+    all.turning = turning;
     group.balls_touch_balls = touching == "all";
   }
 
@@ -316,6 +333,7 @@ namespace samara
     add_surfaces(tubes, "Tubes", PairShape::cylinder, true);
     add_surfaces(hollow_balls, "Hollow balls", PairShape::ball, true);
     check_law();
+    add_laws();
     if (m.complaints.count() > n_before)
       is_faulty = true;
   }

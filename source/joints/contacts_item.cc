@@ -41,7 +41,7 @@ namespace samara
       group.add_forces(
         pair,
         sides,
-        forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.friction_or_null()),
+        forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.bodies_of(pair)),
         point.q,
         [&](const unsigned int node) { return of_node[node]; },
         r);
@@ -83,7 +83,10 @@ namespace samara
   void
   ContactsItem::damping(const Point<double> &point, SparseMatrix &C) const
   {
-    if (group.has_friction || group.law.has_damping() || group.line_law.has_damping())
+    const auto has_rates = [](const PairLaw &law) {
+      return law.has_friction || law.law.has_damping() || law.line_law.has_damping();
+    };
+    if (std::any_of(group.laws.begin(), group.laws.end(), has_rates))
       add_to_matrix(point, C, [](const Matrix6 &, const Matrix6 &of_rate) -> const Matrix6 & { return of_rate; });
   }
 
@@ -101,7 +104,7 @@ namespace samara
         return;
       const PairMeasure<double> measure(shape, group.places(pair, sides, point.q, point.y));
       const auto                forces =
-        forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.friction_or_null());
+        forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.bodies_of(pair));
       if ((pair.b_is_line ? group.lines[pair.bead].body : group.beads[pair.bead].body) == body)
         sum -= forces.force_b;
       if ((pair.with_surface ? group.surfaces[pair.other].body :

@@ -6,14 +6,17 @@
 
 namespace samara
 {
-  Rail::Rail(std::vector<Span> pieces)
+  Rail::Rail(std::vector<LinePiece> pieces)
     : spans(std::move(pieces))
   {
     Assert(!spans.empty(), dealii::ExcMessage("A rail has one piece at least."));
-    for ([[maybe_unused]] const Span &span : spans)
+    for ([[maybe_unused]] const LinePiece &span : spans)
       {
         AssertIndexRange(span.frames.size(), most_frames + 1);
-        AssertDimension(span.frames.size(), span.abscissae.size());
+        AssertIndexRange(span.abscissae.size(), most_points + 1);
+        Assert(span.shares.size() == 0 ? span.frames.size() == span.abscissae.size() :
+                                         span.frames.size() * span.abscissae.size() == std::size_t(span.shares.size()),
+               dealii::ExcMessage("A point of a rail is a frame, or has shares of all of them."));
       }
   }
 
@@ -22,7 +25,7 @@ namespace samara
   void
   Rail::resolve(const Model &model)
   {
-    for (Span &span : spans)
+    for (LinePiece &span : spans)
       for (Frame &frame : span.frames)
         frame = model.resolved(frame);
   }
@@ -33,7 +36,7 @@ namespace samara
   Rail::piece_at(const double S) const
   {
     const auto after =
-      std::upper_bound(spans.begin(), spans.end(), S, [](const double s, const Span &span) { return s < span.end; });
+      std::upper_bound(spans.begin(), spans.end(), S, [](const double s, const LinePiece &span) { return s < span.end; });
     return std::min<std::size_t>(after - spans.begin(), spans.size() - 1);
   }
 

@@ -6,6 +6,7 @@
 #include <samara/model/probe_needs.h>
 #include <samara/model/signal.h>
 #include <samara/model/surface.h>
+#include <samara/model/surface_curve.h>
 
 #include <cmath>
 #include <complex>
@@ -142,7 +143,12 @@ namespace samara
       {
         const auto dot = body_a.find('.');
         body_of_rail   = &m.find<Body>(trim(body_a.substr(0, dot)), "body");
-        auto pieces    = dot == std::string::npos ? body_of_rail->spans() : line_of_shell(trim(body_a.substr(dot + 1)));
+        std::vector<LinePiece> pieces;
+        if (dot != std::string::npos)
+          pieces = line_of_shell(trim(body_a.substr(dot + 1)));
+        else
+          for (const Span &span : body_of_rail->spans())
+            pieces.emplace_back(span);
         if (pieces.empty())
           throw std::invalid_argument(
             "<" + body_a + "> is no beam: there is no line along which something could slide" +
@@ -161,7 +167,7 @@ namespace samara
 
 
 
-  std::vector<Span>
+  std::vector<LinePiece>
   SlidingJoint::line_of_shell(const std::string &line) const
   {
     const auto *const shell = dynamic_cast<const SurfaceBody *>(body_of_rail);
@@ -171,7 +177,12 @@ namespace samara
     if (!cosines.empty())
       throw std::invalid_argument("along <" + body_a +
                                   "> only a <sliding point> goes: the axes of a shell do not follow its lines");
-    return shell->edge(line);
+    if (const auto *const with_curves = dynamic_cast<const HasCurves *>(body_of_rail))
+      return with_curves->curve(line);
+    std::vector<LinePiece> pieces;
+    for (const Span &span : shell->edge(line))
+      pieces.emplace_back(span);
+    return pieces;
   }
 
 

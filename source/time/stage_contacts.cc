@@ -92,16 +92,17 @@ namespace samara
                               StepGaps(tableau, n.gap, gaps.data(), at_end.gap, rates.data(), h),
                               rates.data(),
                               h);
-    const double part = group.part_of(n.pair);
+    const double   part      = group.part_of(n.pair);
+    const PairLaw &of_bodies = group.bodies_of(n.pair);
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         const PairMeasure<double> &m       = measures[k];
         const double               f       = part * n.forces.force[k];
-        double                     viscous = 0;
-        if (group.has_friction && f > 0)
-          viscous = f * group.friction(m.slip.squaredNorm()).c;
-        n.friction_loss += h * tableau.b(k) * viscous * m.slip.dot(m.whole);
-        const ContactForces<double> forces(m, f * scale, viscous);
+        PairDampers<double>        dampers;
+        if (of_bodies.has_friction && f > 0)
+          dampers = PairDampers<double>(m, shape, of_bodies, f);
+        n.friction_loss += h * tableau.b(k) * dampers.power(m);
+        const ContactForces<double> forces(m, f * scale, dampers);
         group.add_forces(
           n.pair,
           sides_of_stages[k],

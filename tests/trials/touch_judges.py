@@ -172,6 +172,7 @@ def of_group(model, group, table, world, size, tolerance):
     pressed = [unit * r - (centres[p] - unit * (world.turn @ at + world.shift)) @ (world.turn @ normal)
                for at, normal in group.planes for p, r in group.balls.items()]
     names = list(group.balls)
+    bodies = [("ground", p) for _ in group.planes for p in group.balls] + [(p, q) for k, p in enumerate(names) for q in names[:k]]
     pressed += [unit * (group.balls[p] + group.balls[q]) - np.linalg.norm(centres[p] - centres[q], axis=1)
                 for k, p in enumerate(names) for q in names[:k]]
     depth, touched = np.maximum(0, np.max(pressed, axis=0)), np.sum(np.array(pressed) > 0, axis=0)
@@ -182,7 +183,9 @@ def of_group(model, group, table, world, size, tolerance):
         yield "another number of pairs touches"
     if group.law.friction():
         return
-    energy = sum(law_of(group, p, world) * np.maximum(p, 0) for p in pressed) / (group.law.exponent + 1)
+    words = [group.words_of(*(point.partition(".")[0] for point in pair)) for pair in bodies]
+    energy = sum(law_of(group, p, world) * np.maximum(p, 0) * said.get("stiffness", group.law.stiffness) / group.law.stiffness
+                 for p, said in zip(pressed, words)) / (group.law.exponent + 1)
     if abs(table[group.name + ".energy"] - energy).max() > 1e-6 * energy.max(initial=1e-300):
         yield "energy is another one"
 

@@ -108,6 +108,19 @@ class Group:
     beams: dict  # name -> radius
     law: Law
     line_stiffness: float = 0.0
+    laws: list = field(default_factory=list)  # (body, body or ground, {word: number})
+
+    WORDS = {"friction": NUMBER, "sticking": SPEED, "rolling": NUMBER, "turning": NUMBER, "restitution": NUMBER, "speed": SPEED}
+
+    def law_text(self, world):
+        for a, b, words in self.laws:
+            numbers = (f"{word} {world.number(value, self.WORDS[word] if word in self.WORDS else per_power(FORCE, self.law.exponent))}"
+                       for word, value in words.items())
+            yield f"{a} with {b} {' '.join(numbers)}"
+
+    def words_of(self, a, b):
+        """What is said of two bodies: the first that fits."""
+        return next((words for *pair, words in self.laws if sorted(pair) == sorted((a, b))), {})
 
     def text(self, world):
         yield "Type", "contacts"
@@ -120,6 +133,8 @@ class Group:
             yield "Line stiffness", world.number(self.line_stiffness, (-1, 1, -2))
         yield "Overlap", "allowed"
         yield from self.law.text(world)
+        if self.laws:
+            yield "Laws", ", ".join(self.law_text(world))
 
     def probes(self):
         for quantity in "touched", "depth", "energy":
@@ -151,9 +166,40 @@ class Buffer:
         yield from self.law.text(world)
 
 
+class Lawyer(Generator):
+    """Laws of pairs in groups, and what resists rolling, by a stream of their own."""
+
+    def __init__(self, seed):
+        super().__init__(f"laws {seed}")
+
+    def put_on(self, group):
+        if self.chance(0.3):
+            group.law.entries["Rolling friction"] = self.power(-3, -1)
+        if self.chance(0.2):
+            group.law.entries["Turning friction"] = self.power(-3, -1)
+        names = group.bodies()
+        for _ in range(self.random.choice((0, 1, 1, 2, 3)) if len(names) > 1 else 0):
+            words = {}
+            if self.chance(0.5):
+                words["stiffness"] = self.power(2.5, 6.5)
+            if self.chance(0.3):
+                words["restitution"], words["speed"] = self.random.uniform(0.2, 0.95), self.power(-1, 0.5)
+            if self.chance(0.5):
+                words["friction"] = self.random.uniform(0, 0.8)
+            if self.chance(0.3):
+                words["rolling"] = self.power(-3, -1)
+            if "friction" in words or "rolling" in words:
+                words["sticking"] = self.power(-4, -1)
+                if group.law.entries.get("Static friction") and "friction" not in words:
+                    words["sticking"] = group.law.entries["Stribeck speed"] / 50
+            if words:
+                group.laws.append((*self.random.sample(names, 2), words))
+
+
 class Toucher(Generator):
     def __init__(self, seed):
         super().__init__(f"touching {seed}")
+        self.seed = seed
         self.stops = self.chance(0.3)
         self.sprung = False
 
@@ -295,6 +341,7 @@ class Toucher(Generator):
         if len(balls) + len(lines) + len(planes) < 2 or not balls and not lines:
             return
         model.contacts.append(Group("pile", balls, planes, lines, self.law(False), self.power(4, 7)))
+        Lawyer(self.seed).put_on(model.contacts[-1])
 
     def buffers(self, model):
         """Between neighbours on a beam, as long as they are apart but for a gap."""

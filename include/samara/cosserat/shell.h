@@ -3,9 +3,11 @@
 
 #include <samara/cosserat/cosserat.h>
 #include <samara/cosserat/initial_velocity.h>
+#include <samara/cosserat/shell_curve.h>
 #include <samara/cosserat/shell_mesh.h>
 #include <samara/model/relative_motion.h>
 #include <samara/model/surface.h>
+#include <samara/model/surface_curve.h>
 #include <samara/section/laminate.h>
 #include <samara/section/recovery.h>
 
@@ -29,7 +31,7 @@ namespace samara
    *
    * Source: doc/theory/shell.md.
    */
-  class Shell : public Cosserat<2>, public SurfaceBody, public RelativeMotions
+  class Shell : public Cosserat<2>, public SurfaceBody, public HasCurves, public RelativeMotions
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -44,6 +46,8 @@ namespace samara
     std::vector<SurfaceCell> surface() const override;
     std::vector<Span>        edge(const std::string &name) const override;
     std::vector<std::string> edges() const override;
+    /** Of the entry "Curves", or a straight line in u and v. */
+    std::vector<LinePiece>   curve(const std::string &path) const override;
     double                   thickness() const override;
     /** The cell that is longest for its tension, if it is too long. */
     std::string coarse_place(const State &state) const override;
@@ -78,6 +82,7 @@ namespace samara
     double                                      E = 0, nu = 0, density = 0, thickness_entry = 0, offset = 0;
     double                                      relaxation_time = 0;
     std::vector<std::string>                    frame_entries, rigid_edges;
+    std::vector<ShellCurve>                     curve_entries;
     bool                                        rigid = false;
     InitialVelocity                             initial_velocity;
 
@@ -114,6 +119,7 @@ namespace samara
     unsigned int laminate_of(unsigned int cell) const;
     void         make_nodes_and_elements();
     void         name_points();
+    void         check_curves();
     void         make_rigid_edges();
 
     /** Unit normals of the cells at their nodes, averaged over cells within the crease angle. */
@@ -124,6 +130,11 @@ namespace samara
     NamedPoint point_of(unsigned int node) const;
     /** The node of the mesh at "0.5 0" or "1 0.2 0.3". @throws std::invalid_argument if there is none. */
     unsigned int node_at(const std::string &place) const;
+    /** The straight line in u and v of "line u 0.3" or "from a to 0.7 0.2". @throws std::invalid_argument */
+    ShellCurve straight_line(const std::string &path) const;
+    /** Where on which patch a point is, "0.2 0.3" or one with a name: all that it may be. */
+    std::vector<ShellMesh::Origin> origins_of(const std::string &point) const;
+
     /** Whether @p point is written as a named point is, or as "at ...". */
     bool is_place(const std::string &point) const;
     /** A named point, or "at ...". @throws std::invalid_argument */

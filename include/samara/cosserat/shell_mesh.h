@@ -59,7 +59,8 @@ namespace samara
     struct Cell
     {
       std::vector<unsigned int> nodes;
-      unsigned int              patch = 0;
+      unsigned int              patch     = 0;
+      bool                      exchanged = false; ///< whether its unit coordinates go along v and u, not u and v
     };
 
     /** Side 0, 1: the first unit coordinate is 0, 1; side 2, 3: the second is. */
@@ -83,6 +84,15 @@ namespace samara
       unsigned int node;
     };
     std::vector<Origin> origins;
+
+    /** The cells of a patch that has coordinates: first + i + j elements.u is the one from u = i/elements.u, v =
+     * j/elements.v on. */
+    struct PatchCells
+    {
+      unsigned int  first;
+      PatchElements elements;
+    };
+    std::vector<PatchCells> patch_cells;
 
     /**
      * Add a patch; its edges are "edge u0", "edge u1", "edge v0", "edge v1", behind "patch 2 " for the second and so
@@ -127,6 +137,9 @@ namespace samara
      */
     void name_line(const std::string &line);
 
+    /** Whether the mesh has sides there. @throws std::invalid_argument if @p line is not written like that */
+    bool has_line(const std::string &line) const;
+
     /** Numbers of the nodes of a side, along it. */
     std::vector<unsigned int> nodes_of(const Side &side) const;
 
@@ -160,6 +173,9 @@ namespace samara
 
     void name_edges(const ImportedMesh                                                       &mesh,
                     const std::map<std::pair<unsigned int, unsigned int>, std::vector<Side>> &sides);
+
+    /** The sides of "line u 0.5"; @p nearest becomes the coordinate of the nodes nearest to it. */
+    std::vector<Side> sides_of_line(const std::string &line, double &nearest) const;
 
     /** The derivative of the curve through the nodes of a side at a unit coordinate [m]. */
     Vector3 slope(const std::vector<unsigned int> &side, double xi) const;

@@ -58,6 +58,8 @@ namespace samara
     double                   ball_radius = 0, line_stiffness = 0;
     unsigned int             stations = 4;
     std::string              touching = "all", overlap = "refused";
+    std::vector<std::string> law_entries;
+    double                   rolling = 0, turning = 0;
     ContactEntries           contact;
     FrictionEntries          friction;
     ContactGroup             group;
@@ -75,6 +77,9 @@ namespace samara
      * none. */
     double corner_of(const std::vector<Span> &spans) const;
     void   check_law();
+    void   add_laws();
+    /** Which law is that of which bodies. @p sides: the two names of each entry. */
+    void assign_laws(const std::vector<std::array<std::string, 2>> &sides);
     void   refuse_overlaps(const Layout &layout) const;
     void   couple_pairs(Layout &layout);
     void   add_nodes_of_lines(std::set<std::pair<unsigned int, unsigned int>> &pairs) const;

@@ -1,7 +1,7 @@
 #ifndef samara_joints_rail_h
 #define samara_joints_rail_h
 
-#include <samara/model/model.h>
+#include <samara/model/surface_curve.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ namespace samara
    *     x(S) = Σ N_a(S) x_a        d_k(S) = Σ N_a(S) d_k^a
    *
    * with the frames a of the piece and the polynomials N_a of Lagrange through their abscissae: what the body itself
-   * interpolates. Both are linear in the coordinates of the nodes; the d_k are not of unit length, nor normal to each
+   * interpolates; on a curve of a shell through points that have shares of its frames (LinePiece). Both are linear in the coordinates of the nodes; the d_k are not of unit length, nor normal to each
    * other. Where two pieces meet, x is continuous, and the slopes x' and d_k' have jumps [x'] that vanish as the mesh is
    * refined. Within ε = a ten-thousandth of the shorter piece on both sides of such a place S_e the slope turns steadily:
    *
@@ -39,15 +39,15 @@ namespace samara
   class Rail
   {
   public:
-    static constexpr unsigned int most_frames = 7;
+    static constexpr unsigned int most_frames = 49, most_points = 33;
 
     /** The pieces in the order of their abscissae; at least one. */
-    explicit Rail(std::vector<Span> pieces);
+    explicit Rail(std::vector<LinePiece> pieces);
 
     /** Take the frames to the nodes that are left after welding. */
     void resolve(const Model &model);
 
-    const std::vector<Span> &
+    const std::vector<LinePiece> &
     pieces() const
     {
       return spans;
@@ -130,7 +130,7 @@ namespace samara
     double first_corner(const Model &model, unsigned int n) const;
 
   private:
-    std::vector<Span> spans;
+    std::vector<LinePiece> spans;
 
     template <typename Number>
     Weights<Number> of_piece(unsigned int piece, const Number &S) const;
@@ -147,8 +147,10 @@ namespace samara
   Rail::Weights<Number>
   Rail::of_piece(const unsigned int piece, const Number &S) const
   {
-    const std::vector<double> &s = spans[piece].abscissae;
-    Weights<Number>            result;
+    const LinePiece                                        &span = spans[piece];
+    const std::vector<double>                              &s    = span.abscissae;
+    std::array<std::array<Number, most_points>, 3>          L;
+    Weights<Number>                                         result;
     result.piece = piece;
     for (unsigned int a = 0; a < s.size(); ++a)
       {
@@ -162,10 +164,20 @@ namespace samara
               slope          = slope * f + g * value;
               value          = value * f;
             }
-        result.of[0][a] = value;
-        result.of[1][a] = slope;
-        result.of[2][a] = curvature;
+        L[0][a] = value;
+        L[1][a] = slope;
+        L[2][a] = curvature;
       }
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int a = 0; a < span.frames.size(); ++a)
+        if (span.shares.size() == 0)
+          result.of[i][a] = L[i][a];
+        else
+          {
+            result.of[i][a] = 0;
+            for (unsigned int k = 0; k < s.size(); ++k)
+              result.of[i][a] += span.shares(a, k) * L[i][k];
+          }
     return result;
   }
 
@@ -282,7 +294,7 @@ namespace samara
     constexpr unsigned int samples = 40, most_steps = 30;
     const auto             no_axes = [](const Frame &) { return Matrix3::Zero(); };
     double                 best = start(), least = std::numeric_limits<double>::infinity();
-    for (const Span &span : spans)
+    for (const LinePiece &span : spans)
       for (unsigned int i = 0; i <= samples; ++i)
         {
           const double S        = span.start + (span.end - span.start) * i / samples;

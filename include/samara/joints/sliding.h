@@ -142,8 +142,8 @@ namespace samara
     void                    check_leaving(Model &model);
 
     bool find_rail(Model &model);
-    /** Pieces of a shell's edge, or of a line of its mesh. */
-    std::vector<Span> line_of_shell(const std::string &line) const;
+    /** Pieces of a shell's edge, of a line of its mesh, or of another curve on it. */
+    std::vector<LinePiece> line_of_shell(const std::string &line) const;
     bool              find_start(Model &model, const Frame &b);
     bool              check_corners(Model &model);
     bool              check_bodies();

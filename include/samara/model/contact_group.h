@@ -6,6 +6,7 @@
 #include <samara/model/frame.h>
 #include <samara/model/state.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ namespace samara
       bool                       is_ball;
       const Item                *body; ///< null of the ground
       std::string                name;
+      unsigned int               likeness = 0; ///< of the body: which laws name it
     };
 
     struct Surface
@@ -43,14 +45,18 @@ namespace samara
       double          radius; ///< [m]; none of a plane
       const Item     *body;
       std::string     name;
+      unsigned int    likeness = 0;
     };
 
     std::vector<Bead>        beads;
     std::vector<Surface>     surfaces;
     std::vector<ContactLine> lines;         ///< beams, which balls and other beams touch at nearest places
-    ContactLaw               law, line_law; ///< of balls; of beams, per length
-    FrictionLaw              friction;
-    bool                     has_friction = false, balls_touch_balls = true;
+    bool                     balls_touch_balls = true;
+
+    /** The first is that of all pairs for which there is no other. */
+    std::vector<PairLaw>                   laws = {{}};
+    std::vector<std::vector<unsigned int>> law_of_likes; ///< number of the law by the likeness of both bodies, if several
+
     std::string              name; ///< for messages: "contacts <pile>"
     const Item              *item = nullptr;
     bool is_coupled               = false; ///< all its pairs are in the pattern of the layout: for statics and modes
@@ -84,20 +90,33 @@ namespace samara
 
     PairShape   shape(const Pair &pair) const;
     std::string name_of(const Pair &pair) const;
+    /** Of the two bodies. */
+    const PairLaw &
+    bodies_of(const Pair &pair) const
+    {
+      if (law_of_likes.empty())
+        return laws.front();
+      const unsigned int b = pair.b_is_line ? lines[pair.bead].likeness : beads[pair.bead].likeness,
+                         a = pair.with_surface ? surfaces[pair.other].likeness :
+                             pair.a_is_line    ? lines[pair.other].likeness :
+                                                 beads[pair.other].likeness;
+      return laws[law_of_likes[b][a]];
+    }
     const ContactLaw &
     law_of(const Pair &pair) const
     {
-      return is_station(pair) ? line_law : law;
+      const PairLaw &of_bodies = bodies_of(pair);
+      return is_station(pair) ? of_bodies.line_law : of_bodies.law;
     }
     double
     part_of(const Pair &pair) const
     {
       return is_station(pair) ? beads[pair.bead].part : 1.;
     }
-    const FrictionLaw *
-    friction_or_null() const
+    bool
+    has_friction() const
     {
-      return has_friction ? &friction : nullptr;
+      return std::any_of(laws.begin(), laws.end(), [](const PairLaw &law) { return law.has_friction; });
     }
 
     /** The frames that both sides of a pair move with. */

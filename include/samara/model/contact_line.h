@@ -23,6 +23,7 @@ namespace samara
     double            radius; ///< [m]
     const Item       *body;
     std::string       name;
+    unsigned int      likeness = 0; ///< of the body, for the laws
 
     double
     start() const

@@ -5,6 +5,7 @@
 #include <samara/base/friction_law.h>
 #include <samara/rotation/rotation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -96,6 +97,7 @@ namespace samara
     Vec3<Number> normal;       ///< in which B is pressed [1]
     Vec3<Number> arm_a, arm_b; ///< from both to the place where forces of friction act, halfway between the surfaces
     Vec3<Number> slip, whole;  ///< of B against A there, in the tangent plane; with its part along the normal [m/s]
+    Vec3<Number> roll, spin;   ///< angular velocity of B against A in the tangent plane, and along the normal [rad/s]
 
     PairMeasure(const PairShape &shape, const PairPlaces<Number> &p)
     {
@@ -131,6 +133,9 @@ namespace samara
       arm_a  = delta + arm_b;
       whole  = moving + cross_of(p.spin_b, arm_b) - cross_of(p.spin_a, arm_a);
       slip   = whole - dot(normal, whole) * normal;
+      spin   = p.spin_b - p.spin_a;
+      roll   = spin - dot(normal, spin) * normal;
+      spin -= roll;
     }
 
     /** Without conjugation of complex numbers. */
@@ -143,20 +148,72 @@ namespace samara
 
 
 
+  /**
+   * What acts between two bodies of a group: of balls, and of beams per length; friction, and the coefficients of what
+   * resists rolling and turning on the spot, each with the sticking speed of the friction.
+   */
+  struct PairLaw
+  {
+    ContactLaw  law, line_law;
+    FrictionLaw friction;
+    bool        has_friction = false; ///< or resistance
+    double      rolling = 0, turning = 0; ///< [1]
+  };
+
+
+
+  /** Factors of slip [N s/m] and of both parts of the relative angular velocity [N m s], none of them negative. */
+  template <typename Number>
+  struct PairDampers
+  {
+    Number slip = Number(0), roll = Number(0), spin = Number(0);
+
+    PairDampers() = default;
+
+    /** For the force @p n that presses: friction N c, and N μ R²/√(|R ω|² + ε²) with the radius R of the ball, or of the
+     * smaller one of two. */
+    PairDampers(const PairMeasure<Number> &m, const PairShape &shape, const PairLaw &law, const Number &n)
+    {
+      using std::sqrt;
+      const auto square = [](const Vec3<Number> &v) { return Number(PairMeasure<Number>::dot(v, v)); };
+      slip              = Number(n * law.friction(square(m.slip)).c);
+      const double R    = shape.kind == PairShape::ball && !shape.hollow ? std::min(shape.radius_a, shape.radius_b) :
+                                                                           shape.radius_b;
+      const double e_2  = law.friction.sticking_speed * law.friction.sticking_speed;
+      const auto   resist = [&](const double mu, const Vec3<Number> &omega) {
+        return Number(mu * R * R * n / sqrt(Number(R * R * square(omega) + e_2)));
+      };
+      if (law.rolling > 0)
+        roll = resist(law.rolling, m.roll);
+      if (law.turning > 0)
+        spin = resist(law.turning, m.spin);
+    }
+
+    /** The power that they take [W]. */
+    Number
+    power(const PairMeasure<Number> &m) const
+    {
+      const auto dot = &PairMeasure<Number>::dot;
+      return Number(slip * dot(m.slip, m.whole) + roll * dot(m.roll, m.roll) + spin * dot(m.spin, m.spin));
+    }
+  };
+
+
+
   /** What a pair adds to the residual: minus the forces and moments on both sides, and what does work on E. */
   template <typename Number>
   struct ContactForces
   {
     Vec3<Number> force_a, moment_a, on_axis, force_b, moment_b;
 
-    /** @p along_phi: against dφ, f sign/d; @p viscous: friction is −viscous·slip on B [N s/m]. */
-    ContactForces(const PairMeasure<Number> &m, const Number &along_phi, const Number &viscous)
+    /** @p along_phi: against dφ, f sign/d; friction and resistance on B are minus the dampers times their rates. */
+    ContactForces(const PairMeasure<Number> &m, const Number &along_phi, const PairDampers<Number> &dampers)
     {
-      const Vec3<Number> rub = viscous * m.slip;
+      const Vec3<Number> rub = dampers.slip * m.slip, resisted = dampers.roll * m.roll + dampers.spin * m.spin;
       force_b                = along_phi * m.of_place + rub;
       force_a                = -force_b;
-      moment_b               = cross_of(m.arm_b, rub);
-      moment_a               = -cross_of(m.arm_a, rub);
+      moment_b               = cross_of(m.arm_b, rub) + resisted;
+      moment_a               = -cross_of(m.arm_a, rub) - resisted;
       on_axis                = along_phi * m.of_axis;
     }
   };
@@ -170,7 +227,7 @@ namespace samara
                   const PairShape           &shape,
                   const ContactLaw          &law,
                   const double               part,
-                  const FrictionLaw         *friction)
+                  const PairLaw             &of_bodies)
   {
     // the law is one of doubles: its value and slopes go on in numbers with derivatives
     const double g    = value_of(m.gap);
@@ -179,10 +236,9 @@ namespace samara
     const auto   d    = law.damper(g, r);
     const Number f =
       Number(part * (law.force(g) + d.force + (law.slope(g) + d.by_gap) * (m.gap - g) + d.by_rate * (rate - r)));
-    Number viscous(0);
-    if (friction != nullptr)
-      viscous = Number(f * (*friction)(Number(PairMeasure<Number>::dot(m.slip, m.slip))).c);
-    return ContactForces<Number>(m, Number(f * shape.sign() / m.distance), viscous);
+    const auto dampers =
+      of_bodies.has_friction ? PairDampers<Number>(m, shape, of_bodies, f) : PairDampers<Number>();
+    return ContactForces<Number>(m, Number(f * shape.sign() / m.distance), dampers);
   }
 } // namespace samara
 
