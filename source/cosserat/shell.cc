@@ -60,10 +60,11 @@ namespace samara
       rigid_edges,
       "Edges that are kept as stiff as a rigid body, each with a name for a frame at its centre with inertial axes, "
       "to which others can attach: root at edge u0, ...");
-    prm.add("Curves",
-            curve_entries,
-            "Curves along which something may slide, as <Body A = shell.name>: name at u, v; name of patch 2 at u, v; ... "
-            "u and v as functions of s from 0 to 1 that stay on the patch.");
+    prm.add(
+      "Curves",
+      curve_entries,
+      "Curves along which something may slide, as <Body A = shell.name>: name at u, v; name of patch 2 at u, v; ... "
+      "u and v as functions of s from 0 to 1 that stay on the patch.");
     prm.add("Rigid", rigid, "Whether the shell is a rigid body with its mass; it then adds a single node.");
     initial_velocity.add_parameters(prm, "first node of the mesh");
   }

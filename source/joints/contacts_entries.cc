@@ -113,20 +113,22 @@ namespace samara
             dealii::Patterns::Selection("refused|allowed"));
     contact.add_parameters(prm, "", false);
     friction.add_parameters(prm, false, false);
-    prm.add("Rolling friction",
-            rolling,
-            "Moment against rolling as part of the force that presses times the radius, of two balls the smaller one [1].",
-            dealii::Patterns::Double(0));
+    prm.add(
+      "Rolling friction",
+      rolling,
+      "Moment against rolling as part of the force that presses times the radius, of two balls the smaller one [1].",
+      dealii::Patterns::Double(0));
     prm.add("Turning friction",
             turning,
             "The same about the normal of the surfaces, against turning on the spot [1].",
             dealii::Patterns::Double(0));
-    prm.add("Laws",
-            law_entries,
-            "What is different between some of the bodies: rubber * with ground friction 0.9 restitution 0.3, a with b "
-            "stiffness 1e6, ... Words, each with a number in SI units: stiffness, exponent, damping, restitution, speed "
-            "(of impact), line (stiffness of beams), friction, static, stribeck, sticking, rolling, turning. Of two that "
-            "fit the first one holds; what it does not say is that of the group.");
+    prm.add(
+      "Laws",
+      law_entries,
+      "What is different between some of the bodies: rubber * with ground friction 0.9 restitution 0.3, a with b "
+      "stiffness 1e6, ... Words, each with a number in SI units: stiffness, exponent, damping, restitution, speed "
+      "(of impact), line (stiffness of beams), friction, static, stribeck, sticking, rolling, turning. Of two that "
+      "fit the first one holds; what it does not say is that of the group.");
   }
 
 
@@ -312,8 +314,8 @@ namespace samara
         if (all.friction.has_bristles())
           complain("Bristle stiffness", "contacts in groups have no bristles; take a <Sticking speed>");
       }
-    all.rolling = rolling;
-    all.turning = turning;
+    all.rolling             = rolling;
+    all.turning             = turning;
     group.balls_touch_balls = touching == "all";
   }
 

@@ -35,8 +35,9 @@ namespace samara
   unsigned int
   Rail::piece_at(const double S) const
   {
-    const auto after =
-      std::upper_bound(spans.begin(), spans.end(), S, [](const double s, const LinePiece &span) { return s < span.end; });
+    const auto after = std::upper_bound(spans.begin(), spans.end(), S, [](const double s, const LinePiece &span) {
+      return s < span.end;
+    });
     return std::min<std::size_t>(after - spans.begin(), spans.size() - 1);
   }
 

@@ -195,8 +195,7 @@ namespace samara
         const PairShape         shape = group.shape(pair);
         const PairMeasure<Dual> measure(shape, places);
         is_touched = measure.gap.value() > 0;
-        const auto f =
-          forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.bodies_of(pair));
+        const auto f = forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.bodies_of(pair));
         const std::array<const Vec3<Dual> *, 5> all{{&f.force_b, &f.moment_b, &f.force_a, &f.moment_a, &f.on_axis}};
         for (int i = 0; i < n_forces; ++i)
           {

@@ -97,7 +97,7 @@ TEST_F(Catalogued, Shells)
          {"Degree", "3", {"Loads/pull/Force = 0, 0, 500"}},
          {"Crease angle", "0.6"},
          {"Axis 1", "1, 1, 0"},
-         {"Layup", "single", {}, true}, // beside E
+         {"Layup", "single", {}, true},                // beside E
          {"Transverse shear", "asymptotic", {}, true}, // likewise
          {"E", "2e6"},
          {"Poisson ratio", "0.2"},

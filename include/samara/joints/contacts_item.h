@@ -79,7 +79,7 @@ namespace samara
     void   check_law();
     void   add_laws();
     /** Which law is that of which bodies. @p sides: the two names of each entry. */
-    void assign_laws(const std::vector<std::array<std::string, 2>> &sides);
+    void   assign_laws(const std::vector<std::array<std::string, 2>> &sides);
     void   refuse_overlaps(const Layout &layout) const;
     void   couple_pairs(Layout &layout);
     void   add_nodes_of_lines(std::set<std::pair<unsigned int, unsigned int>> &pairs) const;

@@ -25,14 +25,15 @@ namespace samara
    *     x(S) = Σ N_a(S) x_a        d_k(S) = Σ N_a(S) d_k^a
    *
    * with the frames a of the piece and the polynomials N_a of Lagrange through their abscissae: what the body itself
-   * interpolates; on a curve of a shell through points that have shares of its frames (LinePiece). Both are linear in the coordinates of the nodes; the d_k are not of unit length, nor normal to each
-   * other. Where two pieces meet, x is continuous, and the slopes x' and d_k' have jumps [x'] that vanish as the mesh is
-   * refined. Within ε = a ten-thousandth of the shorter piece on both sides of such a place S_e the slope turns steadily:
+   * interpolates; on a curve of a shell through points that have shares of its frames (LinePiece). Both are linear in
+   * the coordinates of the nodes; the d_k are not of unit length, nor normal to each other. Where two pieces meet, x is
+   * continuous, and the slopes x' and d_k' have jumps [x'] that vanish as the mesh is refined. Within ε = a
+   * ten-thousandth of the shorter piece on both sides of such a place S_e the slope turns steadily:
    *
    *     x(S) + φ(S) [x'],   φ = ε/4 (1 − |S − S_e|/ε)²
    *
-   * has no jump of its slope, is x(S) outside, and by ε/4 [x'] off at most. What slides is turned by it, not hit, with an
-   * acceleration that is steady: one step of any number of stages follows it.
+   * has no jump of its slope, is x(S) outside, and by ε/4 [x'] off at most. What slides is turned by it, not hit, with
+   * an acceleration that is steady: one step of any number of stages follows it.
    *
    * Beyond both ends of the body x and d_k go on straight, with the slopes of the end.
    */
@@ -147,10 +148,10 @@ namespace samara
   Rail::Weights<Number>
   Rail::of_piece(const unsigned int piece, const Number &S) const
   {
-    const LinePiece                                        &span = spans[piece];
-    const std::vector<double>                              &s    = span.abscissae;
-    std::array<std::array<Number, most_points>, 3>          L;
-    Weights<Number>                                         result;
+    const LinePiece                               &span = spans[piece];
+    const std::vector<double>                     &s    = span.abscissae;
+    std::array<std::array<Number, most_points>, 3> L;
+    Weights<Number>                                result;
     result.piece = piece;
     for (unsigned int a = 0; a < s.size(); ++a)
       {

@@ -54,8 +54,9 @@ namespace samara
     bool                     balls_touch_balls = true;
 
     /** The first is that of all pairs for which there is no other. */
-    std::vector<PairLaw>                   laws = {{}};
-    std::vector<std::vector<unsigned int>> law_of_likes; ///< number of the law by the likeness of both bodies, if several
+    std::vector<PairLaw> laws = {{}};
+    std::vector<std::vector<unsigned int>>
+      law_of_likes; ///< number of the law by the likeness of both bodies, if several
 
     std::string              name; ///< for messages: "contacts <pile>"
     const Item              *item = nullptr;

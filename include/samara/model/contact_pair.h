@@ -156,7 +156,7 @@ namespace samara
   {
     ContactLaw  law, line_law;
     FrictionLaw friction;
-    bool        has_friction = false; ///< or resistance
+    bool        has_friction = false;     ///< or resistance
     double      rolling = 0, turning = 0; ///< [1]
   };
 
@@ -170,16 +170,16 @@ namespace samara
 
     PairDampers() = default;
 
-    /** For the force @p n that presses: friction N c, and N μ R²/√(|R ω|² + ε²) with the radius R of the ball, or of the
-     * smaller one of two. */
+    /** For the force @p n that presses: friction N c, and N μ R²/√(|R ω|² + ε²) with the radius R of the ball, or of
+     * the smaller one of two. */
     PairDampers(const PairMeasure<Number> &m, const PairShape &shape, const PairLaw &law, const Number &n)
     {
       using std::sqrt;
       const auto square = [](const Vec3<Number> &v) { return Number(PairMeasure<Number>::dot(v, v)); };
       slip              = Number(n * law.friction(square(m.slip)).c);
-      const double R    = shape.kind == PairShape::ball && !shape.hollow ? std::min(shape.radius_a, shape.radius_b) :
-                                                                           shape.radius_b;
-      const double e_2  = law.friction.sticking_speed * law.friction.sticking_speed;
+      const double R =
+        shape.kind == PairShape::ball && !shape.hollow ? std::min(shape.radius_a, shape.radius_b) : shape.radius_b;
+      const double e_2    = law.friction.sticking_speed * law.friction.sticking_speed;
       const auto   resist = [&](const double mu, const Vec3<Number> &omega) {
         return Number(mu * R * R * n / sqrt(Number(R * R * square(omega) + e_2)));
       };
@@ -236,8 +236,7 @@ namespace samara
     const auto   d    = law.damper(g, r);
     const Number f =
       Number(part * (law.force(g) + d.force + (law.slope(g) + d.by_gap) * (m.gap - g) + d.by_rate * (rate - r)));
-    const auto dampers =
-      of_bodies.has_friction ? PairDampers<Number>(m, shape, of_bodies, f) : PairDampers<Number>();
+    const auto dampers = of_bodies.has_friction ? PairDampers<Number>(m, shape, of_bodies, f) : PairDampers<Number>();
     return ContactForces<Number>(m, Number(f * shape.sign() / m.distance), dampers);
   }
 } // namespace samara
