@@ -95,6 +95,17 @@ namespace samara
 
 
   void
+  Surface::choose_unsteady()
+  {
+    unsteady        = kind_of_unsteady(unsteady_name);
+    separation_lags = {entered_lags[0], entered_lags[1]};
+    if (unsteady != Unsteady::dynamic_stall && entered_lags != std::vector<double>{1.7, 3.})
+      model->complaints.add(parameters.where("Separation lags"), "<Unsteady = dynamic stall> alone has them");
+  }
+
+
+
+  void
   Surface::initialize(Model &m)
   {
     model             = &m;
@@ -103,10 +114,7 @@ namespace samara
       parameters.require(entry, model->complaints);
     if (model->complaints.count() != before)
       return;
-    unsteady        = kind_of_unsteady(unsteady_name);
-    separation_lags = {entered_lags[0], entered_lags[1]};
-    if (unsteady != Unsteady::dynamic_stall && entered_lags != std::vector<double>{1.7, 3.})
-      model->complaints.add(parameters.where("Separation lags"), "<Unsteady = dynamic stall> alone has them");
+    choose_unsteady();
     std::string where = "Air";
     try
       {

@@ -178,6 +178,7 @@ namespace samara
 
     // reading
     bool                find_body();
+    void                choose_unsteady();
     bool                find_airfoils();
     std::vector<double> breaks() const;
     void                add_stations();
