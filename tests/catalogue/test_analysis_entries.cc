@@ -172,7 +172,9 @@ TEST_F(Catalogued, Trim)
          {"Spectral radius", "0"},
          {"Newton tolerance", "1e-3"}},
         {{"Iterations", "numbers of steps do not depend on it, as in Dynamic"},
-         {"Continue", "only where a search fails: tests/trim/test_trim.cc"}});
+         {"Continue", "only where a search fails: tests/trim/test_trim.cc"},
+         {"Symmetry", "only of repeated parts: tests/trim/test_sections.cc"},
+         {"Turning", "only with a <Symmetry>: tests/trim/test_sections.cc"}});
 }
 
 
