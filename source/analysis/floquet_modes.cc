@@ -241,8 +241,21 @@ namespace samara
     settings.tolerance     = tolerance;
     settings.largest_basis = 2 * wanted + 10;
     settings.most_products = 1000;
-    const EigenPairs pairs = arnoldi(
-      n, [&](const double *x, double *y) { apply_scaled(map, x, y); }, std::min(wanted, n), settings);
+    EigenPairs pairs;
+    try
+      {
+        pairs = arnoldi(
+          n, [&](const double *x, double *y) { apply_scaled(map, x, y); }, std::min(wanted, n), settings);
+      }
+    catch (const NotConverged &problem)
+      {
+        // with spectral radius 1 all that is stiff has a multiplier near one
+        throw NotConverged(
+          std::string(problem.what()) +
+          ": the largest multipliers lie in a crowd, as those of what bends fast and is hardly damped. "
+          "Ask for slow modes, <Highest frequency>, or damp what the steps do not resolve, "
+          "<Spectral radius> below 1");
+      }
     FloquetModes result;
     result.n_columns = pairs.n_products;
     for (unsigned int i = 0; i < pairs.values.size(); ++i)

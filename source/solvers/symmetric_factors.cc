@@ -17,7 +17,7 @@ namespace samara
     using VectorBlock = Eigen::Map<Eigen::VectorXd>;
 
     constexpr int    of_block = 48, of_strip = 192; ///< columns that are eliminated, or changed, together
-    constexpr double round_off = 1e-14;             ///< of the larger diagonal entry: as good as symmetric
+    constexpr double symmetric_enough = 1e-14;      ///< of the larger diagonal entry: as good as symmetric
 
     /** C = factor C + sign A B, or Aᵀ B, with m × n entries, k columns of A, or rows. */
     void
@@ -112,7 +112,7 @@ namespace samara
         {
           const int    i          = pattern.rows[k];
           const double difference = a[k] - a[next[i]++];
-          if (!(std::abs(difference) <= round_off * std::min(diagonal[i], diagonal[j])))
+          if (!(std::abs(difference) <= symmetric_enough * std::min(diagonal[i], diagonal[j])))
             {
               if (skew.size() == most || !std::isfinite(difference))
                 return false;
