@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,27 @@ namespace samara
 
     constexpr int    of_block = 48, of_strip = 192; ///< columns that are eliminated, or changed, together
     constexpr double symmetric_enough = 1e-14;      ///< of the larger diagonal entry: as good as symmetric
+
+    /** C = factor C + sign op(A) op(B) by BLAS; @p size: rows and columns of C, columns of op(A). */
+    void
+    multiply_by_blas(const char                                   *op_a,
+                     const char                                   *op_b,
+                     const std::array<dealii::types::blas_int, 3> &size,
+                     const double                                  sign,
+                     const double                                 *a,
+                     const int                                     a_rows,
+                     const double                                 *b,
+                     const int                                     b_rows,
+                     const double                                  factor,
+                     double                                       *c,
+                     const int                                     c_rows)
+    {
+      const dealii::types::blas_int stride[3] = {a_rows, b_rows, c_rows};
+      dealii::gemm(
+        op_a, op_b, &size[0], &size[1], &size[2], &sign, a, &stride[0], b, &stride[1], &factor, c, &stride[2]);
+    }
+
+
 
     /** C = factor C + sign A B, or Aᵀ B, with m × n entries, k columns of A, or rows. */
     void
@@ -36,20 +58,7 @@ namespace samara
     {
       if (m <= 0 || n <= 0 || k <= 0)
         return;
-      const dealii::types::blas_int size[3] = {m, n, k}, stride[3] = {a_rows, b_rows, c_rows};
-      dealii::gemm(is_transposed ? "T" : "N",
-                   "N",
-                   &size[0],
-                   &size[1],
-                   &size[2],
-                   &sign,
-                   a,
-                   &stride[0],
-                   b,
-                   &stride[1],
-                   &factor,
-                   c,
-                   &stride[2]);
+      multiply_by_blas(is_transposed ? "T" : "N", "N", {m, n, k}, sign, a, a_rows, b, b_rows, factor, c, c_rows);
     }
 
 
@@ -70,8 +79,7 @@ namespace samara
     {
       if (m <= 0 || n <= 0)
         return;
-      const dealii::types::blas_int size[3] = {m, n, k}, stride[3] = {a_rows, b_rows, c_rows};
-      dealii::gemm("N", "T", &size[0], &size[1], &size[2], &sign, a, &stride[0], b, &stride[1], &factor, c, &stride[2]);
+      multiply_by_blas("N", "T", {m, n, k}, sign, a, a_rows, b, b_rows, factor, c, c_rows);
     }
   } // namespace
 
