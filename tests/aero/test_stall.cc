@@ -176,13 +176,15 @@ namespace
     Scene scene("prm/examples/aero/pitching_airfoil.prm", settings);
     auto &analysis = scene.analysis<DynamicAnalysis>();
     scene.equilibrium();
+    const double                          period = 0.5 * analysis.end_time;
     std::vector<std::map<double, double>> lift(2); // over the angle: nose going down, coming up
     double                                before = -1e3;
     analysis.observer                            = [&](const State &state) {
       const double angle = scene.input.model.probe("hinge.rotation").value(state), // in degrees
         value            = scene.input.model.probe(of_air).value(state);
-      if (before > -1e3)
-        lift[angle > before][angle] = value; // the last period's replace those before
+      // of the last of two periods
+      if (before > -1e3 && state.time > 1.001 * period)
+        lift[angle > before][angle] = value;
       before = angle;
     };
     analysis.run(scene.context);
