@@ -185,6 +185,8 @@ namespace samara
         sum.force += part.force;
         sum.moment += part.moment;
         sum.power += part.power;
+        sum.induced += part.induced;
+        sum.profile += part.profile;
       }
     return sum;
   }
@@ -206,6 +208,10 @@ namespace samara
       return Probe{path, "N m", OfVelocities{{[=](const State &s) { return -axes(s).col(2).dot(loads(s).moment); }}}};
     if (path == "power")
       return Probe{path, "W", OfVelocities{{[=](const State &s) { return -loads(s).power; }}}};
+    if (path == "induced power")
+      return Probe{path, "W", OfVelocities{{[=](const State &s) { return loads(s).induced; }}}};
+    if (path == "profile power")
+      return Probe{path, "W", OfVelocities{{[=](const State &s) { return loads(s).profile; }}}};
     if (path == "figure of merit")
       return Probe{path, "1", OfVelocities{{[=](const State &s) {
                      const AirLoads sum    = loads(s);
@@ -232,7 +238,8 @@ namespace samara
   std::vector<std::string>
   Inflow::probe_names() const
   {
-    std::vector<std::string> names = {"thrust", "torque", "power", "figure of merit", "mean"};
+    std::vector<std::string> names = {
+      "thrust", "torque", "power", "induced power", "profile power", "figure of merit", "mean"};
     for (const std::string quantity : {"force", "moment"})
       for (const char i : {'1', '2', '3'})
         names.push_back(quantity + " " + i);

@@ -72,6 +72,14 @@ namespace samara
       return Probe{path, "W", [this](const State &state) {
                      return air_loads(state, Vector3::Zero(), Vector3::Zero()).power;
                    }};
+    if (path == "induced power")
+      return Probe{path, "W", [this](const State &state) {
+                     return air_loads(state, Vector3::Zero(), Vector3::Zero()).induced;
+                   }};
+    if (path == "profile power")
+      return Probe{path, "W", [this](const State &state) {
+                     return air_loads(state, Vector3::Zero(), Vector3::Zero()).profile;
+                   }};
 
     // "at s.quantity": of the station that is nearest
     const auto        dot      = path.rfind('.');
@@ -102,7 +110,7 @@ namespace samara
   std::vector<std::string>
   Surface::probe_names() const
   {
-    std::vector<std::string> names = {"power"};
+    std::vector<std::string> names = {"power", "induced power", "profile power"};
     for (const std::string quantity : {"force", "moment"})
       for (const char i : {'x', 'y', 'z'})
         names.push_back(quantity + " " + i);

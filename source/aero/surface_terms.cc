@@ -321,6 +321,14 @@ namespace samara
             sum.moment += (at.place - centre).cross(f) + (middle - centre).cross(h) + m;
             sum.power += f.dot(g.frames.velocity(station.N, station.quarter) - carried) +
                          h.dot(g.frames.velocity(station.N, station.middle()) - carried) + m.dot(at.spin);
+            if (inflow != nullptr)
+              sum.induced -= f.dot(annular != nullptr || external != nullptr ? Vector3(g.frames.D.back() * at.added) :
+                                                                               Vector3(-at.induced * at.thrust_axis));
+            // lift is normal to the flow at the bound vortex, so this is the drag's alone
+            const Vector3 flow_at_vortex(at.V(0) + 0.5 * station.section.chord * at.spin.dot(at.axes.e3),
+                                         at.V(1),
+                                         at.upwash - at.turning);
+            sum.profile += station.weight * at.flow.loads.head<3>().dot(flow_at_vortex);
           }
       }
     return sum;

@@ -324,6 +324,13 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
                   T * std::sqrt(T / (2 * 1.225 * M_PI * 9)) / scene.value("flow.power"),
                   1e-12);
       EXPECT_LT(scene.value("flow.figure of merit"), 1.);
+      // it goes into the flow, uniform or not, and into drag
+      const double induced = scene.value("flow.induced power"), profile = scene.value("flow.profile power");
+      if (kind == "uniform inflow")
+        EXPECT_NEAR(induced, T * nu, 1e-10 * induced);
+      else
+        EXPECT_GT(induced, 0.9 * T * nu);
+      EXPECT_NEAR(induced + profile, scene.value("flow.power"), 1e-9 * scene.value("flow.power"));
       // in axes that stand still, flow without harmonics is the same, and steady harmonics are not to be had
       Scene fixed(four_bladed_rotor(kind, "ground"));
       if (scene.system.layout.n_states == 1)
@@ -346,6 +353,10 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
   const double T = climbing.value("flow.thrust"), nu = climbing.value("flow.mean");
   EXPECT_LT(T, thrust);
   EXPECT_NEAR(T, 2 * 1.225 * M_PI * 9 * nu * (nu + 3), 1e-8 * T);
+  // the wind through the disk takes what the climb needs
+  EXPECT_NEAR(climbing.value("flow.power"),
+              climbing.value("flow.induced power") + climbing.value("flow.profile power") + 3 * T,
+              1e-9 * climbing.value("flow.power"));
 }
 
 

@@ -16,6 +16,7 @@ namespace samara
   {
     Vector3 force = Vector3::Zero(), moment = Vector3::Zero(); ///< inertial axes, moment about a given point [N, N m]
     double  power = 0;                                         ///< work on the surface in unit time [W]
+    double  induced = 0, profile = 0;                          ///< what inflow and drag take of it [W]
   };
 
 
