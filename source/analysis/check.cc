@@ -46,6 +46,10 @@ namespace samara
                          " has beams that balls or other beams touch; where they do moves along the beams, which the "
                          "matrices of modes and linear systems do not know: they would be wrong. Look at the motion in "
                          "time, or hold balls to single contacts");
+      else if (group->has_bristles() && !for_statics)
+        throw InputError(group->item->parameters.where() + ": " + group->name +
+                         " has bristles, which come and go with touches; the matrices of modes and linear systems do "
+                         "not know them: they would be wrong. Take a <Sticking speed>, or single contacts");
       else if (!group->is_coupled)
         throw InputError(
           group->item->parameters.where() + ": " + group->name +

@@ -3,6 +3,7 @@
 #include <samara/analysis/dynamic_parts.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/contact_group.h>
 #include <samara/solvers/newton.h>
 
 #include <algorithm>
@@ -114,9 +115,31 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Whether any friction bends bristles. */
+    bool
+    has_bristles(const Layout &layout)
+    {
+      return std::any_of(layout.frictions.begin(),
+                         layout.frictions.end(),
+                         [](const auto &friction) { return friction.law.has_bristles(); }) ||
+             std::any_of(layout.contact_groups.begin(), layout.contact_groups.end(), [](const auto *group) {
+               return group->has_bristles();
+             });
+    }
+  } // namespace
+
+
+
   void
   DynamicAnalysis::conclude(const Context &context) const
   {
+    if (control == "adaptive" && has_bristles(context.system.layout))
+      context.log.warning("",
+                          "adaptive steps do not look at bristles: where these bend, errors are larger than what errors "
+                          "of steps add up to, by hundreds of times after impacts. Compare with a hundredth of the "
+                          "<Tolerance>, or with a shorter <Step>");
     // what has died away after a few steps does not count any more
     constexpr unsigned int transient = 3;
     if (report.n_unresolved > transient)

@@ -27,6 +27,29 @@ namespace samara
     /** Up to this many columns all of them are cheaper than Arnoldi's method. */
     constexpr int most_columns = 60;
 
+
+
+    /** How far Newton's method has led away from the motion that had settled: it may have found another one. */
+    void
+    tell_corrections(const Context &context, const SectionMap &map, const State &settled)
+    {
+      if (map.n_corrections == 0)
+        return;
+      const auto         x           = increment(context.system, settled, map.map.states().front(), true);
+      const auto        &scales      = map.scales();
+      unsigned int       most        = 0;
+      const auto         size        = [&](const unsigned int i) { return std::abs(x[i]) / scales[i]; };
+      const unsigned int n_positions = context.system.layout.of_multiplier(0);
+      for (unsigned int i = 0; i < x.size(); ++i)
+        if (size(i) > size(most))
+          most = i;
+      if (size(most) < doubtful_gap)
+        return;
+      context.log.line("floquet: " + std::to_string(map.n_corrections) + " correction" +
+                       (map.n_corrections > 1 ? "s have" : " has") + " moved the start by up to " +
+                       number_to_text("%.1e", size(most)) + " of the scales (" +
+                       context.system.layout.name_of(most < n_positions ? most : most - n_positions) + ")");
+    }
   } // namespace
 
 
@@ -219,7 +242,9 @@ namespace samara
     try
       {
         map.settle(first, most_periods, settled_gap);
+        const State settled = map.map.states().front();
         map.correct(most_corrections, settled_gap);
+        tell_corrections(context, map, settled);
         check_gap(context, map);
         check_corners(context, map);
         check_switches(context, map);
@@ -265,7 +290,9 @@ namespace samara
                                   "") +
         ".");
     if (map.gap.size > doubtful_gap)
-      context.log.warning("floquet", text + "; so much do multipliers lack, too");
+      context.log.warning("floquet",
+                          text + "; multipliers lack as much, and more where that dies away slowly: then the periodic "
+                                 "motion is far away");
   }
 
 
@@ -327,15 +354,14 @@ namespace samara
   FloquetModes
   FloquetAnalysis::find(SectionMap &map) const
   {
-    if (method == "classical")
+    // as many as the constraints leave; more where these are redundant
+    const Layout &layout = map.system.layout;
+    const int     n      = layout.n_kinematic() + layout.of_multiplier(0) - 2 * int(layout.n_multipliers);
+    if (method == "classical" || (method != "implicit" && n <= most_columns))
       return all_floquet_modes(map);
-    if (method != "implicit")
-      {
-        const Layout &layout = map.system.layout;
-        const int     n      = layout.n_kinematic() + layout.of_multiplier(0) - 2 * int(layout.n_multipliers);
-        if (n <= most_columns)
-          return all_floquet_modes(map);
-      }
+    // what is found beyond those that there are is round-off
+    if (highest_frequency == 0 && int(wanted) >= n)
+      return all_floquet_modes(map);
     if (highest_frequency > 0)
       return slow_floquet_modes(map, {highest_frequency, tolerance > 0 ? tolerance : tolerance_of_slow_modes});
     return largest_floquet_modes(map, wanted, tolerance > 0 ? tolerance : tolerance_of_largest);

@@ -434,6 +434,11 @@ namespace samara
           ++result.n_open;
           result.largest_residual = std::max(result.largest_residual, pair.error());
         }
+    if (pairs.empty())
+      throw NotConverged(
+        "none of the " + std::to_string(result.n_looked_for) +
+        " slow modes that there are at the start of the period, as if coefficients stayed, is slow over "
+        "all of it; take a larger <Highest frequency>");
     if (result.found.empty())
       throw NotConverged("none of " + std::to_string(result.n_looked_for) + " slow modes comes to the tolerance with " +
                          std::to_string(space.size()) + " columns; residuals are up to " +

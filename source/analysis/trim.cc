@@ -16,6 +16,10 @@ namespace samara
   {
     constexpr double no_limit = std::numeric_limits<double>::infinity();
 
+    const std::string behind_a_section =
+      "\n  A section of the <Symmetry> had been before, behind which parts took each other's places: what is among the "
+      "<Turning> must lie about the axis, so that it is carried into itself, or be repeated";
+
     /** The unit of a probe as it is written in expressions, in SI; and what the probe's numbers are multiplied by. */
     std::pair<std::string, double>
     si_unit_of(const std::string &unit)
@@ -35,6 +39,7 @@ namespace samara
     , context(context)
     , system(context.system)
   {
+    tolerance = trim.tolerance;
     find_controls();
     motion = make_motion();
     history.emplace(columns());
@@ -241,7 +246,16 @@ namespace samara
             if (rates[i] == 0)
               now.states[i] = share * values[i];
         };
-        motion->turn(end, grows && section < n ? f : PeriodicMotion::Observer());
+        try
+          {
+            motion->turn(end, grows && section < n ? f : PeriodicMotion::Observer());
+          }
+        catch (const NotConverged &problem)
+          {
+            if (!parts || section == 0)
+              throw;
+            throw NotConverged(problem.what() + behind_a_section);
+          }
         motion->begin_again(state, end);
         state = end;
       }
@@ -311,7 +325,7 @@ namespace samara
   bool
   TrimAnalysis::Run::is_trimmed(const Look &look) const
   {
-    return look.size() < trim.tolerance;
+    return look.size() < tolerance;
   }
 
 
@@ -345,11 +359,7 @@ namespace samara
     Look now = look(state);
     tell(now);
     check_symmetry(now);
-    Look found = trim.method == "Newton-Krylov" ? newton_krylov(now) :
-                 trim.method == "discrete"      ? discrete(now) :
-                                                  auto_pilot(now);
-    if (State end = confirm(found); parts)
-      found.end = end; // a motion of its own numbers, with the multipliers that belong to it
+    const Look found = without_drift(now);
     leave(found);
     write(found);
     const std::string of_section =

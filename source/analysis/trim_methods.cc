@@ -122,6 +122,16 @@ namespace samara
 
 
 
+  TrimAnalysis::Run::Look
+  TrimAnalysis::Run::by_method(const Look &now)
+  {
+    return trim.method == "Newton-Krylov" ? newton_krylov(now) :
+           trim.method == "discrete"      ? discrete(now) :
+                                            auto_pilot(now);
+  }
+
+
+
   TrimAnalysis::Run::VectorX
   TrimAnalysis::Run::residual(const Look &look) const
   {
@@ -366,7 +376,7 @@ namespace samara
       {
         if (const std::string fault = fault_of(J); !fault.empty())
           fail(fault);
-        if (now.miss < 0.1 * trim.tolerance)
+        if (now.miss < 0.1 * tolerance)
           {
             // targets are met, the motion is still settling
             now = settled(now.end);
@@ -376,7 +386,8 @@ namespace samara
         const VectorX u = controls_of(now.start), wish = solve(J, wanted() - now.averages),
                       du = within_limits(u, wish) * wish;
         if (du.norm() < 1e-3 * wish.norm())
-          fail(beyond_limits);
+          fail("controls have come to their limits: targets lie beyond them, or motions take longer to settle than the "
+               "<Settle> periods in which they are looked at");
         State from = now.end;
         set_controls(from, u + du);
         const Look next = settled(from);

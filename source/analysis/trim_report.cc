@@ -36,15 +36,24 @@ namespace samara
 
 
 
+  Eigen::MatrixXd
+  TrimAnalysis::Run::in_scales(const Eigen::MatrixXd &J) const
+  {
+    Eigen::MatrixXd scaled = J;
+    for (unsigned int k = 0; k < targets.size(); ++k)
+      for (unsigned int j = 0; j < controls.size(); ++j)
+        scaled(k, j) *= controls[j].scale / targets[k].scale;
+    return scaled;
+  }
+
+
+
   std::string
   TrimAnalysis::Run::fault_of(const Eigen::MatrixXd &J) const
   {
-    const unsigned int n      = controls.size();
-    Eigen::MatrixXd    scaled = J;
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int j = 0; j < n; ++j)
-        scaled(k, j) *= controls[j].scale / targets[k].scale;
-    const double largest = scaled.cwiseAbs().maxCoeff();
+    const unsigned int    n       = controls.size();
+    const Eigen::MatrixXd scaled  = in_scales(J);
+    const double          largest = scaled.cwiseAbs().maxCoeff();
     for (unsigned int j = 0; j < n; ++j)
       if (!(scaled.col(j).cwiseAbs().maxCoeff() > without_effect * largest))
         return "the control <" + controls[j].name + "> has no effect on any target";
@@ -69,19 +78,10 @@ namespace samara
 
 
   std::string
-  TrimAnalysis::Run::weakness(const State &orbit)
+  TrimAnalysis::Run::hardest_of(const Eigen::MatrixXd &J) const
   {
-    use_symmetry(orbit);
-    const Look            now = look(orbit);
-    const Eigen::MatrixXd J   = control_matrix(now);
-    if (const std::string fault = fault_of(J); !fault.empty())
-      return fault;
-    const unsigned int n      = controls.size();
-    Eigen::MatrixXd    scaled = J;
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int j = 0; j < n; ++j)
-        scaled(k, j) *= controls[j].scale / targets[k].scale;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const unsigned int                      n = controls.size();
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(in_scales(J), Eigen::ComputeFullU | Eigen::ComputeFullV);
     const auto                              list = [&](const VectorX &v, const auto &all) {
       std::vector<std::string> parts;
       for (unsigned int i = 0; i < n; ++i)
@@ -89,12 +89,24 @@ namespace samara
           parts.push_back(number_to_text("%.2f", v(i)) + " <" + all[i].name + ">");
       return join(parts, ", ");
     };
-    const auto &s    = svd.singularValues();
-    std::string text = "hardest to move are, in scales, the targets " + list(svd.matrixU().col(n - 1), targets) +
-                       ", which the controls " + list(svd.matrixV().col(n - 1), controls) + " move by " +
-                       number_to_text("%.2g", s(n - 1)) + "; the easiest are moved by " + number_to_text("%.2g", s(0));
+    const auto &s = svd.singularValues();
+    return "hardest to move are, in scales, the targets " + list(svd.matrixU().col(n - 1), targets) +
+           ", which the controls " + list(svd.matrixV().col(n - 1), controls) + " move by " +
+           number_to_text("%.2g", s(n - 1)) + "; the easiest are moved by " + number_to_text("%.2g", s(0));
+  }
+
+
+
+  std::string
+  TrimAnalysis::Run::weakness(const State &orbit)
+  {
+    use_symmetry(orbit);
+    const Look            now = look(orbit);
+    const Eigen::MatrixXd J   = control_matrix(now);
+    if (const std::string fault = fault_of(J); !fault.empty())
+      return fault;
     const std::string limits = at_limits(controls_of(orbit));
-    return text + (limits.empty() ? "" : "; " + limits);
+    return hardest_of(J) + (limits.empty() ? "" : "; " + limits);
   }
 
 
@@ -157,7 +169,10 @@ namespace samara
       try
         {
           // what is at its limit needs no other explanation
-          reason = fault_of(control_matrix(settled(now.end)));
+          const Eigen::MatrixXd J = control_matrix(settled(now.end));
+          reason                  = fault_of(J);
+          if (reason.empty())
+            reason = hardest_of(J);
         }
       catch (const NotConverged &)
         {
@@ -225,11 +240,14 @@ namespace samara
     next.time += trim.period;
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
       next.coordinates[i] += look.turned[i];
-    State           end      = next;
-    PeriodicMotion &of_turn  = parts ? *(whole = make_motion()) : *motion;
+    State end = next;
+    if (parts && !whole)
+      whole = make_motion();
+    PeriodicMotion &of_turn  = parts ? *whole : *motion;
     const auto      averages = averages_in_si(of_turn.turn(end));
-    const auto      largest  = of_turn.largest(of_turn.gap(next, end));
-    double          miss     = 0;
+    gap_behind               = of_turn.gap(next, end);
+    const auto largest       = of_turn.largest(gap_behind);
+    double     miss          = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
       miss = std::max(miss, std::abs(averages(k) - targets[k].value) / targets[k].scale);
     if (!(std::max(largest.size, miss) < 100 * trim.tolerance))

@@ -67,7 +67,7 @@ namespace samara
         if (!is_rigid)
           layout.couple(element.block, element.frames);
       }
-    make_batches();
+    lanes = ElementLanes<dim>({{this, 0}});
     take_reference(layout.model);
     has_viscous_material = std::any_of(materials.begin(), materials.end(), [](const Material &material) {
       return !material.viscosity.isZero(0.);
@@ -98,46 +98,6 @@ namespace samara
     this->strains(reference, e.data());
     for (unsigned int g = 0; g < points.size(); ++g)
       points[g].reference += Eigen::Map<const VectorN>(&e[n * g]); // zero before
-  }
-
-
-
-  template <int dim>
-  void
-  Cosserat<dim>::make_batches()
-  {
-    batches.clear();
-    single_elements.clear();
-    constexpr unsigned int most = Lanes<double>::size;
-    for (unsigned int i = 0, end = 0; i < n_elements(); i = end)
-      {
-        while (end < n_elements() && end < i + most && elements[end].table == elements[i].table)
-          ++end;
-        batches.push_back(make_batch(i, end - i, most));
-      }
-    for (unsigned int i = 0; i < n_elements(); ++i)
-      {
-        single_elements.push_back(make_batch(i, 1, 1));
-        most_nodes_of_element = std::max(most_nodes_of_element, elements[i].table->n_nodes);
-      }
-  }
-
-
-
-  template <int dim>
-  typename Cosserat<dim>::Batch
-  Cosserat<dim>::make_batch(const unsigned int first, const unsigned int size, const unsigned int n_lanes) const
-  {
-    Batch batch{first, size, {}, {}};
-    for (unsigned int a = 0; a < elements[first].frames.size(); ++a)
-      for (unsigned int l = 0; l < n_lanes; ++l)
-        {
-          const Frame &frame = elements[first + std::min(l, size - 1)].frames[a];
-          batch.nodes.push_back(frame.node);
-          if (l < size && !frame.is_node())
-            batch.arms.push_back({a, l});
-        }
-    return batch;
   }
 
 
@@ -200,6 +160,55 @@ namespace samara
     to_points(element, tied, e);
     for (unsigned int g = 0; g < t.n_points; ++g)
       Eigen::Map<VectorN>(e + n * g) -= points[elements[element].first_point + g].reference;
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::subtract_reference(Number *e) const
+  {
+    for (unsigned int g = 0; g < points.size(); ++g)
+      Eigen::Map<Eigen::Matrix<Number, n, 1>>(e + n * g) -= points[g].reference;
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::strains_at(const Point<Number> &point, Number *e) const
+  {
+    lanes.strains(point, e);
+  }
+
+
+
+  template <int dim>
+  void
+  Cosserat<dim>::strain_rates(const Point<double> &point, double *rates) const
+  {
+    lanes.strain_rates(point, rates);
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  Cosserat<dim>::residual_at(const Point<Number> &point, Number *r) const
+  {
+    lanes.add_forces(point, point.stress + this->first_strain, r);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<LinearStrains>
+  Cosserat<dim>::linear_strains() const
+  {
+    return lanes.linear_strains();
   }
 
 
@@ -311,6 +320,11 @@ namespace samara
 
   template void Cosserat<1>::gather(unsigned int, const double *, kernel::NodeValues<double> *) const;
   template void Cosserat<2>::gather(unsigned int, const double *, kernel::NodeValues<double> *) const;
+  template void Cosserat<1>::subtract_reference(double *) const;
+  template void Cosserat<1>::subtract_reference(std::complex<double> *) const;
+  template void Cosserat<2>::subtract_reference(double *) const;
+  template void Cosserat<2>::subtract_reference(std::complex<double> *) const;
+  template void Cosserat<1>::strains_at(const Point<double> &, double *) const;
   template void Cosserat<1>::to_points(unsigned int, const Vec6<double> *, double *) const;
   template void Cosserat<1>::to_tying(unsigned int, const double *, Vec6<double> *) const;
   template void Cosserat<1>::to_points(unsigned int, const Vec6<std::complex<double>> *, std::complex<double> *) const;

@@ -127,8 +127,8 @@ namespace samara
       law_entries,
       "What is different between some of the bodies: rubber * with ground friction 0.9 restitution 0.3, a with b "
       "stiffness 1e6, ... Words, each with a number in SI units: stiffness, exponent, damping, restitution, speed "
-      "(of impact), line (stiffness of beams), friction, static, stribeck, sticking, rolling, turning. Of two that "
-      "fit the first one holds; what it does not say is that of the group.");
+      "(of impact), line (stiffness of beams), friction, static, stribeck, sticking, bristle (stiffness), bending (damping "
+      "of bristles), rolling, turning. Of two that fit the first one holds; what it does not say is that of the group.");
   }
 
 
@@ -266,7 +266,9 @@ namespace samara
                                         length,
                                         false,
                                         &body,
-                                        "<" + shape.path + "> at s = " + number_to_text("%.4g", s) + " m"};
+                                        "<" + shape.path + "> at s = " + number_to_text("%.4g", s) + " m",
+                                        0,
+                                        length / (spans.back().end - spans.front().start)};
                 for (unsigned int a = 0; a < span.frames.size(); ++a)
                   bead.place.push_back({span.frames[a], lagrange(span.abscissae, a, s)});
                 group.beads.push_back(bead);
@@ -312,7 +314,7 @@ namespace samara
         all.has_friction = true;
         all.friction     = friction.law(parameters, whose, model->complaints);
         if (all.friction.has_bristles())
-          complain("Bristle stiffness", "contacts in groups have no bristles; take a <Sticking speed>");
+          all.friction.sticking_speed = friction.sticking_speed; // of what resists, and where bristles are not known
       }
     all.rolling             = rolling;
     all.turning             = turning;
@@ -477,6 +479,7 @@ namespace samara
     couple_pairs(layout);
     refuse_overlaps(layout);
     layout.add(*this, *this);
+    group.number = layout.contact_groups.size();
     layout.contact_groups.push_back(&group);
   }
 } // namespace samara

@@ -25,6 +25,19 @@ namespace samara
 
 
 
+  const BentBristles *
+  ContactsItem::bent_at(const ContactGroup::Pair &pair, const PairBristles *const bristles, BentBristles &bent) const
+  {
+    if (bristles == nullptr || bristles->empty() || !group.bodies_of(pair).friction.has_bristles())
+      return nullptr;
+    const PairBristle *const found = group.find_bristle(pair, *bristles);
+    bent.deflection                = found != nullptr ? found->deflection : Vector3::Zero();
+    bent.part                      = group.share_of(pair);
+    return &bent;
+  }
+
+
+
   template <typename Number>
   void
   ContactsItem::residual_at(const Point<Number> &point, Number *const r) const
@@ -38,10 +51,16 @@ namespace samara
       if (!group.find_sides(pair, q.data(), sides))
         return;
       const PairMeasure<Number> measure(shape, group.places(pair, sides, point.q, point.y));
+      BentBristles              bent;
       group.add_forces(
         pair,
         sides,
-        forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.bodies_of(pair)),
+        forces_at_state(measure,
+                        shape,
+                        group.law_of(pair),
+                        group.part_of(pair),
+                        group.bodies_of(pair),
+                        bent_at(pair, point.bristles, bent)),
         point.q,
         [&](const unsigned int node) { return of_node[node]; },
         r);
@@ -103,8 +122,13 @@ namespace samara
       if (!group.find_sides(pair, point.q, sides))
         return;
       const PairMeasure<double> measure(shape, group.places(pair, sides, point.q, point.y));
-      const auto                forces =
-        forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.bodies_of(pair));
+      BentBristles              bent;
+      const auto                forces = forces_at_state(measure,
+                                          shape,
+                                          group.law_of(pair),
+                                          group.part_of(pair),
+                                          group.bodies_of(pair),
+                                          bent_at(pair, point.bristles, bent));
       if ((pair.b_is_line ? group.lines[pair.bead].body : group.beads[pair.bead].body) == body)
         sum -= forces.force_b;
       if ((pair.with_surface ? group.surfaces[pair.other].body :

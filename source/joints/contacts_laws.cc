@@ -46,6 +46,8 @@ namespace samara
                                                      "static",
                                                      "stribeck",
                                                      "sticking",
+                                                     "bristle",
+                                                     "bending",
                                                      "rolling",
                                                      "turning"};
       const auto                            with  = text.find(" with ");
@@ -118,6 +120,16 @@ namespace samara
       text.take("static", friction.breakaway);
       text.take("stribeck", friction.stribeck_speed);
       text.take("sticking", friction.sticking_speed);
+      text.take("bristle", friction.bristle_stiffness);
+      if (!friction.has_bristles())
+        friction.bristle_damping = 0;
+      text.take("bending", friction.bristle_damping);
+      if (friction.bristle_damping > 0 && !friction.has_bristles())
+        throw std::invalid_argument("bristles that bend with damping, but without a stiffness");
+      if (friction.has_bristles() && text.has("sticking"))
+        throw std::invalid_argument("a sticking speed beside bristles, which stick without one");
+      if (friction.has_bristles() && text.has("bristle") && friction.breakaway == 0)
+        throw std::invalid_argument("bristles without friction");
       text.take("rolling", law.rolling);
       text.take("turning", law.turning);
       law.has_friction = friction.breakaway > 0 || law.rolling > 0 || law.turning > 0;
@@ -128,7 +140,8 @@ namespace samara
       if (friction.breakaway > friction.kinetic && !text.has("stribeck") &&
           !(of_group.friction.breakaway > of_group.friction.kinetic))
         throw std::invalid_argument("a static friction without a Stribeck speed");
-      if (friction.breakaway > friction.kinetic && friction.stribeck_speed < 10 * friction.sticking_speed)
+      if (friction.breakaway > friction.kinetic && !friction.has_bristles() &&
+          friction.stribeck_speed < 10 * friction.sticking_speed)
         throw std::invalid_argument("a Stribeck speed that is less than ten times the sticking speed");
       return law;
     }

@@ -166,6 +166,37 @@ namespace samara
     using Dual        = Eigen::AutoDiffScalar<Eigen::Matrix<double, n_local, 1>>;
     using LocalMatrix = Eigen::Matrix<double, n_forces, n_local>;
 
+    /** Bristles that bend in a step from where they are: force, and its slopes by slip, way and normal force. */
+    struct BristleSlopes
+    {
+      Vector3 force = Vector3::Zero(), by_normal = Vector3::Zero();
+      Matrix3 by_slip = Matrix3::Zero(), by_way = Matrix3::Zero();
+
+      /** As one implicit step of Euler: (1/h + r) z = w + z_i/h, r = σ₀|w|/G. What sticks is a spring. */
+      BristleSlopes(const FrictionLaw &law, const BentBristles &bent, const Vector3 &w, const double n)
+      {
+        const double sigma_0 = bent.part * law.bristle_stiffness, sigma_1 = bent.part * law.bristle_damping,
+                     size = w.norm(), G = n * law.coefficient(size * size).c;
+        if (!(G > 0))
+          return;
+        const double   turned = bent.h * sigma_0 * size / G; // h r
+        const Vector3 &z      = bent.deflection;
+        Matrix3        A      = Matrix3::Identity();
+        if (size > 0)
+          A -= sigma_0 / (G * size) * z * w.transpose();
+        A /= 1 + turned;
+        force     = force_of_bristles<double>(law, bent, w, n);
+        by_normal = turned / (1 + turned) / n * force;
+        if (turned < 1)
+          {
+            by_way  = sigma_0 * A;
+            by_slip = sigma_1 * A;
+          }
+        else
+          by_slip = (sigma_0 * bent.h + sigma_1) * A;
+      }
+    };
+
     Vec3<Dual>
     variable(const Vector3 &v, const int first)
     {
@@ -180,9 +211,13 @@ namespace samara
     {
       Eigen::Matrix<double, n_forces, 1> value;
       LocalMatrix                        slope;
-      bool                               is_touched;
+      LocalMatrix                        by_way; ///< in the columns of velocities: by the ways, of bristles
+      bool                               is_touched, has_ways = false;
 
-      LocalForces(const ContactGroup &group, const ContactGroup::Pair &pair, const PairPlaces<double> &p)
+      LocalForces(const ContactGroup       &group,
+                  const ContactGroup::Pair &pair,
+                  const PairPlaces<double> &p,
+                  const BentBristles       *bent)
       {
         const PairPlaces<Dual>  places{variable(p.x_a, 3),
                                       variable(p.axis, 6),
@@ -194,15 +229,70 @@ namespace samara
                                       variable(p.spin_b, 12)};
         const PairShape         shape = group.shape(pair);
         const PairMeasure<Dual> measure(shape, places);
-        is_touched = measure.gap.value() > 0;
-        const auto f = forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), group.bodies_of(pair));
+        is_touched               = measure.gap.value() > 0;
+        const PairLaw &of_bodies = group.bodies_of(pair);
+        const bool     rubs      = bent != nullptr && is_touched && of_bodies.friction.has_bristles();
+        PairLaw        smooth    = of_bodies;
+        if (rubs)
+          {
+            // bristles are added below
+            smooth.friction.kinetic = smooth.friction.breakaway = 0;
+            smooth.friction.bristle_stiffness                   = 0;
+          }
+        auto f = forces_at_state(measure, shape, group.law_of(pair), group.part_of(pair), smooth);
+        if (rubs)
+          add_bristles(of_bodies.friction, *bent, measure, f);
+        take(f, [&](const int i, const Dual &number) {
+          value(i)     = number.value();
+          slope.row(i) = number.derivatives().transpose();
+        });
+      }
+
+    private:
+      template <typename Take>
+      static void
+      take(const ContactForces<Dual> &f, const Take &what)
+      {
         const std::array<const Vec3<Dual> *, 5> all{{&f.force_b, &f.moment_b, &f.force_a, &f.moment_a, &f.on_axis}};
         for (int i = 0; i < n_forces; ++i)
+          what(i, (*all[i / 3])(i % 3));
+      }
+
+      static Vector3
+      value_of_vector(const Vec3<Dual> &v)
+      {
+        return {v(0).value(), v(1).value(), v(2).value()};
+      }
+
+      void
+      add_bristles(const FrictionLaw       &law,
+                   const BentBristles      &bent,
+                   const PairMeasure<Dual> &measure,
+                   ContactForces<Dual>     &f)
+      {
+        // the force that presses, from the residual that has nothing else along the normal
+        const Dual          n = Dual(-PairMeasure<Dual>::dot(f.force_b, measure.normal));
+        const Vector3       w = value_of_vector(measure.slip);
+        const BristleSlopes slopes(law, bent, w, n.value());
+        Vec3<Dual>          rub, way;
+        for (int i = 0; i < 3; ++i)
           {
-            const Dual &number = (*all[i / 3])(i % 3);
-            value(i)           = number.value();
-            slope.row(i)       = number.derivatives().transpose();
+            rub(i) = Dual(slopes.force(i) + slopes.by_normal(i) * (n - n.value()));
+            way(i) = Dual(0. * n);
+            for (int j = 0; j < 3; ++j)
+              {
+                rub(i) += slopes.by_slip(i, j) * (measure.slip(j) - w(j));
+                way(i) += slopes.by_way(i, j) * measure.slip(j);
+              }
           }
+        f.add_rub(measure, rub);
+        has_ways = slopes.by_way.squaredNorm() > 0;
+        if (!has_ways)
+          return;
+        ContactForces<Dual> of_ways(measure, Dual(0. * n), PairDampers<Dual>());
+        of_ways.add_rub(measure, way);
+        take(of_ways, [&](const int i, const Dual &number) { by_way.row(i) = number.derivatives().transpose(); });
+        by_way.leftCols<n_places>().setZero();
       }
     };
 
@@ -262,12 +352,15 @@ namespace samara
 
 
   void
-  ContactGroup::add_matrices(const Pair &pair, const Point<double> &point, const AddBlocks &add) const
+  ContactGroup::add_matrices(const Pair          &pair,
+                             const Point<double> &point,
+                             const AddBlocks     &add,
+                             const BentBristles  *bent) const
   {
     Sides sides;
     if (!find_sides(pair, point.q, sides))
       return;
-    const LocalForces local(*this, pair, places(pair, sides, point.q, point.y));
+    const LocalForces local(*this, pair, places(pair, sides, point.q, point.y), bent);
     if (!local.is_touched)
       return;
     const Vector3           e = sides.a[0].frame.rotation.col(2);
@@ -282,6 +375,8 @@ namespace samara
         {
           const Eigen::Matrix<double, 6, n_local> slope = row.force * local.slope;
           Matrix6                                 K     = slope * column.by_place;
+          if (local.has_ways)
+            K += row.force * local.by_way * column.by_rate;
           if (&row == &column)
             K += row.turn;
           add(row.node, column.node, K, slope * column.by_rate);

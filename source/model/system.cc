@@ -15,7 +15,15 @@ namespace samara
     , has_viscous(std::any_of(layout.deformations.begin(), layout.deformations.end(), [](const auto *d) {
       return d->is_viscous();
     }))
-  {}
+    , deformations(layout.deformations)
+  {
+    for (const auto *d : layout.deformations)
+      if (std::find(deformations.begin(), deformations.end(), d) != deformations.end())
+        if (auto together = d->joined(deformations))
+          joined_deformations.push_back(std::move(together));
+    for (const auto &together : joined_deformations)
+      deformations.push_back(together.get());
+  }
 
 
 

@@ -38,7 +38,7 @@ namespace samara
   void
   System::strains(const Point<Number> &point, Number *const e) const
   {
-    for (const auto *d : layout.deformations)
+    for (const auto *d : deformations)
       d->strains(point, e + d->first_strain);
   }
 
@@ -47,7 +47,7 @@ namespace samara
   void
   System::strain_rates(const Point<double> &point, double *const rates) const
   {
-    for (const auto *d : layout.deformations)
+    for (const auto *d : deformations)
       d->strain_rates(point, rates + d->first_strain);
   }
 
@@ -57,7 +57,7 @@ namespace samara
   void
   System::stresses(const Number *const e, const Number *const rates, Number *const stress) const
   {
-    for (const auto *d : layout.deformations)
+    for (const auto *d : deformations)
       d->stresses(e + d->first_strain, rates + d->first_strain, stress + d->first_strain);
   }
 
@@ -67,7 +67,7 @@ namespace samara
   void
   System::add_terms(const Point<Number> &point, Number *const r) const
   {
-    for (const auto *d : layout.deformations)
+    for (const auto *d : deformations)
       d->residual(point, r);
     for (const auto *c : layout.constraints)
       c->residual(point, r);
@@ -356,7 +356,7 @@ namespace samara
   std::unique_ptr<LinearStrains>
   System::linear_strains() const
   {
-    return std::make_unique<AllLinearStrains>(layout.deformations);
+    return std::make_unique<AllLinearStrains>(deformations);
   }
 
 

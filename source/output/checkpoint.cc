@@ -231,6 +231,15 @@ namespace samara
       body.write("state/factor", std::vector<double>{state.factor});
       body.write("state/held", std::vector<double>{state.held ? 1. : 0.});
       body.write("state/left out", std::vector<double>(state.left_out.begin(), state.left_out.end()));
+      std::vector<double> bristles;
+      for (const PairBristle &b : state.bristles)
+        {
+          const Vector3 &z = b.deflection;
+          for (const double number :
+               {double(b.group), double(b.bead), double(b.other), double(b.kind), b.at_b, b.at_a, z(0), z(1), z(2)})
+            bristles.push_back(number);
+        }
+      body.write("state/bristles", bristles);
     }
 
 
@@ -241,12 +250,19 @@ namespace samara
       State state;
       for (const auto &[path, vector] : vectors_of_state)
         state.*vector = read<double>(file, path);
-      state.motion = motion_of(read<double>(file, "state/motion"));
-      state.time   = read_number(file, "state/time");
-      state.factor = read_number(file, "state/factor");
-      state.held   = read_number(file, "state/held") != 0;
+      state.motion                       = motion_of(read<double>(file, "state/motion"));
+      state.time                         = read_number(file, "state/time");
+      state.factor                       = read_number(file, "state/factor");
+      state.held                         = read_number(file, "state/held") != 0;
       const std::vector<double> left_out = read<double>(file, "state/left out");
       state.left_out.assign(left_out.begin(), left_out.end());
+      const std::vector<double> bristles = read<double>(file, "state/bristles");
+      for (std::size_t i = 0; i + 9 <= bristles.size(); i += 9)
+        {
+          const double *const b      = &bristles[i];
+          const auto          number = [&](const unsigned int j) { return static_cast<unsigned int>(b[j]); };
+          state.bristles.push_back({number(0), number(1), number(2), number(3), b[4], b[5], {b[6], b[7], b[8]}});
+        }
       return state;
     }
 

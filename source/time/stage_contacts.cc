@@ -19,6 +19,8 @@ namespace samara
   StageContacts::start(const State &state, const double h)
   {
     near.clear();
+    bristles.clear();
+    step    = h;
     q_start = state.q;
     for (unsigned int i = 0; i < groups.size(); ++i)
       {
@@ -30,9 +32,12 @@ namespace samara
             group.find_sides(pair, state.q.data(), sides); // here it was found
             const PairMeasure<double> m(group.shape(pair), group.places<double>(pair, sides, state.q.data(), nullptr));
             near.push_back({&group, pair, m.gap, m.distance});
+            if (group.bodies_of(pair).friction.has_bristles())
+              start_bristles(state, near.back(), m);
             groups[i].energy += group.part_of(pair) * group.law_of(pair).energy(m.gap);
           }
       }
+    find_lost_bristles(state);
   }
 
 
@@ -61,6 +66,8 @@ namespace samara
     n.is_touched              = false;
     n.friction_loss           = 0;
     n.is_lost                 = !group.find_sides(n.pair, end, sides);
+    if (n.bristles >= 0)
+      straighten(n);
     if (n.is_lost)
       return;
     const PairMeasure<double> at_end(shape, group.places<double>(n.pair, sides, end, nullptr));
@@ -78,31 +85,34 @@ namespace samara
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         n.is_lost = !group.find_sides(n.pair, stages[k].q, sides_of_stages[k]) || sides_of_stages[k].is_parallel;
+        n.is_touched = !n.is_lost;
         if (n.is_lost)
-          {
-            n.is_touched = false;
-            return;
-          }
+          return;
         measures.emplace_back(shape, group.places(n.pair, sides_of_stages[k], stages[k].q, stages[k].y));
         gaps[k]  = measures[k].gap;
         rates[k] = scale * measures[k].rate;
       }
-    n.forces          = contact_forces(group.law_of(n.pair),
+    n.forces                              = contact_forces(group.law_of(n.pair),
                               tableau,
                               StepGaps(tableau, n.gap, gaps.data(), at_end.gap, rates.data(), h),
                               rates.data(),
                               h);
-    const double   part      = group.part_of(n.pair);
-    const PairLaw &of_bodies = group.bodies_of(n.pair);
+    const double                part      = group.part_of(n.pair);
+    const PairLaw              &of_bodies = group.bodies_of(n.pair);
+    std::array<Vec3<double>, 3> of_bristles;
+    if (n.bristles >= 0)
+      rub(n, stages, end, at_end, h, of_bristles);
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        const PairMeasure<double> &m       = measures[k];
-        const double               f       = part * n.forces.force[k];
+        const PairMeasure<double> &m = measures[k];
+        const double               f = part * n.forces.force[k];
         PairDampers<double>        dampers;
         if (of_bodies.has_friction && f > 0)
-          dampers = PairDampers<double>(m, shape, of_bodies, f);
+          dampers = PairDampers<double>(m, shape, of_bodies, f, n.bristles < 0);
         n.friction_loss += h * tableau.b(k) * dampers.power(m);
-        const ContactForces<double> forces(m, f * scale, dampers);
+        ContactForces<double> forces(m, f * scale, dampers);
+        if (n.bristles >= 0)
+          forces.add_rub(m, of_bristles[k]);
         group.add_forces(
           n.pair,
           sides_of_stages[k],
@@ -238,6 +248,10 @@ namespace samara
       if (n.is_lost)
         return n.group->name + ": the nearest places of " + n.group->name_of(n.pair) +
                " are not found, as where beams are parallel";
+    for (const Near &n : near)
+      if (n.bristles >= 0 && bristles[n.bristles].is_lost)
+        return n.group->name + ": the plane in which " + n.group->name_of(n.pair) +
+               " rub turns by nearly a right angle";
     if (const std::string who = moved_too_far(stages, end); !who.empty())
       return who + " goes farther in the step than its speed at the start says";
     if (const std::string who = passed_unseen(stages, end); !who.empty())
@@ -260,6 +274,14 @@ namespace samara
           result.friction_loss += n.friction_loss;
           result.work_defect += part * std::abs(n.forces.work_defect);
         }
+    for (const Bristles &b : bristles)
+      {
+        result.work_of_loads -= b.elastic; // a potential
+        result.friction_loss += b.loss;
+        result.dissipated += b.dissipated;
+      }
+    result.friction_loss += lost_at_start;
+    result.work_of_loads += lost_at_start;
   }
 
 
@@ -297,9 +319,18 @@ namespace samara
 
 
   void
-  StageContacts::add_matrices(const Point<double> &point, const ContactGroup::AddBlocks &add) const
+  StageContacts::add_matrices(const Point<double> &point, const ContactGroup::AddBlocks &add, const int stage) const
   {
     for (const Near &n : near)
-      n.group->add_matrices(n.pair, point, add);
+      if (n.bristles < 0)
+        n.group->add_matrices(n.pair, point, add);
+      else
+        {
+          const Bristles    &b = bristles[n.bristles];
+          const BentBristles bent{n.is_touched ? b.stages[stage < 0 ? tableau.s / 2 : stage] : b.start,
+                                  n.group->share_of(n.pair),
+                                  step};
+          n.group->add_matrices(n.pair, point, add, &bent);
+        }
   }
 } // namespace samara

@@ -336,6 +336,8 @@ namespace samara
           state.multipliers[i] += tableau.b(k) * stages[k].multipliers[i];
       }
     state.time += h;
+    if (!contacts.is_empty())
+      contacts.finish(state);
     system.strains(state, e_end);
     system.stresses(state, e_end, state.stress);
   }

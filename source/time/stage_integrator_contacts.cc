@@ -50,11 +50,13 @@ namespace samara
     const auto fill = [&]() {
       bool is_complete = true;
       for (unsigned int k = 0; k < tableau.s; ++k)
-        contacts.add_matrices(points_of_stages[k],
-                              [&](const unsigned int a, const unsigned int b, const Matrix6 &K, const Matrix6 &C) {
-                                if (a != 0 && b != 0)
-                                  is_complete = exact->add_pair(k, a, b, K, C) && is_complete;
-                              });
+        contacts.add_matrices(
+          points_of_stages[k],
+          [&](const unsigned int a, const unsigned int b, const Matrix6 &K, const Matrix6 &C) {
+            if (a != 0 && b != 0)
+              is_complete = exact->add_pair(k, a, b, K, C) && is_complete;
+          },
+          k);
       return is_complete;
     };
     if (fill())

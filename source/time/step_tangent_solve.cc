@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace samara
 {
@@ -17,7 +18,44 @@ namespace samara
   {
     /** Relative residual of the equations of stages that is needed: this, or ten times what is wanted. */
     constexpr double       needed_residual = 1e-10;
-    constexpr unsigned int most_products = 60;
+    constexpr unsigned int most_products   = 60;
+
+    /**
+     * Of velocities times the step, over changes of states in their scales, and the other way round: less is what
+     * round-off leaves of a kind that does not feel the other. By its own size it would be all that counts.
+     */
+    constexpr double least_size = 1e-12;
+
+    /** The same of multipliers over the largest of the others, in whatever units. */
+    constexpr double least_multipliers = 1e-20;
+
+
+
+    /** Sizes of velocities, states and multipliers in @p X, the unknowns of all stages of a step @p h. */
+    void
+    keep_apart_from_round_off(const System              &system,
+                              const double               h,
+                              const std::vector<double> &X,
+                              std::array<double, 3>     &sizes)
+    {
+      const unsigned int n = system.size(), n_states = system.layout.n_states;
+      double             of_states = 0, smallest_scale = std::numeric_limits<double>::infinity();
+      for (unsigned int i = 0; i < n_states; ++i)
+        {
+          const double scale = system.model.states[i].scale;
+          smallest_scale     = std::min(smallest_scale, scale);
+          for (unsigned int k = system.layout.of_state(i); k < X.size(); k += n)
+            of_states = std::max(of_states, std::abs(X[k]) / scale);
+        }
+      const double of_velocities = sizes[0] * h;
+      if (n_states > 0)
+        {
+          sizes[0] = std::max(sizes[0], least_size * of_states / h);
+          sizes[1] = std::max(sizes[1], least_size * of_velocities * smallest_scale);
+        }
+      if (sizes[2] < least_multipliers * std::max(sizes[0], sizes[1]))
+        sizes[2] = 0;
+    }
   } // namespace
 
 
@@ -76,6 +114,7 @@ namespace samara
     };
     for (unsigned int i = 0; i < X.size(); ++i)
       sizes[kind(i % n)] = std::max(sizes[kind(i % n)], std::abs(X[i]) / unit(i % n));
+    keep_apart_from_round_off(system, h, X, sizes);
     for (unsigned int i = 0; i < X.size(); ++i)
       scale[i] = unit(i % n) * (sizes[kind(i % n)] > 0 ? sizes[kind(i % n)] : 1.);
 

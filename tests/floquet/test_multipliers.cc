@@ -242,6 +242,17 @@ TEST(Multipliers, OfFlapAndLagInForwardFlight)
   // advance ratio, cyclics; angles of flap and lag at azimuth 0; multipliers; rates of the angles
   const double table[][11] = {
     {0, 0, 0, 0.057711552275, -0.001492402819, -0.80726393347, 0.58921990213, 0.11146997518, 0.090659528672, 0, 0},
+    {0.1,
+     0.02,
+     -0.03,
+     0.057362246411,
+     -0.0015843794402,
+     -0.80669706451,
+     0.58951593719,
+     0.11173372208,
+     0.090342323314,
+     0.012121216594,
+     -0.00036167655185},
     {0.2,
      0.02,
      -0.05,
@@ -269,9 +280,9 @@ TEST(Multipliers, OfFlapAndLagInForwardFlight)
       const auto  &names = floquet.scene.system.model.coordinates;
       const auto   flap  = std::find(names.begin(), names.end(), "flap.rotation") - names.begin(),
                  lag     = std::find(names.begin(), names.end(), "lag.rotation") - names.begin();
-      EXPECT_NEAR(orbit.coordinates[flap], row[3], 1e-8) << row[0];
-      EXPECT_NEAR(orbit.coordinates[lag], row[4], 1e-8) << row[0];
-      EXPECT_NEAR(orbit.rates[flap], row[9], 1e-8) << row[0];
-      EXPECT_NEAR(orbit.rates[lag], row[10], 1e-8) << row[0];
+      EXPECT_NEAR(orbit.coordinates[flap], row[3], 1e-9) << row[0];
+      EXPECT_NEAR(orbit.coordinates[lag], row[4], 1e-9) << row[0];
+      EXPECT_NEAR(orbit.rates[flap], row[9], 1e-9) << row[0];
+      EXPECT_NEAR(orbit.rates[lag], row[10], 1e-9) << row[0];
     }
 }

@@ -7,10 +7,12 @@
 #include <samara/analysis/periodic_linear_system.h>
 #include <samara/base/errors.h>
 
+#include "../hdf5_layout.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "floquet_models.h"
 
@@ -86,6 +88,56 @@ TEST(PeriodicLinearSystem, PendulumOnAMovingHinge)
   EXPECT_NEAR(y(1), march.value("hinge.moment 3"), 1e-5 * std::abs(y(1)));
   EXPECT_NEAR(y(2), march.value("bob.centre of mass.acceleration x"), 1e-5 * std::abs(y(2)));
   EXPECT_GT(std::abs(y(0)), 0.1 * u);
+}
+
+
+
+// Matrices of the samples lie below each other; what is complex is two columns.
+TEST(PeriodicLinearSystem, IsReadBackFromItsFile)
+{
+  const std::string folder = "periodic_linear_system_" + std::to_string(getpid());
+  std::filesystem::create_directory(folder);
+  Scene scene(with(pendulum, pushed), {"Analyses = periodic linear system", "Joints/hinge/rotation/Moment = push"});
+  scene.context.folder = folder;
+  const auto space     = space_of(scene);
+  {
+    const PlainFile file(folder + "/periodic_linear_system.h5");
+    EXPECT_EQ(file.names(),
+              (std::set<std::string>{"A",
+                                     "B",
+                                     "C",
+                                     "D",
+                                     "averaged A",
+                                     "averaged B",
+                                     "averaged C",
+                                     "averaged D",
+                                     "times",
+                                     "multipliers",
+                                     "input values",
+                                     "output values",
+                                     "inputs",
+                                     "input units",
+                                     "outputs",
+                                     "output units"}));
+    const Eigen::MatrixXd A = file.matrix("A"), B = file.matrix("B"), C = file.matrix("C"),
+                          times = file.matrix("times");
+    ASSERT_EQ(A.rows(), 24);
+    ASSERT_EQ(times.rows(), 12);
+    for (unsigned int k = 0; k < 12; ++k)
+      {
+        EXPECT_EQ(A.middleRows(2 * k, 2), space.A[k]) << k;
+        EXPECT_EQ(B.middleRows(2 * k, 2), space.B[k]) << k;
+        EXPECT_EQ(C.middleRows(3 * k, 3), space.C[k]) << k;
+        EXPECT_NEAR(times(k, 0), k * M_PI / 12, 1e-12);
+      }
+    const Eigen::MatrixXd multipliers = file.matrix("multipliers");
+    ASSERT_EQ(multipliers.cols(), 2);
+    EXPECT_NEAR(multipliers(0, 0), -1.26394066521, 1e-7);
+    EXPECT_EQ(multipliers(0, 1), 0);
+    EXPECT_EQ(file.texts("inputs"), (std::vector<std::string>{"push"}));
+    EXPECT_EQ(file.texts("outputs").size(), 3u);
+  }
+  std::filesystem::remove_all(folder);
 }
 
 

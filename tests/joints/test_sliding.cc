@@ -166,6 +166,66 @@ TEST(Sliding, Screw)
 
 
 
+// The abscissa is free, and the turns that a kind does not hold: as many motions without frequency on a rod that is
+// held. Leaving later and a buffer between two take none of them.
+TEST(Sliding, MotionsAreCounted)
+{
+  const auto count = [](const std::string &bodies, const std::string &joints) {
+    Scene        scene(model(beam_section("1e4", "40"),
+                      rod("0, 0, 0; 2, 0, 0", " set Elements = 2\n") + bodies,
+                      clamp + joints,
+                      "set Analyses = modal\n"));
+    unsigned int n = 0;
+    for (const auto &mode : scene.modes())
+      n += mode.is_free();
+    EXPECT_EQ(check_model(scene.system).n_free_motions, n) << joints;
+    return n;
+  };
+  const std::string at = bead(" set Position = 0.3, 0, 0\n"), leave = " set At the ends = leave\n";
+  for (const std::string &entries : {std::string(), leave})
+    {
+      EXPECT_EQ(count(at, slide("point", entries)), 4u);
+      EXPECT_EQ(count(at, slide("sleeve", entries)), 2u);
+      EXPECT_EQ(count(at, slide("prismatic", entries)), 1u);
+      EXPECT_EQ(count(at, slide("screw", entries + " set Turn per length = 4\n")), 1u);
+      EXPECT_EQ(count(at, slide("screw", entries)), 1u);
+    }
+  const std::string second = " subsection other\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n"
+                             " set Position = 1.2, 0, 0\n end\n",
+                    buffer =
+                      " subsection slide 2\n set Type = sliding sleeve\n set Body A = rod\n set Body B = other\n"
+                      " end\n subsection buffer\n set Type = buffer\n set Joint A = slide\n set Joint B = slide 2\n"
+                      " set Length = 0.1\n set Stiffness = 1e4\n end\n";
+  EXPECT_EQ(count(at + second, slide("point") + buffer), 6u);
+}
+
+
+
+// A screw that does not turn is a prismatic slider, and so is one of which no turn is said.
+TEST(Sliding, ScrewWithoutTurnIsPrismatic)
+{
+  std::vector<std::array<double, 3>> found;
+  for (const auto &[kind, entries] :
+       {std::pair<std::string, std::string>("prismatic", ""), {"screw", " set Turn per length = 0\n"}, {"screw", ""}})
+    {
+      const auto scene = moved(
+        model(beam_section("1e4", "40"),
+              rod("0, 0, 0; 2, 0, 0", " set Elements = 2\n set Twist = 0.4*s\n set Angular velocity = 0.5, 0, 2\n") +
+                bead(" set Position = 0.3, 0, 0\n set Velocity = 2, 0.6, 0\n set Angular velocity = 0.5, 0, 2\n"),
+              hinge("") + slide(kind, entries),
+              dynamic(0.2, 0.01, 2) + weight_on_rails));
+      found.push_back(
+        {scene->value("slide.arc length"), scene->value("bead.rotation x"), scene->value("slide.moment 1")});
+    }
+  EXPECT_GT(found[0][0], 0.5);
+  EXPECT_GT(std::abs(found[0][1]), 0.1);
+  for (unsigned int k : {1, 2})
+    for (unsigned int i = 0; i < 3; ++i)
+      EXPECT_NEAR(found[k][i], found[0][i], 1e-7 * (1 + std::abs(found[0][i]))) << k << " " << i;
+}
+
+
+
 // A soft rod that nobody drives, and a bead that crosses three ends of elements: steps end there.
 TEST(Sliding, AcrossElements)
 {

@@ -145,6 +145,12 @@ end
       " subsection k\n set Type = contacts\n set Beams = rod radius 0.5\n set Stations = 2\n"
       " set Line stiffness = 3\n" +
       law + "end\n";
+    s["contacts with laws"].rest =
+      "subsection Joints\n subsection j\n set Type = contacts\n set Balls = block.centre radius 0.6, rod.start radius 0.6\n"
+      " set Stiffness = 2\n set Rolling friction = 0.1\n set Turning friction = 0.2\n"
+      " set Laws = block with ground stiffness 3 exponent 2 restitution 0.7 speed 2 friction 0.4 static 0.4 rolling 0,"
+      " ro* with block friction 0.1 static 0.2 turning 0.3, rod with ground exponent 1.5 restitution 1 friction 0\n" +
+      law + "end\n";
     const std::string bounces = "set Stop exponent = 1.5\n set Stop restitution = 0.5\n set Stop speed = 3\n",
                       rubs    = "set Friction = 0.3\n set Static friction = 0.5\n set Stribeck speed = 0.9\n"
                                 " set Sticking speed = 0.09\n",
@@ -213,6 +219,16 @@ end
                                 "\n set Body A = rail\n set Body B = block.far\n set Position = 0.3, 0, 0.2\n" +
                                 (kind == "screw" ? "set Turn per length = 2.3\n" : "") +
                                 "subsection displacement\n " + used + "end\nend\nend\n"};
+    for (const std::string line : {"curve", "edge v0"})
+      s["sliding point along " + line + " of a shell"] = {
+        "",
+        "subsection plate\n set Type = shell\n set Patches = u, v, 0.2*u*v\n set Elements = 2, 1\n set Degree = 2\n"
+        " set E = 3\n set Poisson ratio = 0.3\n set Thickness = 0.1\n set Density = 0.4\n"
+        " set Curves = curve at 0.1 + 0.8*s, 0.3 + 0.4*s^2\n end\n",
+        "subsection Joints\n subsection j\n set Type = sliding point\n set Body A = plate." + line +
+          "\n set Body B = block.far\n set Gap = allowed\n set At the ends = leave\n set Position = " +
+          (line == "curve" ? "0.5, 0.4, 0.04" : "0.3, 0, 0") +
+          "\n subsection displacement\n set Damper = 0.3\n set Force = -0.2*j.force*j.displacement rate\n end\n end\nend\n"};
     s["buffer"] = {"",
                    rail,
                    "subsection Joints\n subsection j\n set Type = sliding point\n set Body A = rail\n set Body B = block.far\n"
@@ -506,5 +522,5 @@ TEST(Placements, EveryKindIsTurnedWithItsSubsystem)
           EXPECT_LT((R * a.triad(n) - b.triad(n)).norm(), 1e-12) << kind;
         }
     }
-  EXPECT_EQ(n_refused, 2u); // gravity, groups of contacts
+  EXPECT_EQ(n_refused, 3u); // gravity, groups of contacts
 }

@@ -3,9 +3,9 @@
 // Reference: transfer functions in closed form; motions in time by the integrator family.
 
 #include <samara/analysis/linear_system.h>
-#include <samara/output/hdf5.h>
 #include <samara/time/period_map.h>
 
+#include "../hdf5_layout.h"
 #include <gtest/gtest.h>
 #include <unsupported/Eigen/MatrixFunctions>
 
@@ -130,6 +130,39 @@ TEST(LinearSystems, OfABladeThatTurns)
 
 
 
+// Driven for so long that its start is forgotten, the blade follows with the amplitude and the phase of the response.
+TEST(LinearSystems, ResponseIsThatOfARunInTime)
+{
+  const double omega = 12, torque = 2, T = 2 * M_PI / omega;
+  Scene        scene(blade_with_torque(), by_torque);
+  look_at(scene, {"lag.rotation", "filtered"});
+  scene.equilibrium();
+  auto &analysis = scene.analysis<LinearSystemAnalysis>();
+  analysis.run(scene.context);
+  const Eigen::MatrixXcd H = analysis.space.responses({omega})[0];
+
+  Scene driven(blade_with_torque(), {"Joints/lag/rotation/Moment = -400 N*m*s * filtered + 2 N*m*cos(12 rad/s*t)"});
+  look_at(driven, {"lag.rotation", "filtered"});
+  driven.equilibrium();
+  State                     start = driven.context.state;
+  const unsigned int        n     = 48;
+  std::vector<Complex>      sums(2, 0.);
+  const std::vector<double> at_rest = {driven.context.probes[0].value(start), driven.context.probes[1].value(start)};
+  start.held                        = false;
+  start = PeriodMap(driven.system, PeriodSettings{40 * T, 40 * n, 3, 1., 1e-12, 50}).march(start);
+  PeriodMap step(driven.system, PeriodSettings{T / n, 1, 3, 1., 1e-12, 50});
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      for (unsigned int i = 0; i < 2; ++i)
+        sums[i] += 2. / n * (driven.context.probes[i].value(start) - at_rest[i]) * std::polar(1., -omega * start.time);
+      start = step.march(start);
+    }
+  for (unsigned int i = 0; i < 2; ++i)
+    EXPECT_LT(std::abs(sums[i] - H(i, 0) * torque), 1e-5 * std::abs(H(i, 0) * torque)) << i << sums[i] << H(i, 0);
+}
+
+
+
 // Poles are those of the modes, also of beams that turn, with their viscosity.
 TEST(LinearSystems, HaveThePolesOfModes)
 {
@@ -219,19 +252,25 @@ TEST(LinearSystems, AreReadBackFromTheirFile)
   auto &analysis       = scene.analysis<LinearSystemAnalysis>();
   analysis.run(scene.context);
   {
-    const hdf5::Quiet  quiet;
-    const hdf5::Handle file(H5Fopen((folder + "/linear_system.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), &H5Fclose);
-    const hdf5::Handle dataset(H5Dopen2(file, "C", H5P_DEFAULT), &H5Dclose);
-    const hdf5::Handle space(H5Dget_space(dataset), &H5Sclose);
-    hsize_t            sizes[2];
-    ASSERT_EQ(H5Sget_simple_extent_dims(space, sizes, nullptr), 2);
-    ASSERT_EQ(sizes[0], 2u);
-    ASSERT_EQ(sizes[1], 3u);
-    double C[2][3];
-    hdf5::check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, C));
-    for (unsigned int i = 0; i < 2; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        EXPECT_EQ(C[i][j], analysis.space.C(i, j));
+    const PlainFile     file(folder + "/linear_system.h5");
+    const LinearSystem &space = analysis.space;
+    EXPECT_EQ(
+      file.names(),
+      (std::set<std::string>{
+        "A", "B", "C", "D", "input values", "output values", "inputs", "input units", "outputs", "output units"}));
+    ASSERT_EQ(space.C.rows(), 2);
+    ASSERT_EQ(space.C.cols(), 3);
+    EXPECT_NE(space.A, space.A.transpose()); // so that a transposed one would be seen
+    EXPECT_EQ(file.matrix("A"), space.A);
+    EXPECT_EQ(file.matrix("B"), space.B);
+    EXPECT_EQ(file.matrix("C"), space.C);
+    EXPECT_EQ(file.matrix("D"), space.D);
+    EXPECT_EQ(file.matrix("output values").col(0),
+              Eigen::Map<const Eigen::VectorXd>(space.output_values.data(), space.output_values.size()));
+    EXPECT_EQ(file.texts("inputs"), space.inputs);
+    EXPECT_EQ(file.texts("outputs"), (std::vector<std::string>{"lag.rotation", "filtered"}));
+    EXPECT_EQ(file.texts("output units"), space.output_units);
+    EXPECT_EQ(file.texts("input units"), (std::vector<std::string>{"N*m"}));
   }
   std::filesystem::remove_all(folder);
 }

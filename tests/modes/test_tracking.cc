@@ -4,6 +4,7 @@
 // below lag 1 and crosses it between Ω = 6 and 8. References: rotating_beam.inc, clamped, delta = 0; lag in units of
 // its own stiffness, ω = 2 μ_lag(Ω/2). 6 digits are kept here.
 
+#include "../said_by.h"
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -170,14 +171,6 @@ TEST(Tracking, SymmetryOfUnknownParts)
   Scene scene("prm/rotorcraft/puma_fan.prm",
               {"Modal/Symmetry = blade 1, blade 2, blade 3, blade 5", "Modal/Modes = 4"});
   scene.equilibrium();
-  std::string said;
-  try
-    {
-      scene.modes();
-    }
-  catch (const InputError &problem)
-    {
-      said = problem.what();
-    }
+  const std::string said = said_by<InputError>([&]() { scene.modes(); });
   EXPECT_NE(said.find("<blade 5:"), std::string::npos) << said;
 }

@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+
+#include "turns.h"
 
 using namespace samara;
 
@@ -122,38 +123,7 @@ TEST(Sections, Tangent)
   RepeatedParts  parts(scene.system, {{"blade 1", "blade 2", "blade 3", "blade 4"}}, {"hub", "shaft"});
   parts.align_as_built(start);
   motion.repeat(parts);
-
-  std::mt19937                           generator(1);
-  std::uniform_real_distribution<double> number(-1., 1.);
-  std::vector<double>                    x(motion.scales.size()), of_end(x.size(), 0.), of_averages(3, 0.);
-  for (unsigned int i = 0; i < x.size(); ++i)
-    x[i] = 0.02 * number(generator) * motion.scales[i];
-  State middle = start;
-  motion.turn(middle);
-  motion.begin_again(start, middle);
-  const double step = 2e-3;
-  for (const auto &[side, weight] : {std::pair{1., 2. / 3}, {-1., -2. / 3}, {2., -1. / 12}, {-2., 1. / 12}})
-    {
-      State      end = moved(scene.system, start, x.data(), side * step);
-      const auto y   = motion.turn(end);
-      motion.begin_again(start, end);
-      const auto change = increment(scene.system, middle, end, true);
-      for (unsigned int i = 0; i < x.size(); ++i)
-        of_end[i] += weight / step * change[i];
-      for (unsigned int k = 0; k < 3; ++k)
-        of_averages[k] += weight / step * y[k];
-    }
-  motion.linearize(start);
-  const auto found = motion.apply(x.data());
-  double     size = 0, error = 0;
-  for (unsigned int i = 0; i < x.size(); ++i)
-    {
-      size  = std::max(size, std::abs(of_end[i]) / motion.scales[i]);
-      error = std::max(error, std::abs(of_end[i] - x[i]) / motion.scales[i]);
-    }
-  EXPECT_LT(error, 1e-6 * size);
-  for (unsigned int k = 0; k < 3; ++k)
-    EXPECT_NEAR(found[k], of_averages[k], 1e-6 * std::abs(of_averages[k])) << k;
+  expect_tangent_of_differences(scene.system, motion, start, 3);
 }
 
 
@@ -202,4 +172,89 @@ TEST(Sections, NoSymmetry)
                                "  set Force = 0, 0, 1 kN*max(0, -sin(Omega*t))\n end\nend\n");
   EXPECT_NE(late.find("not after the next one as a whole"), std::string::npos) << late;
   EXPECT_NE(late.find("or this <Symmetry>"), std::string::npos) << late;
+}
+
+
+
+// One blade that differs by a part in a thousand is refused, one that differs by a part in 1e8 changes nothing that is
+// told. What a turn has and a quarter has not, the first harmonic of a force that four blades share, no control moves.
+TEST(Sections, AlmostSymmetric)
+{
+  const std::string model   = "include " SAMARA_SOURCE_DIR "/" + of_sections + "\n";
+  const auto        heavier = [&](const std::string &by) {
+    return model + "subsection Bodies\n subsection blade 3:rod\n  set Mass = 3*I_blade/(R - hinge)^2*(1 + " + by +
+           ")\n end\nend\n";
+  };
+  const std::string refused = answer_in_sections(in_quarters({}), heavier("1e-3"));
+  EXPECT_NE(refused.find("the <Symmetry> is none"), std::string::npos) << refused;
+  EXPECT_EQ(answer_in_sections(in_quarters({"Trim/Tolerance = 1e-6"}), heavier("1e-8")), "");
+
+  const std::string blind = answer_in_sections(in_quarters(
+    {"Trim/Targets = flow.thrust = weight, cos 1 of flow.thrust = 0 N, sin 1 of blade 1:flap.rotation = 0 deg",
+     "Trim/Scales = weight, weight, 1 rad"}));
+  EXPECT_NE(blind.find("no control has an effect on the target <cos 1 of flow.thrust>"), std::string::npos) << blind;
+}
+
+
+
+// A beacon on the hub turns, and is in another place after a quarter of the turn; so do the three arms of another
+// rotor, which no quarter of a turn carries into themselves, and no motion goes on from there.
+TEST(Sections, WhatTurnsBesideTheAxis)
+{
+  const auto with = [](const std::string &more, const std::string &turning) {
+    return answer_in_sections({all_flaps,
+                               few_stations,
+                               "Trim/Steps = 24",
+                               "Trim/Symmetry = blade 1, blade 2, blade 3, blade 4",
+                               "Trim/Turning = hub, shaft, " + turning},
+                              "include " SAMARA_SOURCE_DIR "/" + of_sections + "\n" + more);
+  };
+  const std::string body = R"(
+      set Type             = rigid body
+      set Mass             = 1 kg
+      set Inertia          = 0.1, 0.1, 0.1
+      set Position         = 1 m, 0, 0
+      set Angular velocity = 0, 0, Omega
+      set Velocity         = 0, Omega*1 m, 0
+    end
+  end
+)";
+  const std::string one  = with("subsection Bodies\n  subsection beacon" + body + R"(
+subsection Joints
+  subsection stalk
+    set Type   = revolute
+    set Body A = hub
+    set Body B = beacon
+    set Axis   = 1, 0, 0
+    subsection rotation
+      set Prescribed = 0
+    end
+  end
+end
+)",
+                               "beacon");
+  EXPECT_NE(one.find("the <Symmetry> is none"), std::string::npos) << one;
+  EXPECT_NE(one.find("beacon"), std::string::npos) << one;
+
+  const std::string three =
+    with("subsection Subsystems\n subsection arm\n  set Copies = 3 about z\n  subsection Bodies\n"
+         "   subsection rod" +
+           body + R"(
+    subsection Joints
+      subsection flap
+        set Type     = revolute
+        set Body A   = hub
+        set Body B   = rod
+        set Position = 0.3 m, 0, 0
+        set Axis     = 0, -1, 0
+        subsection rotation
+          set Damper = 100
+        end
+      end
+    end
+  end
+end
+)",
+         "arm 1, arm 2, arm 3");
+  EXPECT_NE(three.find("<Symmetry>"), std::string::npos) << three;
 }

@@ -84,8 +84,10 @@ namespace samara
     {
       std::vector<VectorX> q, u;
     };
-    Known        known;
-    unsigned int n_without_tangent = 0; ///< turns one after another that had none: on some a stop is touched
+    Known               known;
+    unsigned int        n_without_tangent = 0; ///< turns one after another that had none: on some a stop is touched
+    double              tolerance         = 0; ///< that of the entries, and less where a motion drifts
+    std::vector<double> gap_behind;            ///< of the period in which what was found has been confirmed
 
     std::vector<PeriodAverage>      find_targets();
     std::unique_ptr<PeriodicMotion> make_motion();
@@ -101,6 +103,17 @@ namespace samara
     Look look(const State &from, const PeriodicMotion::Observer &observer = {});
     Look settled(State from);
     bool is_trimmed(const Look &look) const;
+    /** From a look at a motion near by to one that is trimmed, by the method that is given. */
+    Look by_method(const Look &now);
+    /** @name Drift: trim_drift.cc @{ */
+    /** The same until nothing drifts, confirmed: a gap that hardly falls from turn to turn belongs to an orbit far
+     * away. */
+    Look without_drift(const Look &now);
+    /** How far the orbit is from the end of confirm(), by how the gap falls from turn to turn, in scales. */
+    double distance_of_orbit(State now);
+    /** The same by another step of Newton's method, which knows what controls do. */
+    double size_of_newton_step(const Look &found);
+    /** @} */
     /** @name Sections: trim_sections.cc @{ */
     /** Turns become sections of the repeated parts. @p moving: how things turn. @throws InputError */
     void use_symmetry(const State &moving);
@@ -142,8 +155,11 @@ namespace samara
     /** @name What is said @{ */
     void tell(const Look &look);
     /** What of J cannot be solved: a control without effect, a target that nothing moves; empty if it can. */
-    std::string       fault_of(const Eigen::MatrixXd &J) const;
-    std::string       at_limits(const VectorX &u) const;
+    std::string fault_of(const Eigen::MatrixXd &J) const;
+    std::string at_limits(const VectorX &u) const;
+    /** Which targets the controls move least. */
+    std::string       hardest_of(const Eigen::MatrixXd &J) const;
+    Eigen::MatrixXd   in_scales(const Eigen::MatrixXd &J) const;
     [[noreturn]] void fail(const std::string &why);
     /** The same with what of the control matrix explains it. */
     [[noreturn]] void fail_with_reason(const Look &now, const std::string &why);

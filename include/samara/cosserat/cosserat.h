@@ -1,6 +1,7 @@
 #ifndef samara_cosserat_cosserat_h
 #define samara_cosserat_cosserat_h
 
+#include <samara/cosserat/element_lanes.h>
 #include <samara/cosserat/element_table.h>
 #include <samara/cosserat/kernel.h>
 #include <samara/model/system.h>
@@ -49,6 +50,7 @@ namespace samara
     bool   is_viscous() const override;
 
     std::unique_ptr<LinearStrains> linear_strains() const override;
+    std::unique_ptr<Deformation>   joined(std::vector<const Deformation *> &terms) const override;
 
     template <typename Number>
     void strains_at(const Point<Number> &point, Number *e) const;
@@ -94,7 +96,7 @@ namespace samara
     virtual void element_strains(unsigned int element, const kernel::NodeValues<double> *nodes, double *e) const;
 
     /** No element has more nodes. */
-    static constexpr unsigned int most_nodes = dim == 1 ? 7 : 49;
+    static constexpr unsigned int most_nodes = ElementTable<dim>::most_nodes;
 
     struct Element
     {
@@ -130,6 +132,15 @@ namespace samara
 
   private:
     friend class TensionTorsion; // an energy more of the same strains
+    friend class ElementLanes<dim>;
+
+    /** Whether strains and forces are those of this class, which may be computed together with those of other bodies.
+     */
+    virtual bool
+    joins() const
+    {
+      return true;
+    }
 
     std::vector<IntegrationPoint> points;
 
@@ -140,7 +151,7 @@ namespace samara
     template <typename Function>
     void for_strain_matrices(const Point<double> &point, const Function &f) const;
 
-    static constexpr unsigned int most_tied = dim == 1 ? most_nodes - 1 : 2 * most_nodes;
+    static constexpr unsigned int most_tied = ElementTable<dim>::most_tied;
 
     /** Strains of an element at its integration points from those at the tying points. */
     template <typename Number>
@@ -150,67 +161,19 @@ namespace samara
     template <typename Number>
     void to_tying(unsigned int element, const Number *stress, Vec6<Number> *tied) const;
 
-    /** Elements side by side, of one kind, that are computed at once. */
-    struct Batch
-    {
-      unsigned int              first, size;
-      std::vector<unsigned int> nodes; ///< of all lanes at each node of an element; the last element fills up
-
-      /** A frame of an element that is not the node itself. */
-      struct Arm
-      {
-        unsigned int a, lane;
-      };
-      std::vector<Arm> arms;
-    };
-    Batch              make_batch(unsigned int first, unsigned int size, unsigned int n_lanes) const;
-    std::vector<Batch> batches, single_elements; ///< of doubles, of other numbers
-    void               make_batches();
+    ElementLanes<dim> lanes; ///< its own elements
 
     /** Strains of the reference configuration, so that there they are zero to the last digit. */
     void take_reference(const Model &model);
 
-    /** Call f(batch, number of nodes) for all batches; of one element each where lanes hold one number. */
-    template <typename Number, typename Function>
-    void for_batches(const Function &f) const;
-
-    /** Call f(i, number of nodes, residual of each element) for all batches i and add what comes out to the global @p
-     * r. */
-    template <typename Number, typename Function>
-    void add_batches(const Function &f, Number *r) const;
+    template <typename Number>
+    void subtract_reference(Number *e) const;
 
     /** Call f(i, matrix) for all elements i, interpolated, and add the matrices to @p A. */
     template <typename Function>
     void add_matrices(SparseMatrix &A, const Function &f, const Point<double> &point) const;
 
-    unsigned int most_nodes_of_element = 0;
-
-    /** From this many batches on threads are faster (doc/benchmarks/sizes.md). */
-    static constexpr unsigned int worth_threads = 100;
-
-    /** Positions and triads of the nodes of a batch. */
-    template <typename Number>
-    void
-    gather_lanes(const Batch &batch, const Number *q, kernel::NodeValues<typename Lanes<Number>::type> *nodes) const;
-
-    /** The nodes' twists, in their own frames. */
-    void gather_twists(const Batch &batch, const double *y, Vec6<Lanes<double>::type> *twists) const;
-
-    /** @name One batch; @p N is its number of nodes an element if that is known when compiling, else 0. @{ */
-    template <int N, typename Number>
-    void batch_strains(const Batch &batch, const Point<Number> &point, Number *e) const;
-    template <int N>
-    void batch_strain_rates(const Batch &batch, const Point<double> &point, double *rates) const;
-    /** @p local: the residual of each element, 6 a node. */
-    template <int N, typename Number>
-    void batch_residual(const Batch                                     &batch,
-                        const Point<Number>                             &point,
-                        const std::array<Number *, Lanes<Number>::size> &local) const;
-
-    /** Strains of the elements of a batch at their integration points from those at the tying points. */
-    template <typename Number>
-    void batch_to_points(const Batch &batch, const Vec6<typename Lanes<Number>::type> *tied, Number *e) const;
-    /** @} */
+    static constexpr unsigned int worth_threads = ElementLanes<dim>::worth_threads;
 
     /** Positions and triads of an element's nodes, and what is interpolated from them at the tying points, into
      * scratch(). */
@@ -218,8 +181,6 @@ namespace samara
 
     /** B of an element at its integration points from what is in scratch(), rows of 6 dim. */
     void strain_matrix(unsigned int element, RowMajor &B) const;
-
-    class StoredStrains;
 
     void add_material(unsigned int element, MatrixN Material::*which, Eigen::MatrixXd &K) const;
     /** The same with a stiffness of each integration point of the body, given by its number. */

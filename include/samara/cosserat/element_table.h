@@ -19,6 +19,10 @@ namespace samara
   template <int dim>
   struct ElementTable
   {
+    /** No element has more nodes, or more tying points of all directions. */
+    static constexpr unsigned int most_nodes = dim == 1 ? 7 : 49,
+                                  most_tied  = dim == 1 ? most_nodes - 1 : 2 * most_nodes;
+
     explicit ElementTable(unsigned int degree);
 
     unsigned int degree, n_nodes, n_points, n_tying; ///< tying points per direction

@@ -109,6 +109,12 @@ namespace samara
     void element_strains(unsigned int i, const kernel::NodeValues<double> *nodes, double *e) const override;
 
   private:
+    bool
+    joins() const override
+    {
+      return false;
+    }
+
     static constexpr unsigned int n = 6 * dim;     ///< strains at a point
     static constexpr int          N = 6 * n_nodes; ///< twists of an element
     template <typename Number>

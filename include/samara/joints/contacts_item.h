@@ -40,7 +40,7 @@ namespace samara
     double
     potential_energy(const Point<double> &point) const override
     {
-      return group.energy(point.q);
+      return group.energy(point.q) + (point.bristles != nullptr ? group.energy_of(*point.bristles) : 0.);
     }
 
     template <typename Number>
@@ -79,15 +79,17 @@ namespace samara
     void   check_law();
     void   add_laws();
     /** Which law is that of which bodies. @p sides: the two names of each entry. */
-    void   assign_laws(const std::vector<std::array<std::string, 2>> &sides);
-    void   refuse_overlaps(const Layout &layout) const;
-    void   couple_pairs(Layout &layout);
-    void   add_nodes_of_lines(std::set<std::pair<unsigned int, unsigned int>> &pairs) const;
+    void assign_laws(const std::vector<std::array<std::string, 2>> &sides);
+    void refuse_overlaps(const Layout &layout) const;
+    void couple_pairs(Layout &layout);
+    void add_nodes_of_lines(std::set<std::pair<unsigned int, unsigned int>> &pairs) const;
     template <typename Do>
     void for_touching(const double *q, const Do &what) const;
     template <typename Add>
     void    add_to_matrix(const Point<double> &point, SparseMatrix &A, const Add &value) const;
     Vector3 force_on(const Item *body, const State &state) const;
+    /** Bristles of a pair at a state that knows some; null elsewhere. */
+    const BentBristles *bent_at(const ContactGroup::Pair &pair, const PairBristles *bristles, BentBristles &bent) const;
   };
 
   template <typename Do>

@@ -35,6 +35,7 @@ namespace samara
       const Item                *body; ///< null of the ground
       std::string                name;
       unsigned int               likeness = 0; ///< of the body: which laws name it
+      double                     share    = 1; ///< of a beam: its part of the length, and so of the bristles
     };
 
     struct Surface
@@ -50,7 +51,7 @@ namespace samara
 
     std::vector<Bead>        beads;
     std::vector<Surface>     surfaces;
-    std::vector<ContactLine> lines;         ///< beams, which balls and other beams touch at nearest places
+    std::vector<ContactLine> lines; ///< beams, which balls and other beams touch at nearest places
     bool                     balls_touch_balls = true;
 
     /** The first is that of all pairs for which there is no other. */
@@ -58,9 +59,10 @@ namespace samara
     std::vector<std::vector<unsigned int>>
       law_of_likes; ///< number of the law by the likeness of both bodies, if several
 
-    std::string              name; ///< for messages: "contacts <pile>"
-    const Item              *item = nullptr;
-    bool is_coupled               = false; ///< all its pairs are in the pattern of the layout: for statics and modes
+    std::string  name; ///< for messages: "contacts <pile>"
+    const Item  *item       = nullptr;
+    unsigned int number     = 0;     ///< among the groups of the layout
+    bool         is_coupled = false; ///< all its pairs are in the pattern of the layout: for statics and modes
 
     /** A bead and a surface, or another ball, or a place of a line; or places of two lines. B is the first. */
     struct Pair
@@ -114,6 +116,32 @@ namespace samara
     {
       return is_station(pair) ? beads[pair.bead].part : 1.;
     }
+    /** Of the bristles of its law. */
+    double
+    share_of(const Pair &pair) const
+    {
+      return is_station(pair) ? beads[pair.bead].share : 1.;
+    }
+    bool
+    has_bristles() const
+    {
+      return std::any_of(laws.begin(), laws.end(), [](const PairLaw &law) { return law.friction.has_bristles(); });
+    }
+
+    /** @name Bristles that are bent (contact_bristles.cc) @{ */
+    static unsigned int
+    kind_of(const Pair &pair)
+    {
+      return (pair.with_surface ? 1u : 0u) + (pair.b_is_line ? 2u : 0u) + (pair.a_is_line ? 4u : 0u);
+    }
+    PairBristle bristle_of(const Pair &pair, const Vector3 &deflection) const;
+    /** Those of this pair; null if it has none. */
+    const PairBristle *find_bristle(const Pair &pair, const PairBristles &bristles) const;
+    /** ½ σ₀ |z|² of one of this group [J]. */
+    double energy_of(const PairBristle &bristle) const;
+    double energy_of(const PairBristles &bristles) const;
+    /** @} */
+
     bool
     has_friction() const
     {
@@ -148,7 +176,10 @@ namespace samara
     /** Derivatives of the residual of a pair at a state by ζ and ζ̇ of the nodes: add(node of row, node of column, K,
      * C). */
     using AddBlocks = std::function<void(unsigned int, unsigned int, const Matrix6 &K, const Matrix6 &C)>;
-    void add_matrices(const Pair &pair, const Point<double> &point, const AddBlocks &add) const;
+    void add_matrices(const Pair          &pair,
+                      const Point<double> &point,
+                      const AddBlocks     &add,
+                      const BentBristles  *bent = nullptr) const;
 
     /** U of all pairs [J], by a search of its own. */
     double energy(const double *q) const;

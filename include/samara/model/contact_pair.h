@@ -162,6 +162,35 @@ namespace samara
 
 
 
+  /** Bristles of a pair at some time, and for how long they bend from there on [s]: what Newton's method is told. */
+  struct BentBristles
+  {
+    Vector3 deflection = Vector3::Zero(); ///< [m]
+    double  part       = 1;               ///< of the stiffness and damping of the law
+    double  h          = 0;
+  };
+
+
+
+  /** Force of bristles against the slip @p w under the force @p n that presses, at a state: σ₀ z + σ₁(w) ż. */
+  template <typename Number>
+  Vec3<Number>
+  force_of_bristles(const FrictionLaw &law, const BentBristles &bent, const Vec3<Number> &w, const Number &n)
+  {
+    using std::sqrt;
+    const double sigma_0 = bent.part * law.bristle_stiffness, sigma_1 = bent.part * law.bristle_damping;
+    const Number square(w(0) * w(0) + w(1) * w(1) + w(2) * w(2));
+    const Number size = value_of(square) > 0 ? Number(sqrt(square)) : Number(0. * square),
+                 G    = Number(n * law.coefficient(square).c);
+    if (!(value_of(G) > 0))
+      return Vec3<Number>(Number(0. * square), Number(0. * square), Number(0. * square));
+    const Vec3<Number> z    = bent.deflection.cast<Number>();
+    const Vec3<Number> rate = w - Number(sigma_0 * size / G) * z;
+    return Number(sigma_0) * z + Number(4. * sigma_1 * G / (4. * G + sigma_1 * size)) * rate;
+  }
+
+
+
   /** Factors of slip [N s/m] and of both parts of the relative angular velocity [N m s], none of them negative. */
   template <typename Number>
   struct PairDampers
@@ -170,13 +199,18 @@ namespace samara
 
     PairDampers() = default;
 
-    /** For the force @p n that presses: friction N c, and N μ R²/√(|R ω|² + ε²) with the radius R of the ball, or of
-     * the smaller one of two. */
-    PairDampers(const PairMeasure<Number> &m, const PairShape &shape, const PairLaw &law, const Number &n)
+    /** For the force @p n that presses: friction N c, if not bristles rub (@p with_slip is false), and N μ R²/√(|R ω|²
+     * + ε²) with the radius R of the ball, or of the smaller one of two. */
+    PairDampers(const PairMeasure<Number> &m,
+                const PairShape           &shape,
+                const PairLaw             &law,
+                const Number              &n,
+                const bool                 with_slip = true)
     {
       using std::sqrt;
       const auto square = [](const Vec3<Number> &v) { return Number(PairMeasure<Number>::dot(v, v)); };
-      slip              = Number(n * law.friction(square(m.slip)).c);
+      if (with_slip)
+        slip = Number(n * law.friction(square(m.slip)).c);
       const double R =
         shape.kind == PairShape::ball && !shape.hollow ? std::min(shape.radius_a, shape.radius_b) : shape.radius_b;
       const double e_2    = law.friction.sticking_speed * law.friction.sticking_speed;
@@ -210,24 +244,36 @@ namespace samara
     ContactForces(const PairMeasure<Number> &m, const Number &along_phi, const PairDampers<Number> &dampers)
     {
       const Vec3<Number> rub = dampers.slip * m.slip, resisted = dampers.roll * m.roll + dampers.spin * m.spin;
-      force_b                = along_phi * m.of_place + rub;
-      force_a                = -force_b;
-      moment_b               = cross_of(m.arm_b, rub) + resisted;
-      moment_a               = -cross_of(m.arm_a, rub) - resisted;
-      on_axis                = along_phi * m.of_axis;
+      force_b  = along_phi * m.of_place + rub;
+      force_a  = -force_b;
+      moment_b = cross_of(m.arm_b, rub) + resisted;
+      moment_a = -cross_of(m.arm_a, rub) - resisted;
+      on_axis  = along_phi * m.of_axis;
+    }
+
+    /** Another force on A, and minus it on B, where they touch: that of bristles. */
+    void
+    add_rub(const PairMeasure<Number> &m, const Vec3<Number> &rub)
+    {
+      force_b += rub;
+      force_a -= rub;
+      moment_b += cross_of(m.arm_b, rub);
+      moment_a -= cross_of(m.arm_a, rub);
     }
   };
 
 
 
-  /** Forces at a state, where each pair acts by its own gap and rate: f = U'(g) + damper ≥ 0, friction N = f. */
+  /** Forces at a state, where each pair acts by its own gap and rate: f = U'(g) + damper ≥ 0, friction N = f. Where @p
+   * bent is null bristles are not known: what slips is rubbed as they do in the long run, without them. */
   template <typename Number>
   ContactForces<Number>
   forces_at_state(const PairMeasure<Number> &m,
                   const PairShape           &shape,
                   const ContactLaw          &law,
                   const double               part,
-                  const PairLaw             &of_bodies)
+                  const PairLaw             &of_bodies,
+                  const BentBristles        *bent = nullptr)
   {
     // the law is one of doubles: its value and slopes go on in numbers with derivatives
     const double g    = value_of(m.gap);
@@ -236,8 +282,13 @@ namespace samara
     const auto   d    = law.damper(g, r);
     const Number f =
       Number(part * (law.force(g) + d.force + (law.slope(g) + d.by_gap) * (m.gap - g) + d.by_rate * (rate - r)));
-    const auto dampers = of_bodies.has_friction ? PairDampers<Number>(m, shape, of_bodies, f) : PairDampers<Number>();
-    return ContactForces<Number>(m, Number(f * shape.sign() / m.distance), dampers);
+    const bool has_bristles = bent != nullptr && of_bodies.friction.has_bristles();
+    const auto dampers =
+      of_bodies.has_friction ? PairDampers<Number>(m, shape, of_bodies, f, !has_bristles) : PairDampers<Number>();
+    ContactForces<Number> forces(m, Number(f * shape.sign() / m.distance), dampers);
+    if (has_bristles)
+      forces.add_rub(m, force_of_bristles<Number>(of_bodies.friction, *bent, m.slip, f));
+    return forces;
   }
 } // namespace samara
 

@@ -7,6 +7,19 @@
 
 namespace samara
 {
+  /** What friction has bent where a pair of a group touches: it comes with the touch, and goes with it (ContactGroup).
+   */
+  struct PairBristle
+  {
+    unsigned int group, bead, other; ///< numbers of the group, and of both sides in it
+    unsigned int kind;               ///< of the sides, ContactGroup::kind_of()
+    double       at_b, at_a;         ///< abscissae where lines touch [m]; 0 of others
+    Vector3      deflection;         ///< of B against A, in the tangent plane, inertial components [m]
+  };
+  using PairBristles = std::vector<PairBristle>;
+
+
+
   /**
    * Where the system is evaluated: plain pointers, so that terms can be evaluated with any number type (double
    * in computations, std::complex<double> to check tangents). What an analysis does not have is a vector of zeros.
@@ -26,7 +39,9 @@ namespace samara
     double        factor      = 1;       ///< of all loads and prescribed motions; the load steps of statics
     bool          held        = true;    ///< steady rotations hold their joints (statics), or leave them free
     bool          stops       = true;    ///< touched by the sign of their gap here; or left to who integrates in time
-    bool          material    = true;    ///< whether tangent() and damping() hold what strain_rows() says: BᵀCB, BᵀC_dB
+    bool          material = true; ///< whether tangent() and damping() hold what strain_rows() says: BᵀCB, BᵀC_dB
+
+    const PairBristles *bristles = nullptr; ///< of groups of contacts, where they are known
   };
 
 
@@ -77,6 +92,8 @@ namespace samara
     /** Multipliers of rows that repeat what others say: kept at zero until others are chosen (RedundantRows). */
     std::vector<unsigned int> left_out;
 
+    PairBristles bristles; ///< of the pairs of groups that touch; those that are not here are straight
+
     Vector3
     position(const unsigned int node) const
     {
@@ -92,7 +109,9 @@ namespace samara
     Point<double>
     point() const
     {
-      return point_of(*this, time, factor, held, stops);
+      Point<double> point = point_of(*this, time, factor, held, stops);
+      point.bristles      = &bristles;
+      return point;
     }
   };
 } // namespace samara

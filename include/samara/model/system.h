@@ -195,6 +195,10 @@ namespace samara
     std::vector<unsigned int> dropped;
     bool                      has_viscous = false;
 
+    /** All deformations, those that are faster together as one: for what is computed in every iteration. */
+    std::vector<const Deformation *>                deformations;
+    std::vector<std::shared_ptr<const Deformation>> joined_deformations;
+
     bool is_in(const Deformation &deformation, Part part) const;
   };
 } // namespace samara

@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 #include <memory>
+#include <vector>
 
 /**
  * @file
@@ -114,6 +115,18 @@ namespace samara
     /** For repeated use of one B. By default strain_rates() and residual() do it; what has many strains can be faster.
      */
     virtual std::unique_ptr<LinearStrains> linear_strains() const;
+
+    /**
+     * This one and others of its kind among @p terms as one deformation, where they are computed faster together: they
+     * are taken out of @p terms. Null, and nothing is changed, where they are not. Strains keep their places: the first
+     * strain of what is returned is 0, the first of the layout. It is for strains, their rates, stresses, the residual
+     * and linear_strains().
+     */
+    virtual std::unique_ptr<Deformation>
+    joined(std::vector<const Deformation *> & /*terms*/) const
+    {
+      return nullptr;
+    }
 
     /**
      * Offer B, C and C_d of all strains, for matrices in which stresses are unknowns. Whoever does leaves BᵀCB and

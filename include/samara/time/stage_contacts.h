@@ -35,6 +35,9 @@ namespace samara
     /** Search for pairs that are near in a step of @p h from here. */
     void start(const State &state, double h);
 
+    /** Bristles of what touches at the end of the step that was accepted. */
+    void finish(State &state) const;
+
     /** Add the forces to the residuals; @p end: places at the end of the step. */
     void evaluate(const std::vector<Point<double>> &stages,
                   const double                     *end,
@@ -56,7 +59,7 @@ namespace samara
     Couplings couplings() const;
 
     /** Blocks of the pairs touched at a point, see ContactGroup::add_matrices(). */
-    void add_matrices(const Point<double> &point, const ContactGroup::AddBlocks &add) const;
+    void add_matrices(const Point<double> &point, const ContactGroup::AddBlocks &add, int stage = -1) const;
     /** @} */
 
   private:
@@ -72,8 +75,34 @@ namespace samara
       bool                is_touched = false, is_lost = false; ///< no nearest places
       double              friction_loss = 0;
       StopForces          forces        = {}; ///< of the last evaluation
+      int                 bristles      = -1; ///< number among these, if it has some
     };
     std::vector<Near> near;
+
+    /** Bristles of a near pair in the step, inertial components; see stage_contact_bristles.cc. */
+    struct Bristles
+    {
+      Vector3                normal, start;                           ///< at the start
+      unsigned int           node;                                    ///< of A, with which they turn about the normal
+      std::array<Vector3, 3> stages = {};                             ///< of the last evaluation
+      Vector3                end    = Vector3::Zero();                ///< zero where nothing touches any more
+      double                 loss = 0, elastic = 0;                   ///< [J]; elastic: change of ½ σ₀ |z|²
+      double                 dissipated     = 0;                      ///< by the tableau [J]
+      bool                   touches_at_end = false, is_lost = false; ///< the normal turned too far
+    };
+    std::vector<Bristles> bristles;
+    double                step = 0, lost_at_start = 0; ///< [s]; energy of bristles whose pair is not found again [J]
+
+    void start_bristles(const State &state, Near &pair, const PairMeasure<double> &m);
+    void find_lost_bristles(const State &state);
+    void straighten(const Near &pair);
+    /** Forces against the slips of the stages, in @p rub; what they do to energies. */
+    void rub(const Near                       &pair,
+             const std::vector<Point<double>> &stages,
+             const double                     *end,
+             const PairMeasure<double>        &at_end,
+             double                            h,
+             std::array<Vec3<double>, 3>      &rub);
 
     struct GroupAtStart
     {

@@ -1,7 +1,9 @@
-// Strains, their rates and forces of elements, four of them at once.
-
 #include <samara/base/threads.h>
 #include <samara/cosserat/cosserat.h>
+#include <samara/cosserat/element_lanes.h>
+
+#include <algorithm>
+#include <map>
 
 namespace samara
 {
@@ -35,14 +37,80 @@ namespace samara
 
 
   template <int dim>
+  const auto &
+  ElementLanes<dim>::element_of(const Lane &lane)
+  {
+    return lane.body->elements[lane.element];
+  }
+
+
+
+  template <int dim>
+  const ElementTable<dim> &
+  ElementLanes<dim>::table_of(const Batch &batch)
+  {
+    return *element_of(batch.lanes[0]).table;
+  }
+
+
+
+  template <int dim>
+  ElementLanes<dim>::ElementLanes(const std::vector<Part> &parts)
+    : parts(parts)
+  {
+    // elements of a degree fill lanes in the order of the bodies, whichever body they are of
+    constexpr unsigned int                    most = Lanes<double>::size;
+    std::map<unsigned int, std::vector<Lane>> waiting;
+    for (const auto &part : parts)
+      for (unsigned int i = 0; i < part.body->n_elements(); ++i)
+        {
+          const auto &element = part.body->elements[i];
+          const Lane  lane{part.body, i, part.first_strain + n * element.first_point};
+          single_elements.push_back(make_batch({lane}, 1));
+          most_nodes_of_element = std::max(most_nodes_of_element, element.table->n_nodes);
+
+          auto &lanes = waiting[element.table->degree];
+          lanes.push_back(lane);
+          if (lanes.size() == most)
+            {
+              batches.push_back(make_batch(lanes, most));
+              lanes.clear();
+            }
+        }
+    for (const auto &[degree, lanes] : waiting)
+      if (!lanes.empty())
+        batches.push_back(make_batch(lanes, most));
+  }
+
+
+
+  template <int dim>
+  typename ElementLanes<dim>::Batch
+  ElementLanes<dim>::make_batch(const std::vector<Lane> &lanes, const unsigned int n_lanes)
+  {
+    Batch batch{lanes, {}, {}};
+    for (unsigned int a = 0; a < element_of(lanes[0]).frames.size(); ++a)
+      for (unsigned int l = 0; l < n_lanes; ++l)
+        {
+          const Frame &frame = element_of(lanes[std::min<unsigned int>(l, lanes.size() - 1)]).frames[a];
+          batch.nodes.push_back(frame.node);
+          if (l < lanes.size() && !frame.is_node())
+            batch.arms.push_back({a, l});
+        }
+    return batch;
+  }
+
+
+
+  template <int dim>
   template <typename Number, typename Function>
   void
-  Cosserat<dim>::for_batches(const Function &f) const
+  ElementLanes<dim>::for_batches(const Function &f) const
   {
-    const auto &all = Lanes<Number>::size > 1 ? batches : single_elements;
+    const auto &all = batches_of<Number>();
     parallel_for(all.size(), worth_threads, [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int i = begin; i < end; ++i)
-        with_size<dim>(elements[all[i].first].table->n_nodes, [&](const auto N) { f(all[i], N); });
+        with_size<dim>(table_of(all[i]).n_nodes, [&](const auto N) { f(all[i], N); });
     });
   }
 
@@ -51,10 +119,10 @@ namespace samara
   template <int dim>
   template <typename Number, typename Function>
   void
-  Cosserat<dim>::add_batches(const Function &f, Number *r) const
+  ElementLanes<dim>::add_batches(const Function &f, Number *r) const
   {
     constexpr unsigned int size = Lanes<Number>::size;
-    const auto            &all  = size > 1 ? batches : single_elements;
+    const auto            &all  = batches_of<Number>();
     // what is computed side by side is added in order: the sum does not depend on the number of threads
     const unsigned int                                           at_once = all.size() < worth_threads ? 1 : all.size();
     static thread_local std::vector<Number>                      values;
@@ -72,13 +140,13 @@ namespace samara
               std::array<Number *, size> to;
               for (unsigned int l = 0; l < size; ++l)
                 to[l] = values_of(i, l);
-              with_size<dim>(elements[all[i].first].table->n_nodes, [&](const auto N) { f(i, N, to); });
+              with_size<dim>(table_of(all[i]).n_nodes, [&](const auto N) { f(i, N, to); });
             }
         });
         for (unsigned int i = start; i < start + at_once; ++i)
-          for (unsigned int l = 0; l < all[i].size; ++l)
+          for (unsigned int l = 0; l < all[i].lanes.size(); ++l)
             {
-              const Element &element = elements[all[i].first + l];
+              const auto &element = element_of(all[i].lanes[l]);
               local =
                 Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, 1>>(values_of(i, l), 6 * element.table->n_nodes);
               element.block.add(local, r);
@@ -91,9 +159,9 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::gather_lanes(const Batch                                      &batch,
-                              const Number                                     *q,
-                              kernel::NodeValues<typename Lanes<Number>::type> *nodes) const
+  ElementLanes<dim>::gather_lanes(const Batch                                      &batch,
+                                  const Number                                     *q,
+                                  kernel::NodeValues<typename Lanes<Number>::type> *nodes)
   {
     constexpr unsigned int     size = Lanes<Number>::size;
     kernel::NodeValues<Number> of_frames[size];
@@ -105,7 +173,7 @@ namespace samara
           from[l] = q + 12 * batch.nodes[size * a + l];
         for (; arm != batch.arms.end() && arm->a == a; ++arm)
           {
-            const Frame &frame   = elements[batch.first + arm->lane].frames[a];
+            const Frame &frame   = element_of(batch.lanes[arm->lane]).frames[a];
             of_frames[arm->lane] = {frame.position(q), frame.triad(q)};
             from[arm->lane]      = of_frames[arm->lane].x.data();
           }
@@ -117,7 +185,7 @@ namespace samara
 
   template <int dim>
   void
-  Cosserat<dim>::gather_twists(const Batch &batch, const double *y, Vec6<Lanes<double>::type> *twists) const
+  ElementLanes<dim>::gather_twists(const Batch &batch, const double *y, Vec6<Lanes<double>::type> *twists)
   {
     constexpr unsigned int size = Lanes<double>::size;
     Vector6                of_frames[size];
@@ -129,7 +197,7 @@ namespace samara
           from[l] = y + 6 * batch.nodes[size * a + l];
         for (; arm != batch.arms.end() && arm->a == a; ++arm)
           {
-            of_frames[arm->lane] = elements[batch.first + arm->lane].frames[a].twist(y);
+            of_frames[arm->lane] = element_of(batch.lanes[arm->lane]).frames[a].twist(y);
             from[arm->lane]      = of_frames[arm->lane].data();
           }
         Lanes<double>::load(6, from, twists[a].data());
@@ -141,9 +209,9 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::batch_to_points(const Batch &batch, const Vec6<typename Lanes<Number>::type> *tied, Number *e) const
+  ElementLanes<dim>::batch_to_points(const Batch &batch, const Vec6<typename Lanes<Number>::type> *tied, Number *e)
   {
-    const unsigned int n_tied = dim * elements[batch.first].table->n_tying;
+    const unsigned int                                                   n_tied = dim * table_of(batch).n_tying;
     std::array<std::array<Vec6<Number>, most_tied>, Lanes<Number>::size> of_lane;
     std::array<Number *, Lanes<Number>::size>                            to;
     for (unsigned int k = 0; k < n_tied; ++k)
@@ -152,8 +220,11 @@ namespace samara
           to[l] = of_lane[l][k].data();
         Lanes<Number>::store(6, tied[k].data(), to);
       }
-    for (unsigned int l = 0; l < batch.size; ++l)
-      to_points(batch.first + l, of_lane[l].data(), e + n * elements[batch.first + l].first_point);
+    for (unsigned int l = 0; l < batch.lanes.size(); ++l)
+      {
+        const Lane &lane = batch.lanes[l];
+        lane.body->to_points(lane.element, of_lane[l].data(), e + lane.first_strain);
+      }
   }
 
 
@@ -161,12 +232,12 @@ namespace samara
   template <int dim>
   template <int N, typename Number>
   void
-  Cosserat<dim>::batch_strains(const Batch &batch, const Point<Number> &point, Number *e) const
+  ElementLanes<dim>::batch_strains(const Batch &batch, const Point<Number> &point, Number *e)
   {
-    using Lane                 = typename Lanes<Number>::type;
-    const ElementTable<dim> &t = *elements[batch.first].table;
-    kernel::NodeValues<Lane> nodes[N > 0 ? N : most_nodes];
-    Vec6<Lane>               tied[most_tied];
+    using Number_in_lanes                 = typename Lanes<Number>::type;
+    const ElementTable<dim>            &t = table_of(batch);
+    kernel::NodeValues<Number_in_lanes> nodes[N > 0 ? N : most_nodes];
+    Vec6<Number_in_lanes>               tied[most_tied];
     gather_lanes(batch, point.q, nodes);
     for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       tied[k] = kernel::strain(kernel::interpolate<N>(nodes, t.n_nodes, &t.N(k, 0), &t.dN(k, 0)));
@@ -178,11 +249,11 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::strains_at(const Point<Number> &point, Number *e) const
+  ElementLanes<dim>::strains(const Point<Number> &point, Number *e) const
   {
     for_batches<Number>([&](const Batch &batch, const auto N) { batch_strains<N>(batch, point, e); });
-    for (unsigned int g = 0; g < points.size(); ++g)
-      Eigen::Map<Eigen::Matrix<Number, n, 1>>(e + n * g) -= points[g].reference;
+    for (const auto &part : parts)
+      part.body->subtract_reference(e + part.first_strain);
   }
 
 
@@ -190,12 +261,11 @@ namespace samara
   template <int dim>
   template <int N>
   void
-  Cosserat<dim>::batch_strain_rates(const Batch &batch, const Point<double> &point, double *rates) const
+  ElementLanes<dim>::batch_strain_rates(const Batch &batch, const Point<double> &point, double *rates)
   {
-    using Lane                 = Lanes<double>::type;
-    const ElementTable<dim> &t = *elements[batch.first].table;
-    kernel::NodeValues<Lane> nodes[N > 0 ? N : most_nodes], velocities[N > 0 ? N : most_nodes];
-    Vec6<Lane>               twists[N > 0 ? N : most_nodes], tied[most_tied];
+    const ElementTable<dim>        &t = table_of(batch);
+    kernel::NodeValues<FourDoubles> nodes[N > 0 ? N : most_nodes], velocities[N > 0 ? N : most_nodes];
+    Vec6<FourDoubles>               twists[N > 0 ? N : most_nodes], tied[most_tied];
     gather_lanes(batch, point.q, nodes);
     gather_twists(batch, point.y, twists);
     for (unsigned int a = 0; a < t.n_nodes; ++a)
@@ -210,48 +280,51 @@ namespace samara
 
   template <int dim>
   void
-  Cosserat<dim>::strain_rates(const Point<double> &point, double *rates) const
+  ElementLanes<dim>::strain_rates(const Point<double> &point, double *rates) const
   {
     for_batches<double>([&](const Batch &batch, const auto N) { batch_strain_rates<N>(batch, point, rates); });
   }
 
 
+
   template <int dim>
   template <int N, typename Number>
   void
-  Cosserat<dim>::batch_residual(const Batch                                     &batch,
-                                const Point<Number>                             &point,
-                                const std::array<Number *, Lanes<Number>::size> &local) const
+  ElementLanes<dim>::batch_forces(const Batch                                     &batch,
+                                  const Point<Number>                             &point,
+                                  const Number                                    *stress,
+                                  const std::array<Number *, Lanes<Number>::size> &local)
   {
-    using Lane                       = typename Lanes<Number>::type;
+    using Number_in_lanes            = typename Lanes<Number>::type;
     constexpr unsigned int   size    = Lanes<Number>::size;
-    const ElementTable<dim> &t       = *elements[batch.first].table;
+    const ElementTable<dim> &t       = table_of(batch);
     const unsigned int       n_nodes = N > 0 ? N : t.n_nodes;
 
     std::array<std::array<Vec6<Number>, most_tied>, size> tied;
-    for (unsigned int l = 0; l < batch.size; ++l)
-      to_tying(batch.first + l,
-               point.stress + this->first_strain + n * elements[batch.first + l].first_point,
-               tied[l].data());
+    for (unsigned int l = 0; l < batch.lanes.size(); ++l)
+      {
+        const Lane &lane = batch.lanes[l];
+        lane.body->to_tying(lane.element, stress + lane.first_strain, tied[l].data());
+      }
 
-    kernel::NodeValues<Lane> nodes[N > 0 ? N : most_nodes], forces[N > 0 ? N : most_nodes];
+    kernel::NodeValues<Number_in_lanes> nodes[N > 0 ? N : most_nodes], forces[N > 0 ? N : most_nodes];
     gather_lanes(batch, point.q, nodes);
     for (unsigned int a = 0; a < n_nodes; ++a)
-      forces[a] = {Vec3<Lane>::Zero(), Mat3<Lane>::Zero()};
+      forces[a] = {Vec3<Number_in_lanes>::Zero(), Mat3<Number_in_lanes>::Zero()};
     for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       {
         std::array<const Number *, size> from;
         for (unsigned int l = 0; l < size; ++l)
-          from[l] = tied[std::min(l, batch.size - 1)][k].data();
-        Vec6<Lane> s;
+          from[l] = tied[std::min<unsigned int>(l, batch.lanes.size() - 1)][k].data();
+        Vec6<Number_in_lanes> s;
         Lanes<Number>::load(6, from, s.data());
         const auto force = kernel::force(kernel::interpolate<N>(nodes, n_nodes, &t.N(k, 0), &t.dN(k, 0)), s);
         for (unsigned int a = 0; a < n_nodes; ++a)
           kernel::add_to_node(force, t.N(k, a), t.dN(k, a), forces[a]);
       }
-    Lane result[6 * (N > 0 ? N : most_nodes)];
+    Number_in_lanes result[6 * (N > 0 ? N : most_nodes)];
     for (unsigned int a = 0; a < n_nodes; ++a)
-      Eigen::Map<Vec6<Lane>>{result + 6 *a} = kernel::node_forces(nodes[a].D, forces[a]);
+      Eigen::Map<Vec6<Number_in_lanes>>{result + 6 *a} = kernel::node_forces(nodes[a].D, forces[a]);
     Lanes<Number>::store(6 * n_nodes, result, local);
   }
 
@@ -260,21 +333,23 @@ namespace samara
   template <int dim>
   template <typename Number>
   void
-  Cosserat<dim>::residual_at(const Point<Number> &point, Number *r) const
+  ElementLanes<dim>::add_forces(const Point<Number> &point, const Number *stress, Number *r) const
   {
-    const auto &all = Lanes<Number>::size > 1 ? batches : single_elements;
-    add_batches([&](const unsigned int i, const auto N, const auto &to) { batch_residual<N>(all[i], point, to); }, r);
+    const auto &all = batches_of<Number>();
+    add_batches([&](const unsigned int i, const auto N, const auto &to) { batch_forces<N>(all[i], point, stress, to); },
+                r);
   }
 
 
+
   template <int dim>
-  class Cosserat<dim>::StoredStrains : public LinearStrains
+  class ElementLanes<dim>::StoredStrains : public LinearStrains
   {
   public:
-    explicit StoredStrains(const Cosserat &body)
-      : body(body)
+    explicit StoredStrains(const ElementLanes &elements)
+      : elements(elements)
     {
-      for (const auto &batch : body.batches)
+      for (const auto &batch : elements.batches)
         {
           first.push_back(B.size());
           B.resize(B.size() + table_of(batch).n_points * table_of(batch).n_nodes);
@@ -285,14 +360,15 @@ namespace samara
     renew(const Point<double> &point) override
     {
       parallel_for(first.size(), worth_threads, [&](const unsigned int begin, const unsigned int end) {
-        RowMajor &of_element = body.scratch().B;
+        RowMajor &of_element = Cosserat<dim>::scratch().B;
         for (unsigned int i = begin; i < end; ++i)
-          for (unsigned int l = 0; l < body.batches[i].size; ++l)
+          for (unsigned int l = 0; l < elements.batches[i].lanes.size(); ++l)
             {
-              const ElementTable<dim> &t = table_of(body.batches[i]);
+              const Lane              &lane = elements.batches[i].lanes[l];
+              const ElementTable<dim> &t    = table_of(elements.batches[i]);
               of_element.resize(n * t.n_points, 6 * t.n_nodes);
-              body.interpolate_element(body.batches[i].first + l, point.q);
-              body.strain_matrix(body.batches[i].first + l, of_element);
+              lane.body->interpolate_element(lane.element, point.q);
+              lane.body->strain_matrix(lane.element, of_element);
               for (unsigned int g = 0; g < t.n_points; ++g)
                 for (unsigned int a = 0; a < t.n_nodes; ++a)
                   B[first[i] + g * t.n_nodes + a].set(l, of_element.template block<n, 6>(n * g, 6 * a));
@@ -312,16 +388,14 @@ namespace samara
     void
     add_forces(const double *stress, double *r) const override
     {
-      body.add_batches([&](const unsigned int i, auto, const auto &to) { batch_forces(i, stress, to); }, r);
+      elements.add_batches([&](const unsigned int i, auto, const auto &to) { batch_forces(i, stress, to); }, r);
     }
 
   private:
-    using Lane = Lanes<double>::type;
-
     /** B of one node at one point: displacements do not change curvatures, which leaves three quarters. */
     struct NodeMatrix
     {
-      Lane values[dim][3][9] = {};
+      FourDoubles values[dim][3][9] = {};
 
       void
       set(const unsigned int lane, const Eigen::Matrix<double, n, 6> &B_node)
@@ -337,25 +411,25 @@ namespace samara
       }
 
       void
-      add_strains(const Vec6<Lane> &z, Eigen::Matrix<Lane, n, 1> &e) const
+      add_strains(const Vec6<FourDoubles> &z, Eigen::Matrix<FourDoubles, n, 1> &e) const
       {
         for (unsigned int alpha = 0; alpha < dim; ++alpha)
           for (unsigned int i = 0; i < 3; ++i)
             {
-              const Lane *const b = values[alpha][i];
+              const FourDoubles *const b = values[alpha][i];
               e(6 * alpha + i) += b[0] * z(0) + b[1] * z(1) + b[2] * z(2) + b[3] * z(3) + b[4] * z(4) + b[5] * z(5);
               e(6 * alpha + 3 + i) += b[6] * z(3) + b[7] * z(4) + b[8] * z(5);
             }
       }
 
       void
-      add_forces(const Eigen::Matrix<Lane, n, 1> &s, Vec6<Lane> &f) const
+      add_forces(const Eigen::Matrix<FourDoubles, n, 1> &s, Vec6<FourDoubles> &f) const
       {
         for (unsigned int alpha = 0; alpha < dim; ++alpha)
           for (unsigned int j = 0; j < 3; ++j)
             {
-              const auto &b = values[alpha];
-              const Lane *N = &s(6 * alpha), *const M = N + 3;
+              const auto        &b = values[alpha];
+              const FourDoubles *N = &s(6 * alpha), *const M = N + 3;
               f(j) += b[0][j] * N[0] + b[1][j] * N[1] + b[2][j] * N[2];
               f(3 + j) += b[0][3 + j] * N[0] + b[1][3 + j] * N[1] + b[2][3 + j] * N[2] + b[0][6 + j] * M[0] +
                           b[1][6 + j] * M[1] + b[2][6 + j] * M[2];
@@ -363,32 +437,26 @@ namespace samara
       }
     };
 
-    const Cosserat           &body;
+    const ElementLanes       &elements;
     std::vector<NodeMatrix>   B;     ///< by batches, points, nodes
     std::vector<unsigned int> first; ///< of each batch
-
-    const ElementTable<dim> &
-    table_of(const Batch &batch) const
-    {
-      return *body.elements[batch.first].table;
-    }
 
     void
     batch_strains(const unsigned int i, const double *y, double *e) const
     {
-      const Batch             &batch = body.batches[i];
+      const Batch             &batch = elements.batches[i];
       const ElementTable<dim> &t     = table_of(batch);
-      Vec6<Lane>               twists[most_nodes];
-      body.gather_twists(batch, y, twists);
+      Vec6<FourDoubles>        twists[most_nodes];
+      gather_twists(batch, y, twists);
       for (unsigned int g = 0; g < t.n_points; ++g)
         {
-          Eigen::Matrix<Lane, n, 1> sum = Eigen::Matrix<Lane, n, 1>::Zero();
+          Eigen::Matrix<FourDoubles, n, 1> sum = Eigen::Matrix<FourDoubles, n, 1>::Zero();
           for (unsigned int a = 0; a < t.n_nodes; ++a)
             B[first[i] + g * t.n_nodes + a].add_strains(twists[a], sum);
           double                  not_wanted[n];
           std::array<double *, 4> to;
           for (unsigned int l = 0; l < to.size(); ++l)
-            to[l] = l < batch.size ? e + n * (body.elements[batch.first + l].first_point + g) : not_wanted;
+            to[l] = l < batch.lanes.size() ? e + batch.lanes[l].first_strain + n * g : not_wanted;
           Lanes<double>::store(n, sum.data(), to);
         }
     }
@@ -396,22 +464,23 @@ namespace samara
     void
     batch_forces(const unsigned int i, const double *stress, const std::array<double *, 4> &to) const
     {
-      const Batch             &batch = body.batches[i];
+      const Batch             &batch = elements.batches[i];
       const ElementTable<dim> &t     = table_of(batch);
-      Vec6<Lane>               forces[most_nodes];
+      Vec6<FourDoubles>        forces[most_nodes];
       for (unsigned int a = 0; a < t.n_nodes; ++a)
         forces[a].setZero();
       for (unsigned int g = 0; g < t.n_points; ++g)
         {
-          VectorN                       weighted[4];
+          Eigen::Matrix<double, n, 1>   weighted[4];
           std::array<const double *, 4> from;
           for (unsigned int l = 0; l < 4; ++l)
             {
-              const unsigned int point = body.elements[batch.first + std::min(l, batch.size - 1)].first_point + g;
-              weighted[l]              = body.points[point].weight * Eigen::Map<const VectorN>(stress + n * point);
-              from[l]                  = weighted[l].data();
+              const Lane &lane = batch.lanes[std::min<unsigned int>(l, batch.lanes.size() - 1)];
+              weighted[l]      = lane.body->points[element_of(lane).first_point + g].weight *
+                            Eigen::Map<const Eigen::Matrix<double, n, 1>>(stress + lane.first_strain + n * g);
+              from[l] = weighted[l].data();
             }
-          Eigen::Matrix<Lane, n, 1> s;
+          Eigen::Matrix<FourDoubles, n, 1> s;
           Lanes<double>::load(n, from, s.data());
           for (unsigned int a = 0; a < t.n_nodes; ++a)
             B[first[i] + g * t.n_nodes + a].add_forces(s, forces[a]);
@@ -424,25 +493,25 @@ namespace samara
 
   template <int dim>
   std::unique_ptr<LinearStrains>
-  Cosserat<dim>::linear_strains() const
+  ElementLanes<dim>::linear_strains() const
   {
     return std::make_unique<StoredStrains>(*this);
   }
 
 
 
-  template void Cosserat<1>::strains_at(const Point<double> &, double *) const;
-  template void Cosserat<1>::residual_at(const Point<double> &, double *) const;
-  template void Cosserat<1>::strains_at(const Point<std::complex<double>> &, std::complex<double> *) const;
-  template void Cosserat<1>::residual_at(const Point<std::complex<double>> &, std::complex<double> *) const;
-  template void Cosserat<1>::gather_twists(const Batch &, const double *, Vec6<FourDoubles> *) const;
-  template void Cosserat<1>::strain_rates(const Point<double> &, double *) const;
-  template std::unique_ptr<LinearStrains> Cosserat<1>::linear_strains() const;
-  template void                           Cosserat<2>::strains_at(const Point<double> &, double *) const;
-  template void                           Cosserat<2>::residual_at(const Point<double> &, double *) const;
-  template void Cosserat<2>::strains_at(const Point<std::complex<double>> &, std::complex<double> *) const;
-  template void Cosserat<2>::residual_at(const Point<std::complex<double>> &, std::complex<double> *) const;
-  template void Cosserat<2>::gather_twists(const Batch &, const double *, Vec6<FourDoubles> *) const;
-  template void Cosserat<2>::strain_rates(const Point<double> &, double *) const;
-  template std::unique_ptr<LinearStrains> Cosserat<2>::linear_strains() const;
+  template class ElementLanes<1>;
+  template class ElementLanes<2>;
+  template void ElementLanes<1>::strains(const Point<double> &, double *) const;
+  template void ElementLanes<1>::strains(const Point<std::complex<double>> &, std::complex<double> *) const;
+  template void ElementLanes<1>::add_forces(const Point<double> &, const double *, double *) const;
+  template void ElementLanes<1>::add_forces(const Point<std::complex<double>> &,
+                                            const std::complex<double> *,
+                                            std::complex<double> *) const;
+  template void ElementLanes<2>::strains(const Point<double> &, double *) const;
+  template void ElementLanes<2>::strains(const Point<std::complex<double>> &, std::complex<double> *) const;
+  template void ElementLanes<2>::add_forces(const Point<double> &, const double *, double *) const;
+  template void ElementLanes<2>::add_forces(const Point<std::complex<double>> &,
+                                            const std::complex<double> *,
+                                            std::complex<double> *) const;
 } // namespace samara
