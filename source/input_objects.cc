@@ -29,7 +29,14 @@ namespace samara
             if (entry.inherited || entry.value.empty())
               continue;
             if (points.count(entry.name) > 0)
-              model.frame(entry.value);
+              {
+                // a body without a point is right for some kinds: then whether it is there is all that can be said
+                const std::string path = trim(entry.value);
+                if (path == "ground" || path.find('.') != std::string::npos)
+                  model.frame(path);
+                else
+                  model.find<Body>(path, "body");
+              }
             else if (entry.name == "Body")
               model.find<Body>(entry.value, "body");
             else if (entry.name == "Section")

@@ -1,7 +1,6 @@
 // The small models in prm/examples, one for each kind of joint, give what their headers say.
 
 #include "../scene.h"
-
 #include <gtest/gtest.h>
 
 using namespace samara;
@@ -35,9 +34,11 @@ namespace
     {"skew_universal",
      {{"arm.tip.position x", std::sin(40 * M_PI / 180) / M_SQRT2},
       {"arm.tip.position y",
-       -std::sin(40 * M_PI / 180) / M_SQRT2 * std::cos(30 * M_PI / 180) - std::cos(40 * M_PI / 180) * std::sin(30 * M_PI / 180)},
+       -std::sin(40 * M_PI / 180) / M_SQRT2 *std::cos(30 * M_PI / 180) -
+         std::cos(40 * M_PI / 180) * std::sin(30 * M_PI / 180)},
       {"arm.tip.position z",
-       -std::sin(40 * M_PI / 180) / M_SQRT2 * std::sin(30 * M_PI / 180) + std::cos(40 * M_PI / 180) * std::cos(30 * M_PI / 180)}},
+       -std::sin(40 * M_PI / 180) / M_SQRT2 *std::sin(30 * M_PI / 180) +
+         std::cos(40 * M_PI / 180) * std::cos(30 * M_PI / 180)}},
      {}},
     {"constant_velocity",
      {{"second.rotation x", 40 * std::sin(35 * M_PI / 180)},
@@ -57,6 +58,24 @@ namespace
     {"sliding_point",
      {{"slider.displacement", 0.1 + 2 * g * 0.6 / 20}, {"slider.force", 2 * g}, {"slider.force 1", -2 * g * 0.6}},
      {2, 2, 2, std::sqrt(10.)}},
+    {"sliding_sleeve",
+     {{"slider.displacement", 0.1 + 2 * g * 0.6 / 20},
+      {"slider.force 3", 2 * g * 0.8},
+      {"slider.moment 2", -0.05 * 2 * g * 0.8}},
+     {2, std::sqrt(10.)}},
+    {"sliding_prismatic",
+     {{"slider.rotation x", 0.6 * 180 / M_PI},
+      {"slider.arm.position z", 0.3 * std::cos(0.6)},
+      {"slider.arm.position x", 1}},
+     {}},
+    {"sliding_screw",
+     {{"thread.displacement", 2 * g / 200}, {"nut.rotation z", -10 * 2 * g / 200 * 180 / M_PI}},
+     {std::sqrt(50.)}},
+    {"distributing",
+     {{"bar.displacement x", 1e-3},
+      {"plate.corner.displacement x", 1e-3},
+      {"plate.corner.displacement y", 0.3 * 0.25e-3}},
+     {}},
     {"buffer",
      {{"slider 1.displacement", 2020 * 1.2 * g / 224000},
       {"slider 2.displacement", 2200 * 1.2 * g / 224000},

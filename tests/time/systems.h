@@ -6,10 +6,11 @@
 #include <samara/time/projection.h>
 
 #include "../scene.h"
-#include "measured.h"
 #include <gtest/gtest.h>
 
 #include <functional>
+
+#include "measured.h"
 
 namespace samara
 {
@@ -250,7 +251,8 @@ namespace samara
 
 
 
-    /** Bodies that slide along a flying beam of one element, one for each kind of slider: its name, kind and entries. */
+    /** Bodies that slide along a flying beam of one element, one for each kind of slider: its name, kind and entries.
+     */
     inline MovingSystem
     sliders(const std::string &name, const std::vector<std::array<std::string, 3>> &kinds, const bool is_free)
     {
@@ -266,15 +268,10 @@ namespace samara
           joints += joint("on " + body, kind, "set Body A = rod\n set Body B = " + body + "\n" + entries);
           ++i;
         }
-      const std::string rod = "set Points = 0, 0, 0; 2, 0, 0\n" + moving("0.3, -0.5, 1", "0.2, -0.5, 1");
+      const std::string rod  = "set Points = 0, 0, 0; 2, 0, 0\n" + moving("0.3, -0.5, 1", "0.2, -0.5, 1");
       std::string       text = beam("30", "2", rod, " set Elements = 1\n set Degree = 3\n");
       text.insert(text.rfind("end\n"), bodies); // of the subsection of bodies
-      return {name,
-              text + "subsection Joints\n" + joints + "end\n",
-              0.01,
-              0.05,
-              is_free,
-              bend};
+      return {name, text + "subsection Joints\n" + joints + "end\n", 0.01, 0.05, is_free, bend};
     }
 
 
@@ -342,6 +339,22 @@ namespace samara
       pair("universal",
            " set Axis = 0, 1, 1\n set Second axis = 1, 0, 0\n" + motion("rotation 1", spring("3", "0.2")) +
              motion("rotation 2", spring("2", "0.1"))),
+      pair("skew universal",
+           " set Axis = 0, 1, 1\n set Second axis = 1, 1, 0\n" + motion("rotation 1", spring("3", "0.2")) +
+             motion("rotation 2", spring("2", "0.1"))),
+      pair("constant velocity", " set Axis = 1, 0, 0\n set Second axis = 2, 1, 0\n"),
+      pair("in line", slanted + slide),
+      pair("in plane",
+           slanted + motion("displacement 1", spring("20", "0.5")) + motion("displacement 2", spring("10", "0.3"))),
+      {"body on springs in fixed axes",
+       model(rigid_body("a", offset + moving("0.3, -0.5, 1", "1, 2, -1.5")),
+             joint("mount",
+                   "springs in fixed axes",
+                   "set Body A = ground\n set Body B = a.hinge\n set Axis = 1, 2, 2\n set Stiffness = 20, 30, 10\n"
+                   " set Damping = 0.1, 0.2, 0.3\n"),
+             gravity),
+       0.05,
+       0.2},
       gears(),
       rolling_ball(),
       sledge(),
