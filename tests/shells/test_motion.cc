@@ -58,14 +58,13 @@ TEST(ShellInFlight, WithABodyAtItsEdge)
   plate.patches   = "u, 0.5*v, 0";
   plate.elements  = "2, 2";
   plate.degree    = 2;
-  plate.E         = 1e6;
+  plate.E         = 1e5;
   plate.thickness = 0.02;
   plate.density   = 1000;
-  plate.entries   = "  set Velocity = 1, 0, 2\n  set Angular velocity = 1, -2, 3\n";
+  plate.entries   = "  set Velocity = 1, 0, 2\n  set Angular velocity = 1, -2, 3\n end\n subsection b\n"
+                    "  set Type = rigid body\n  set Mass = 3\n  set Inertia = 0.1, 0.2, 0.15\n"
+                    "  set Position = 1.2, 0.3, 0.1\n  set Velocity = 0, 1, 1\n";
   plate.joints    = " subsection j\n  set Type = distributing\n  set Along = s.edge u1\n  set Body = b\n end\n";
-  plate.top =
-    "subsection Bodies\n subsection b\n  set Type = rigid body\n  set Mass = 3\n  set Inertia = 0.1, 0.2, 0.15\n"
-    "  set Position = 1.2, 0.3, 0.1\n  set Velocity = 0, 1, 1\n end\nend\n";
   Scene   scene(plate.text() + "subsection Dynamic\n set Step = 5e-3\n set End time = 0.3\n set Spectral radius = 1\n"
                                " set Newton tolerance = 1e-12\nend\nsubsection Output\n set Pictures = false\nend\n");
   auto   &dynamics = scene.analysis<DynamicAnalysis>();
@@ -78,8 +77,8 @@ TEST(ShellInFlight, WithABodyAtItsEdge)
   };
   dynamics.start(scene.context);
   dynamics.run(scene.context);
-  EXPECT_LT(largest.norm(), 1e-5 * first.norm());
-  EXPECT_LT(std::abs(dynamics.budget.balance()), 1e-9);
+  EXPECT_LT(largest.norm(), 1e-4 * first.norm());
+  EXPECT_LT(std::abs(dynamics.budget.balance()), 1e-9 * dynamics.budget.start);
   EXPECT_GT(scene.system.energy(scene.context.state).strain, 1e-3);
 }
 
@@ -114,5 +113,5 @@ TEST(ShellInMotion, SwingsOnItsSupport)
   dynamics.start(scene.context);
   dynamics.run(scene.context);
   EXPECT_NEAR(upright / (1.8540746773 * std::sqrt(2 / (3 * 9.80665))), 1, 2e-3);
-  EXPECT_LT(std::abs(dynamics.budget.balance()), 1e-8); // of 38 J that have fallen
+  EXPECT_LT(std::abs(dynamics.budget.balance()), 1e-8 * 38); // J that have fallen
 }

@@ -96,10 +96,10 @@ namespace samara
 
     /** The two in flight with a joint between them that is at neither's node. */
     inline MovingSystem
-    pair(const std::string &kind, const std::string &entries, const std::string &more = "")
+    pair(const std::string &kind, const std::string &entries, const std::string &more = "", const double h = 0.05)
     {
       const std::string ends = "set Body A = a.hinge\n set Body B = b.centre\n";
-      return {kind + " joint in flight", model(thrown, joint("j", kind, ends + entries) + more), 0.05, 0.2, true};
+      return {kind + " joint in flight", model(thrown, joint("j", kind, ends + entries) + more), h, 0.2, true};
     }
 
     /** The two hanging from the ground, hinged to each other. */
@@ -340,8 +340,10 @@ namespace samara
            " set Axis = 0, 1, 1\n set Second axis = 1, 0, 0\n" + motion("rotation 1", spring("3", "0.2")) +
              motion("rotation 2", spring("2", "0.1"))),
       pair("skew universal",
-           " set Axis = 0, 1, 1\n set Second axis = 1, 1, 0\n" + motion("rotation 1", spring("3", "0.2")) +
-             motion("rotation 2", spring("2", "0.1"))),
+           " set Axis = 0, 1, 1\n set Second axis = 2, 1, 0\n" + motion("rotation 1", spring("3", "0.2")) +
+             motion("rotation 2", spring("2", "0.1")),
+           "",
+           0.02),
       pair("constant velocity", " set Axis = 1, 0, 0\n set Second axis = 2, 1, 0\n"),
       pair("in line", slanted + slide),
       pair("in plane",
