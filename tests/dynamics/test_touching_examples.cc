@@ -27,7 +27,7 @@ namespace
     return result;
   }
 
-  /** When a probe first goes through @p level upwards, or with @p sign = -1 downwards, between @p from and the end. */
+  /** When a probe first goes through @p level upwards, or with @p sign = -1 downwards, after @p from. */
   double
   crossing(const Motion      &motion,
            const unsigned int probe,
@@ -44,7 +44,7 @@ namespace
     return std::nan("");
   }
 
-  /** A probe at the time when another one goes through a level. */
+  /** A probe at a time between steps. */
   double
   value_at(const Motion &motion, const unsigned int probe, const double time)
   {

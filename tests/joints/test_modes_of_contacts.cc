@@ -76,7 +76,7 @@ namespace
                     of_edge = " set Along = s.edge u1\n set Body = b\n", ball_of_02 = " set Radius = 0.2\n",
                     on_floor = " set Position = 0, 0, 0\n" + ball_of_02;
 
-  /** Of a ball of 0.2 m on a floor, pressed in or @p z above. */
+  /** The body as a ball of 0.2 m, or as an egg that is as high, under its weight, or without it a little apart. */
   std::map<std::string, CountedModes>
   touching_kinds()
   {
