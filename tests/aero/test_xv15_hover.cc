@@ -39,7 +39,7 @@ TEST(XV15, PowerInHover)
 {
   const double R = 12.5 * 0.3048, tip = 769.4 * 0.3048, area = M_PI * R * R, rho = 1.225;
   double       last = 0;
-  for (const double angle : {4.3, 6.5, 8.5, 10.})
+  for (const double angle : {4.3, 6.5, 8.5, 10.5})
     {
       Scene scene("prm/rotorcraft/xv15_hover.prm", {"Constants/theta75 = " + number_to_text(angle) + " deg"});
       scene.equilibrium();
