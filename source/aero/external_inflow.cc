@@ -61,9 +61,12 @@ namespace samara
     std::vector<Complex> z_c(z.begin(), z.end()), b(n);
     std::vector<double>  A(3 * n);
     Derivatives          d;
-    d.drives.resize(n, 8);
+    d.velocity.setZero();
+    d.drives.setZero(n, 8);
     for (unsigned int i = 0; i < 8; ++i)
       {
+        if (i >= 3 && !sees(i - 3))
+          continue;
         Vec3<Complex> at = x.cast<Complex>();
         Flow<Complex> in = flow.cast<Complex>();
         (i < 3 ? at(i) : in(i - 3)) += Complex(0, step);

@@ -185,7 +185,7 @@ namespace samara
     for (const unsigned int k : states)
       z.push_back(point.states[k]);
     const Flow<double> flow =
-      flow_through_disk(hub.position(point.q), hub.triad(point.q), hub.twist(point.y), z.data(), point.time);
+      flow_through_disk(hub.position(point.q), hub.triad(point.q), hub.twist(point.y), z.data(), 0., point.time);
     double             sum = 0;
     const unsigned int n   = 20;
     for (unsigned int i = 0; i < n; ++i) // rings of equal area

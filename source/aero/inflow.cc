@@ -56,6 +56,66 @@ namespace samara
 
 
   void
+  Inflow::add_interference(Parameters &prm)
+  {
+    prm.add(
+      "Interference",
+      neighbour_names,
+      "Other inflows, sums of shapes, that are felt on this disk: the mean flow of each over its own disk comes in "
+      "addition, uniform and against the thrust axis here.");
+    prm.add("Interference factors",
+            neighbour_factors,
+            "What the mean flow of each is multiplied by: about 1 between rotors in one plane, up to 2 far down in a "
+            "wake [1].");
+  }
+
+
+
+  void
+  Inflow::find_neighbours(Model &model)
+  {
+    if (neighbour_names.size() != neighbour_factors.size())
+      {
+        model.complaints.add(parameters.where("Interference factors"),
+                             "<Interference> of <" + name + "> names " + std::to_string(neighbour_names.size()) +
+                               " inflows, and there are " + std::to_string(neighbour_factors.size()) +
+                               " <Interference factors>");
+        return;
+      }
+    for (unsigned int i = 0; i < neighbour_names.size(); ++i)
+      try
+        {
+          const auto &other = model.find<Inflow>(neighbour_names[i], "inflow");
+          const bool  twice = std::any_of(neighbours.begin(), neighbours.end(), [&](const Neighbour &neighbour) {
+            return neighbour.inflow == &other;
+          });
+          if (&other == this || twice)
+            throw std::invalid_argument("<" + name + "> names " + (twice ? "<" + other.name + "> twice" : "itself"));
+          if (!other.is_sum_of_shapes())
+            throw std::invalid_argument("<" + other.name +
+                                        "> is no sum of shapes on a disk, and has no mean flow that others could feel");
+          neighbours.push_back({&other, neighbour_factors[i]});
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          model.complaints.add(parameters.where("Interference"), problem.what());
+        }
+  }
+
+
+
+  std::vector<unsigned int>
+  Inflow::neighbour_states() const
+  {
+    std::vector<unsigned int> numbers;
+    for (const auto &neighbour : neighbours)
+      numbers.insert(numbers.end(), neighbour.inflow->states.begin(), neighbour.inflow->states.end());
+    return numbers;
+  }
+
+
+
+  void
   Inflow::be_placed(const Placement &placement)
   {
     // the azimuth that is chosen where none is given is one of the subsystem
@@ -104,6 +164,7 @@ namespace samara
       {
         model.complaints.add(parameters.where(where), problem.what());
       }
+    find_neighbours(model);
     if (radius > 0 && corrections.root >= radius)
       model.complaints.add(parameters.where("Root"), "<Root> of <" + name + "> is not less than its <Radius>");
     for (const std::string entry : {"Root", "Blades"})
@@ -263,8 +324,10 @@ namespace samara
     const double        R     = radius_at(state.time);
     std::vector<double> z(n_amplitudes()), phi(n_amplitudes());
     amplitudes(point, z.data());
-    const double near =
-      corrections.has_ground ? corrections.ground_factor(flow_through_disk(x, H, twist, z.data(), state.time), R) : 1.;
+    const double        others = from_neighbours(point);
+    const double        near   = corrections.has_ground ?
+                                   corrections.ground_factor(flow_through_disk(x, H, twist, z.data(), others, state.time), R) :
+                                   1.;
     std::vector<Sample> samples;
     std::vector<double> flow;
     for (unsigned int j = 0; j <= n_out; ++j)
@@ -278,7 +341,7 @@ namespace samara
           sample.velocity = H * (twist.head<3>() + twist.tail<3>().cross(R * place));
           samples.push_back(sample);
           disk.evaluate(place(0), place(1), phi.data());
-          flow.push_back(near * std::inner_product(z.begin(), z.end(), phi.begin(), 0.));
+          flow.push_back(others + near * std::inner_product(z.begin(), z.end(), phi.begin(), 0.));
         }
     drawing.begin_object(name);
     // a web of circles and spokes, which hides no blades
@@ -311,6 +374,7 @@ namespace samara
       "functions of time t [m/s].");
     prm.turns("Velocity", Turning::own_axes);
     add_tip_loss(prm);
+    add_interference(prm);
   }
 
 

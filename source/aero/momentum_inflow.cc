@@ -17,6 +17,20 @@ namespace samara
             "radius above it on.",
             dealii::Patterns::Selection("none|Cheeseman-Bennett"));
     add_tip_loss(prm);
+    add_interference(prm);
+  }
+
+
+
+  void
+  MomentumInflow::add_apparent_mass(Parameters &prm)
+  {
+    apparent_mass = 8 / (3 * M_PI);
+    prm.add("Apparent mass",
+            apparent_mass,
+            "Of the mean flow, divided by density, area and radius of the disk: 8/(3 pi) is that of a rigid disk, "
+            "128/(75 pi) the other one of Pitt and Peters; the less, the sooner inflow follows thrust [1].",
+            dealii::Patterns::Double(1e-6));
   }
 
 
@@ -54,6 +68,8 @@ namespace samara
         model.complaints.add(parameters.where("Power"), problem.what());
         return;
       }
+    if (apparent_mass > 0)
+      theory.apparent_mass[0] = apparent_mass;
     disk = theory.disk;
     if (air == nullptr)
       return;
@@ -89,7 +105,10 @@ namespace samara
   MomentumInflow::connect(Layout &layout)
   {
     Inflow::connect(layout);
-    layout.couple(block, {hub}, {}, {}, states);
+    std::vector<unsigned int> coupled = states;
+    for (const unsigned int k : neighbour_states())
+      coupled.push_back(k);
+    layout.couple(block, {hub}, {}, {}, coupled);
     layout.add(*this, *this);
   }
 
@@ -123,7 +142,11 @@ namespace samara
     const Vec6<Number> twist = hub.template twist<Number>(point.y);
     const Vec3<Number> wind  = air->wind(hub.position(point.q), point.time);
     const Vec3<Number> v     = H.transpose() * (wind - H * twist.template head<3>());
-    return {v(0), v(1), -v(2), twist(5), point.held ? 0. : growth_at(point.time)}; // statics: a radius that stays
+    return {v(0),
+            v(1),
+            from_neighbours(point) - v(2),
+            twist(5),
+            point.held ? 0. : growth_at(point.time)}; // statics: a radius that stays
   }
 
 
@@ -134,7 +157,7 @@ namespace samara
   {
     const auto flow = theory.flow(values(point), flight(point), radius_at(point.time), least_speed());
     Eigen::Matrix<Number, Eigen::Dynamic, 1> local = Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(block.size());
-    local.tail(states.size())                      = -flow.rate;
+    local.segment(6, states.size())                = -flow.rate;
     block.add(local, r);
   }
 
@@ -161,19 +184,21 @@ namespace samara
 
     Eigen::MatrixXd by_v = d.by_flight.leftCols<3>();
     by_v.col(2) *= -1; // λ_f = −v₃
-    K.setZero(6 + n, 6 + n);
-    C                        = K;
-    K.bottomLeftCorner(n, 6) = -by_v * place;
-    C.bottomLeftCorner(n, 6) = -by_v * twist;
-    C.col(5).tail(n) -= d.by_flight.col(3);
-    K.bottomRightCorner(n, n) = -d.by_z;
+    K.setZero(block.size(), block.size());
+    C                   = K;
+    K.block(6, 0, n, 6) = -by_v * place;
+    C.block(6, 0, n, 6) = -by_v * twist;
+    C.col(5).segment(6, n) -= d.by_flight.col(3);
+    K.block(6, 6, n, n) = -d.by_z;
+    unsigned int column = 6 + n;
+    for_states_of_neighbours([&](const double c) { K.col(column++).segment(6, n) = -c * d.by_flight.col(2); });
     // in air at rest the equations are of second order in z, which statics would not leave: Newton's first step is one
     // through air that moves
     if (flow.V_T < 0.1 * least_speed())
       {
         const Eigen::MatrixXd inverse = theory.influence(flow.X_x, flow.X_y).inverse();
         for (unsigned int k = 0; k < n; ++k)
-          K.row(6 + k).tail(n) += 100 * least_speed() / (R * theory.apparent_mass[k]) * inverse.row(k);
+          K.row(6 + k).segment(6, n) += 100 * least_speed() / (R * theory.apparent_mass[k]) * inverse.row(k);
       }
   }
 

@@ -68,6 +68,9 @@ namespace samara
       "How lift follows the motion: at once; with two lags a station, states in m/s; or with these and two states of "
       "flow that separates: dynamic stall.",
       Selection("two lags|quasi-steady|dynamic stall"));
+    prm.add("Compressible lags",
+            compressible_lags,
+            "Whether the two lags are slower in fast air, their rates multiplied by 1 - M^2, M not above 0.9.");
     prm.add("Separation lags",
             entered_lags,
             "Of dynamic stall, in half chords that the air passes: of the angle that pressure follows, of the boundary "
@@ -99,6 +102,8 @@ namespace samara
   {
     unsteady        = kind_of_unsteady(unsteady_name);
     separation_lags = {entered_lags[0], entered_lags[1]};
+    if (unsteady == Unsteady::quasi_steady && compressible_lags)
+      model->complaints.add(parameters.where("Compressible lags"), "<Unsteady = quasi-steady> has no lags");
     if (unsteady != Unsteady::dynamic_stall && entered_lags != std::vector<double>{1.7, 3.})
       model->complaints.add(parameters.where("Separation lags"), "<Unsteady = dynamic stall> alone has them");
   }
@@ -496,6 +501,8 @@ namespace samara
           {
             frames.push_back(inflow->hub);
             states.insert(states.end(), inflow->states.begin(), inflow->states.end());
+            const auto others = inflow->neighbour_states();
+            states.insert(states.end(), others.begin(), others.end());
           }
         layout.couple(element.block, frames, {}, {}, states);
       }

@@ -86,7 +86,7 @@ namespace samara
 
     d.add_node_rows(station, g, at, -point.factor * station.weight, K, C);
     if (has_lags)
-      d.add_lag_rows(station, g, at, *air, K, C);
+      d.add_lag_rows(station, g, at, *air, compressible_lags, K, C);
     if (unsteady == Unsteady::dynamic_stall)
       d.add_stall_rows(station, g, at, *air, separation_lags, K, C);
 

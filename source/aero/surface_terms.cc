@@ -23,16 +23,18 @@ namespace samara
       g.lags.push_back(point.states[i]);
     if (!air->varies_in_space())
       g.wind = air->wind(Vec3<Number>(Vec3<Number>::Zero()), point.time);
-    g.near = Number(1);
+    g.near   = Number(1);
+    g.others = Number(0);
     g.amplitudes.clear();
     if (inflow == nullptr)
       return;
     g.radius = inflow->radius_at(point.time);
     g.amplitudes.resize(inflow->n_amplitudes());
     inflow->amplitudes(point, g.amplitudes.data());
+    g.others = inflow->from_neighbours(point);
     if (inflow->corrections.any())
       g.disk = inflow->flow_through_disk(
-        g.frames.x.back(), g.frames.D.back(), g.frames.y.back(), g.amplitudes.data(), point.time);
+        g.frames.x.back(), g.frames.D.back(), g.frames.y.back(), g.amplitudes.data(), g.others, point.time);
     if (inflow->corrections.has_ground)
       g.near = inflow->corrections.ground_factor(g.disk, g.radius);
   }
@@ -74,7 +76,7 @@ namespace samara
         Number sum(0);
         for (unsigned int k = 0; k < inflow->disk.shapes.size(); ++k)
           sum += g.amplitudes[k] * shapes[k];
-        at.induced += g.near * sum;
+        at.induced += g.near * sum + g.others;
         if (annular == nullptr && external == nullptr)
           wind -= at.induced * at.thrust_axis;
       }
@@ -154,7 +156,7 @@ namespace samara
     if (is_real && at.stations.size() == element.stations.size() && at.time == point.time &&
         at.factor == point.factor && are_equal(at.g.frames.x, g.frames.x) && are_equal(at.g.frames.D, g.frames.D) &&
         are_equal(at.g.frames.y, g.frames.y) && are_equal(at.g.lags, g.lags) &&
-        are_equal(at.g.amplitudes, g.amplitudes))
+        are_equal(at.g.amplitudes, g.amplitudes) && at.g.others == g.others)
       return at;
     std::swap(at.g, g);
     at.time   = point.time;
@@ -179,11 +181,12 @@ namespace samara
                      Rows<Number>            &local) const
   {
     const unsigned int first_lag = 6 * g.frames.D.size(), first_inflow = first_lag + g.lags.size();
-    const Number       speed = 2 / station.section.chord * lags::speed(at.V, *air);
+    const Number       U = lags::speed(at.V, *air), speed = 2 / station.section.chord * U,
+                 speed_of_lags = 2 / station.section.chord * lags::speed_of_lags(U, *air, compressible_lags);
     for (unsigned int i = 0; i < lags::n && unsteady != Unsteady::quasi_steady; ++i)
       {
         const unsigned int k = station.first_lag + i;
-        local(first_lag + k) -= lags::b[i] * speed * (at.V(2) - g.lags[k]);
+        local(first_lag + k) -= lags::b[i] * speed_of_lags * (at.V(2) - g.lags[k]);
       }
     if (unsteady == Unsteady::dynamic_stall)
       {
@@ -266,8 +269,12 @@ namespace samara
   double
   Surface::Loads::next_corner(const double from, const double to) const
   {
-    const double corner = surface->air->next_corner(from, to);
-    return surface->inflow == nullptr ? corner : std::min(corner, surface->inflow->next_corner(from, to));
+    double corner = surface->air->next_corner(from, to);
+    if (surface->inflow == nullptr)
+      return corner;
+    for (const auto &neighbour : surface->inflow->neighbours)
+      corner = std::min(corner, neighbour.inflow->next_corner(from, to));
+    return std::min(corner, surface->inflow->next_corner(from, to));
   }
 
 

@@ -47,7 +47,8 @@ namespace
 TEST(Surface, DerivativesAgainstComplexSteps)
 {
   // virtual mass goes with a surface that ends where elements end
-  for (const std::string unsteady : {"quasi-steady", "two lags", "dynamic stall"})
+  for (const std::string unsteady :
+       {"quasi-steady", "two lags", "two lags\n    set Compressible lags = true", "dynamic stall"})
     for (const std::string more : {"    set Range = 0.3, 2.9\n", "    set Virtual mass = true\n"})
       {
         SCOPED_TRACE(unsteady + more);

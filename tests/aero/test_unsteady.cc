@@ -85,6 +85,30 @@ TEST(Unsteady, LiftDeficiencyOfTwoLags)
 
 
 
+// Lags in fast air: C(k) with b (1 − M²) in place of b, M = 0.6.
+TEST(Unsteady, CompressibleLags)
+{
+  const auto wing = [](const std::string &more) {
+    std::string text = thin_wing(0., more);
+    return text.replace(text.find("Speed of sound = 1\n"), 19, "Speed of sound = 50\n");
+  };
+  const Scene  scene(wing("    set Compressible lags = true\n")), steady(wing("    set Unsteady = quasi-steady\n"));
+  const double slower = 1 - 0.6 * 0.6;
+  for (const double k : {0.02, 0.1, 0.5})
+    {
+      const double  omega = k * speed / semichord;
+      const Complex C     = response(scene, omega)(0, 0) / response(steady, omega)(0, 0), s(0, k);
+      EXPECT_LT(std::abs(C - (1. - 0.165 * s / (s + 0.0455 * slower) - 0.335 * s / (s + 0.3 * slower))), 1e-7) << k;
+    }
+  // beyond M = 0.9 they stay: the speed of sound of thin_wing() is 1 m/s
+  const Scene   fast(thin_wing(0., "    set Compressible lags = true\n"));
+  const double  least = 1 - 0.9 * 0.9, omega = 0.1 * speed / semichord;
+  const Complex s(0, 0.1), C                 = response(fast, omega)(0, 0) / response(steady, omega)(0, 0);
+  EXPECT_LT(std::abs(C - (1. - 0.165 * s / (s + 0.0455 * least) - 0.335 * s / (s + 0.3 * least))), 1e-7);
+}
+
+
+
 // T. Theodorsen, NACA Report 496 (1935), with C(k) of the lags: heave and pitch, lift and moment, any axis.
 TEST(Unsteady, LiftAndMomentOfTheodorsen)
 {

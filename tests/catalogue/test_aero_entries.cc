@@ -47,7 +47,8 @@ subsection Airfoils
            named("second", "    set Type = analytic\n    set Drag = 0.02\n") + "end\nsubsection Aerodynamics\n" +
            named("air", air) + named("still", "    set Type = air\n") + named("flow", flow) +
            named("nothing",
-                 "    set Type = prescribed inflow\n    set Hub = body\n    set Radius = 3\n    set Air = air\n") +
+                 "    set Type = prescribed inflow\n    set Hub = body\n    set Radius = 3\n    set Air = air\n"
+                 "    set Velocity = 1.5, 0, 0\n") +
            "end\nsubsection Surfaces\n" +
            named("it",
                  "    set Body = blade\n    set Air = air\n    set Chord = 0.3 - 0.01*s\n    set Airfoils = it\n" +
@@ -75,6 +76,11 @@ end
 
   const std::string with_loss = "Aerodynamics/flow/Tip loss = Prandtl";
   const Changes     of_tips   = {{"Tip loss", "Prandtl"}, {"Root", "0.1", {with_loss}}, {"Blades", "3", {with_loss}}};
+
+  const std::string factor = "Aerodynamics/flow/Interference factors = 0.5",
+                    other  = "Aerodynamics/flow/Interference = nothing";
+  const Changes of_others  = {{"Interference", "nothing", {}, false, {factor}},
+                              {"Interference factors", "0.5", {}, false, {other}}};
 
   const Changes of_hub = {{"Hub", "body.other"},
                           {"Axis", "0.1, 0.3, 1"},
@@ -145,10 +151,10 @@ TEST_F(Catalogued, AirAndInflow)
   check("prescribed inflow",
         flyer(analytic, air, "    set Type = prescribed inflow\n    set Velocity = 2, 1, 0.5\n" + flow, ""),
         "Aerodynamics/flow",
-        joined(of_flow, {of_tips, {{"Velocity", "2, 1, 0.4"}}}),
+        joined(of_flow, {of_tips, of_others, {{"Velocity", "2, 1, 0.4"}}}),
         {{"Air", "the flow is given"}});
-  const Changes     of_momentum = joined(of_tips, {{{"Initial", "2"}, {"Ground effect", "Cheeseman-Bennett"}}});
-  Changes           without_direction;
+  const Changes of_momentum = joined(of_tips, {of_others, {{"Initial", "2"}, {"Ground effect", "Cheeseman-Bennett"}}});
+  Changes       without_direction;
   const std::string no_azimuth = "a uniform flow has no azimuth";
   for (const auto &change : of_hub)
     if (change.entry != "Direction")
@@ -156,12 +162,12 @@ TEST_F(Catalogued, AirAndInflow)
   check("uniform inflow",
         flyer(analytic, air, uniform, ""),
         "Aerodynamics/flow",
-        joined(without_direction, {of_momentum}),
+        joined(without_direction, {of_momentum, {{"Apparent mass", "0.5"}}}),
         {{"Direction", no_azimuth}});
   check("Pitt-Peters inflow",
         flyer(analytic, air, changed(uniform, "uniform", "Pitt-Peters"), ""),
         "Aerodynamics/flow",
-        joined(of_hub, {of_momentum}));
+        joined(of_hub, {of_momentum, {{"Apparent mass", "0.5"}}}));
   check("Peters-He inflow",
         flyer(analytic, air, changed(uniform, "uniform", "Peters-He"), ""),
         "Aerodynamics/flow",
@@ -226,6 +232,7 @@ TEST_F(Catalogued, Surfaces)
          {"Upper side", "0, 0, -1"},
          {"Airfoils", "second"},
          {"Unsteady", "quasi-steady"},
+         {"Compressible lags", "true"},
          {"Separation lags", "2, 8", {"Surfaces/it/Unsteady = dynamic stall"}},
          {"Virtual mass", "true"},
          {"Lift factor", "0.9"},

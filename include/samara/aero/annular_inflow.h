@@ -18,6 +18,12 @@ namespace samara
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
+    bool
+    is_sum_of_shapes() const override
+    {
+      return false;
+    }
+
     AnnularMomentum theory; ///< at t = 0
 
     /** The theory of a disk of this @p radius [m]. */

@@ -31,6 +31,12 @@ namespace samara
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
+    bool
+    is_sum_of_shapes() const override
+    {
+      return false;
+    }
+
     /** A, column by column, 3 numbers for each state. @{ */
     virtual void velocities(const Vec3<double> &x, const Flow<double> &flow, double *A) const    = 0;
     virtual void velocities(const Vec3<Complex> &x, const Flow<Complex> &flow, Complex *A) const = 0;
@@ -40,6 +46,14 @@ namespace samara
     virtual void drives(const Vec3<double> &x, const Flow<double> &flow, double *b) const    = 0;
     virtual void drives(const Vec3<Complex> &x, const Flow<Complex> &flow, Complex *b) const = 0;
     /** @} */
+
+    /** Which of the numbers of the flow through the disk velocities() and drives() depend on: derivatives by the others
+     * are not computed. */
+    virtual bool
+    sees(const unsigned int /*number*/) const
+    {
+      return true;
+    }
 
     /** Told once of each station: its place in the reference configuration, and the length it stands for [m]. */
     virtual void

@@ -36,6 +36,13 @@ namespace samara
     /** Where blades turn with another speed than is said, or the wake leaves with another than it induces. */
     std::vector<Doubt> doubts(const State &state) const override;
 
+    /** The air carries the wake; neither its own mean flow nor the ground do. */
+    bool
+    sees(const unsigned int number) const override
+    {
+      return number < 3;
+    }
+
     void
     add_station(const Vector3 &x, const double length) override
     {

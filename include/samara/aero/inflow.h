@@ -15,7 +15,7 @@ namespace samara
   struct AirLoads
   {
     Vector3 force = Vector3::Zero(), moment = Vector3::Zero(); ///< inertial axes, moment about a given point [N, N m]
-    double  power = 0;                                         ///< work on the surface in unit time [W]
+    double  power   = 0;                                       ///< work on the surface in unit time [W]
     double  induced = 0, profile = 0;                          ///< what inflow and drag take of it [W]
   };
 
@@ -112,6 +112,13 @@ namespace samara
     /** Surfaces that live in it. */
     std::vector<const LoadedSurface *> surfaces;
 
+    /** Whether w is Σ z_k φ_k, as told before disk is made. */
+    virtual bool
+    is_sum_of_shapes() const
+    {
+      return true;
+    }
+
     const Air *air = nullptr;
 
     /** Direction of azimuth zero and the thrust axis in the reference configuration. */
@@ -119,13 +126,53 @@ namespace samara
 
     DiskCorrections corrections;
 
-    /** What they depend on; @p H the hub's triad. */
+    /** Another inflow that is felt on this disk: κ times the mean of its flow over its own disk, κ w̄. */
+    struct Neighbour
+    {
+      const Inflow *inflow;
+      double        factor; ///< κ
+    };
+    std::vector<Neighbour> neighbours;
+
+    /** Σ κ w̄ [m/s], uniform on this disk and against its thrust axis, whatever the axes of the others. */
+    template <typename Number>
+    Number
+    from_neighbours(const Point<Number> &point) const
+    {
+      Number                           sum(0);
+      thread_local std::vector<Number> z;
+      for (const auto &[other, factor] : neighbours)
+        {
+          z.resize(other->n_amplitudes());
+          other->amplitudes(point, z.data());
+          for (unsigned int k = 0; k < z.size(); ++k)
+            sum += factor * other->corrections.averages[k] * z[k];
+        }
+      return sum;
+    }
+
+    /** Calls f(c) for each of neighbour_states(), from_neighbours() being Σ c z of them. */
+    template <typename Function>
+    void
+    for_states_of_neighbours(const Function &f) const
+    {
+      for (const auto &[other, factor] : neighbours)
+        for (unsigned int k = 0; k < other->states.size(); ++k)
+          f(factor * other->corrections.averages[k]);
+    }
+
+    /** Numbers of the states that from_neighbours() depends on. */
+    std::vector<unsigned int> neighbour_states() const;
+
+    /** What the corrections depend on; @p H the hub's triad, @p others the flow from_neighbours(), which is part of the
+     * flow through the disk without the rotor's own. */
     template <typename Number>
     DiskCorrections::Flow<Number>
     flow_through_disk(const Vec3<Number> &x,
                       const Mat3<Number> &H,
                       const Vec6<Number> &twist,
                       const Number       *z,
+                      const Number       &others,
                       const double        time) const
     {
       const Vec3<Number> v = H.transpose() * (air->wind(x, time) - H * twist.template head<3>());
@@ -133,13 +180,16 @@ namespace samara
       for (unsigned int k = 0; k < corrections.averages.size(); ++k)
         mean += corrections.averages[k] * z[k];
       DiskCorrections::Flow<Number> flow;
-      flow << v(0), v(1), -v(2), mean, x(2) - corrections.ground;
+      flow << v(0), v(1), others - v(2), mean, x(2) - corrections.ground;
       return flow;
     }
 
   protected:
     /** Entries for the flow round tips. */
     void add_tip_loss(Parameters &prm);
+
+    /** Entries for the flow of other rotors. */
+    void add_interference(Parameters &prm);
 
     unsigned int given_blades = 0; ///< 0: as many as there are surfaces
 
@@ -159,6 +209,11 @@ namespace samara
     void add_doubt_of_reach(const State &state, std::vector<Doubt> &doubts) const;
 
   private:
+    std::vector<std::string> neighbour_names;
+    std::vector<double>      neighbour_factors;
+
+    void find_neighbours(Model &model);
+
     std::string    hub_name, air_name, tip_loss = "none";
     FunctionOfTime given_radius{1.};
     bool           has_factor_of_tips = false; ///< whether there are the entries of add_tip_loss()

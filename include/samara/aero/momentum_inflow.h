@@ -31,11 +31,15 @@ namespace samara
   protected:
     virtual FiniteStateInflow make() const = 0;
 
+    /** Entry for the mass of the mean flow. */
+    void add_apparent_mass(Parameters &prm);
+
     double mean(const State &state) const override;
 
   private:
     FiniteStateInflow theory;
     double            initial       = 0;
+    double            apparent_mass = 0; ///< M of the mean flow, if it is given
     std::string       ground_effect = "none";
     Block             block; ///< hub, states
 
@@ -62,6 +66,14 @@ namespace samara
   /** The mean flow alone, of H. Glauert, with the time constant of a rigid disk. */
   class UniformInflow : public MomentumInflow
   {
+  public:
+    void
+    add_parameters(Parameters &prm) override
+    {
+      MomentumInflow::add_parameters(prm);
+      add_apparent_mass(prm);
+    }
+
   protected:
     FiniteStateInflow
     make() const override
@@ -74,6 +86,14 @@ namespace samara
 
   class PittPetersInflow : public MomentumInflow
   {
+  public:
+    void
+    add_parameters(Parameters &prm) override
+    {
+      MomentumInflow::add_parameters(prm);
+      add_apparent_mass(prm);
+    }
+
   protected:
     FiniteStateInflow
     make() const override

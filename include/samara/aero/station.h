@@ -67,7 +67,7 @@ namespace samara
   namespace lags
   {
     constexpr unsigned int n   = 2;
-    constexpr double       A[] = {0.165, 0.335}, b[] = {0.0455, 0.3};
+    constexpr double       A[] = {0.165, 0.335}, b[] = {0.0455, 0.3}, most_mach = 0.9;
 
     template <typename Number>
     Number
@@ -84,6 +84,24 @@ namespace samara
       using std::sqrt;
       const double least = 1e-4 * air.speed_of_sound;
       return sqrt(V(1) * V(1) + V(2) * V(2) + least * least);
+    }
+
+    /** U (1 − M²), with M not above 0.9: lift follows more slowly in air that is compressed (J. G. Leishman, Principles
+     * of Helicopter Aerodynamics, 2006, section 8.10). Without @p compressible U alone. */
+    template <typename Number>
+    Number
+    speed_of_lags(const Number &U, const Air &air, const bool compressible)
+    {
+      const Number M = U / air.speed_of_sound;
+      return compressible ? Number(U * (1. - (std::real(M) < most_mach ? Number(M * M) : most_mach * most_mach))) : U;
+    }
+
+    /** Its derivative by U. */
+    inline double
+    slope_of_speed_of_lags(const double U, const Air &air, const bool compressible)
+    {
+      const double M = U / air.speed_of_sound;
+      return !compressible ? 1. : M < most_mach ? 1 - 3 * M * M : 1 - most_mach * most_mach;
     }
 
     /** b − a, less full turns. */

@@ -64,7 +64,7 @@ namespace samara
     Expression               chord, offset, twist, lift_factor{1.};
     std::vector<double>      entered_lags = {1.7, 3.};
     SeparationLags           separation_lags;
-    bool                     has_virtual_mass = false;
+    bool                     has_virtual_mass = false, compressible_lags = false;
     Vector3                  leading_edge = Vector3::Zero(), upper_side = Vector3::Zero();
     std::vector<std::string> airfoil_names;
 
@@ -116,6 +116,7 @@ namespace samara
       Vec3<Number>                  wind   = Vec3<Number>::Zero();                  ///< if it is the same everywhere
       DiskCorrections::Flow<Number> disk   = DiskCorrections::Flow<Number>::Zero(); ///< if the inflow has corrections
       Number                        near   = Number(1); ///< factor of the inflow: the ground
+      Number                        others = Number(0); ///< flow of other rotors
       double                        radius = 1;         ///< of the disk
     };
 

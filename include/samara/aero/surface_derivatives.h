@@ -139,22 +139,25 @@ namespace samara
         }
     }
 
-    /** Rates of the lags, b_i U/(c/2) (V₃ − x_i). */
+    /** Rates of the lags, b_i U/(c/2) (V₃ − x_i), U reduced by the Mach number if the lags are @p compressible. */
     void
     add_lag_rows(const Station           &station,
                  const Gathered<double>  &g,
                  const AtStation<double> &at,
                  const Air               &air,
+                 const bool               compressible,
                  Eigen::MatrixXd         &K,
                  Eigen::MatrixXd         &C) const
     {
       const unsigned int n_twists = turn.place.cols(), n_states = turn.states.cols();
+      const double       speed = lags::speed(at.V, air), U = lags::speed_of_lags(speed, air, compressible),
+                   by_speed = lags::slope_of_speed_of_lags(speed, air, compressible) / speed;
       for (unsigned int i = 0; i < lags::n; ++i)
         {
           const unsigned int       k = station.first_lag + i, row = n_twists + k;
-          const double             rate = -lags::b[i] * 2 / station.section.chord, U = lags::speed(at.V, air);
-          const double             lack  = at.V(2) - g.lags[k];
-          const Eigen::RowVector3d slope = rate * Eigen::RowVector3d(0., lack * at.V(1) / U, lack * at.V(2) / U + U);
+          const double             rate = -lags::b[i] * 2 / station.section.chord, lack = at.V(2) - g.lags[k];
+          const Eigen::RowVector3d slope =
+            rate * Eigen::RowVector3d(0., lack * by_speed * at.V(1), lack * by_speed * at.V(2) + U);
           K.row(row).head(n_twists) += slope * V.place;
           K.row(row).tail(n_states) += slope * V.states;
           K(row, row) -= rate * U;
@@ -337,6 +340,8 @@ namespace samara
       air.add<3>(-at.thrust_axis * g.near * Eigen::RowVector3d(z.dot(by_x), z.dot(by_y), 0.), on_disk);
       if (!inflow.states.empty())
         air.states.middleCols(first_state, n) -= at.thrust_axis * g.near * phi.transpose();
+      unsigned int column = first_state + inflow.states.size();
+      inflow.for_states_of_neighbours([&](const double c) { air.states.col(column++) -= c * at.thrust_axis; });
       if (inflow.corrections.has_ground)
         air.add<5>(-at.thrust_axis * z.dot(phi) * inflow.corrections.ground_slopes(g.disk, g.radius), disk);
     }
@@ -382,6 +387,8 @@ namespace samara
       disk.place.block<3, 3>(0, first + 3) = sign * (skew(Vector3(H.transpose() * s)) + HtH * skew(v));
       disk.twist.block<3, 3>(0, first)     = -sign * HtH;
       disk.place.block<1, 3>(4, first)     = H.row(2);
+      unsigned int column                  = first_state + n;
+      inflow.for_states_of_neighbours([&](const double c) { disk.states(2, column++) += c; });
       if (n > 0 && inflow.corrections.averages.size() == n)
         disk.states.row(3).segment(first_state, n) =
           Eigen::Map<const Eigen::RowVectorXd>(inflow.corrections.averages.data(), n);
