@@ -126,10 +126,10 @@ namespace samara
 
 
   FiniteStateInflow
-  FiniteStateInflow::uniform()
+  FiniteStateInflow::uniform(const double mass)
   {
     FiniteStateInflow inflow;
-    inflow.add_shape(0, {1.}, 8 / (3 * pi), 1 / pi);
+    inflow.add_shape(0, {1.}, mass, 1 / pi);
     inflow.terms = {{0, 0, 0, false, false, 0.5, true}};
     inflow.u     = {1.};
     inflow.k     = 0.5;

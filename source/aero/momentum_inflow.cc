@@ -22,6 +22,19 @@ namespace samara
 
 
   void
+  UniformInflow::add_parameters(Parameters &prm)
+  {
+    MomentumInflow::add_parameters(prm);
+    prm.add("Apparent mass",
+            mass,
+            "M of the disk, divided by density, area and radius: the flow follows the thrust with the time constant "
+            "M R/(2 V); by default that of a rigid disk, and with 1e-6, say, Glauert's equation holds at once [1].",
+            dealii::Patterns::Double(1e-12));
+  }
+
+
+
+  void
   PetersHeInflow::add_parameters(Parameters &prm)
   {
     using namespace dealii::Patterns;
@@ -255,6 +268,18 @@ namespace samara
                           text(std::acos(std::clamp(e3(2), -1., 1.)) * 180 / M_PI) +
                           " deg: <Ground effect> is that of a disk that is parallel to the ground"});
     return result;
+  }
+
+
+
+  std::vector<CountedStates>
+  MomentumInflow::counted_states() const
+  {
+    CountedStates group;
+    group.states = states;
+    for (unsigned int k = 0; k < states.size(); ++k)
+      group.metric.push_back(theory.apparent_mass[k] / theory.load_weights[k]);
+    return {group};
   }
 
 

@@ -4,6 +4,8 @@
 // method, the rank-one matrix of the family times the highest modes of the rates (doc/theory/step_control.md):
 //
 //     ∂r_k/∂α = −(w p)_k/(2(2s−1)) M u + B₀ᵀ C h p_k/(2(2s−1)) v,     u = Σ b_k p_k ẏ_k,  v = Σ b_k p_k ė_k
+//
+// and −(w p)_k/(2(2s−1)) Σ b_k p_k ż_k in the rows of the states of first order that count (CountedStates).
 
 #include <samara/time/stage_integrator.h>
 
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace samara
 {
@@ -99,7 +102,36 @@ namespace samara
             stage.excess[i] += stress_increment[i];
           }
         strains_in_matrix(k).add_forces(stress_increment.data(), stage.residual.data());
+        for (unsigned int i = 0; i < state_modes.size(); ++i)
+          stage.residual[system.layout.of_state(i)] -= epsilon * w_p(k) * state_modes[i];
       }
+  }
+
+
+
+  double
+  StageIntegrator::find_state_modes(const State &state, const double h)
+  {
+    state_modes.clear();
+    double       largest = 0;
+    const double factor  = 1 / (2 * (2. * tableau.s - 1));
+    for (const CountedStates &group : counted)
+      if (group.weight > 0)
+        {
+          state_modes.resize(system.layout.n_states, 0.);
+          double change = 0, size = 0;
+          for (unsigned int i = 0; i < group.states.size(); ++i)
+            {
+              const unsigned int j = group.states[i];
+              for (unsigned int k = 0; k < tableau.s; ++k)
+                state_modes[j] += factor * tableau.b(k) * tableau.p(k) * stages[k].state_rates[j];
+              change += group.metric[i] * std::pow(h * state_modes[j], 2);
+              size += group.metric[i] * std::pow(std::max(std::abs(state.states[j]), system.model.states[j].scale), 2);
+            }
+          if (size > 0)
+            largest = std::max(largest, std::sqrt(change / size));
+        }
+    return largest;
   }
 
 
@@ -148,12 +180,17 @@ namespace samara
     squares += 2 * system.strain_energy(strain_increment.data());
     difference.neighbour.displacement.assign(6 * (n_nodes - 1), 0.);
     difference.neighbour.rate.assign(6 * n_nodes, 0.);
-    if (!(squares > 0))
+    const double of_states = find_state_modes(state, h);
+    difference.states.assign(state_modes.size(), 0.);
+    if (!(squares > 0) && !(of_states > 0))
       return true;
 
     // Newton's method for the neighbour, a little way off
-    const double epsilon = perturbation * std::sqrt(2 * std::max(kinetic_energy, energy_scale) / squares);
-    double       total = 0, size = 0;
+    double epsilon = std::numeric_limits<double>::infinity(), total = 0, size = 0;
+    if (squares > 0)
+      epsilon = perturbation * std::sqrt(2 * std::max(kinetic_energy, energy_scale) / squares);
+    if (of_states > 0)
+      epsilon = std::min(epsilon, perturbation / of_states);
     for (unsigned int sweep = 0; sweep < most_sweeps && (sweep < 2 || size > good_enough * total); ++sweep)
       {
         if (sweep > 0)
@@ -185,6 +222,12 @@ namespace samara
         for (unsigned int k = 0; k < s; ++k)
           y += final_weights(k) / epsilon *
                (Eigen::Map<const Vector6>(&stages[k].y[6 * node]) - Eigen::Map<const Vector6>(&base[k].y[6 * node]));
+      }
+    for (unsigned int i = 0; i < state_modes.size(); ++i)
+      {
+        difference.states[i] = -of_start * h * state_modes[i];
+        for (unsigned int k = 0; k < s; ++k)
+          difference.states[i] += final_weights(k) / epsilon * (stages[k].states[i] - base[k].states[i]);
       }
     return size <= 0.5 * total;
   }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -31,7 +32,7 @@ namespace samara
   {
   public:
     /** V_T is no part of L: one state, ν alone. M = 8/(3π), H. Glauert's mean flow in the steady state. */
-    static FiniteStateInflow uniform();
+    static FiniteStateInflow uniform(double apparent_mass = 8 / (3 * M_PI));
 
     /**
      * Three states, ν₀ + r (ν_c cos ψ + ν_s sin ψ): D. M. Pitt & D. A. Peters, Vertica 5 (1981); M₀ = 8/(3π), that of a
