@@ -209,9 +209,23 @@ namespace samara
         total += size;
       }
     move_stages(state, h);
+    measure_neighbour(h, epsilon, base, base_q, u, difference);
+    return size <= 0.5 * total;
+  }
 
-    const double of_start = final_weights.dot(tableau.p);
-    for (unsigned int node = 1; node < n_nodes; ++node)
+
+
+  void
+  StageIntegrator::measure_neighbour(const double                h,
+                                     const double                epsilon,
+                                     const std::vector<Stage>   &base,
+                                     const std::vector<double>  &base_q,
+                                     const std::vector<Vector6> &u,
+                                     StepDifference             &difference) const
+  {
+    const unsigned int s        = tableau.s;
+    const double       of_start = final_weights.dot(tableau.p);
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         const Eigen::Map<const Vector3> x(&final_q[12 * node]), x_base(&base_q[12 * node]);
         const Eigen::Map<const Matrix3> D(&final_q[12 * node + 3]), D_base(&base_q[12 * node + 3]);
@@ -229,7 +243,6 @@ namespace samara
         for (unsigned int k = 0; k < s; ++k)
           difference.states[i] += final_weights(k) / epsilon * (stages[k].states[i] - base[k].states[i]);
       }
-    return size <= 0.5 * total;
   }
 
 

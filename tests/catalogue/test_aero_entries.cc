@@ -156,7 +156,7 @@ TEST_F(Catalogued, AirAndInflow)
   check("uniform inflow",
         flyer(analytic, air, uniform, ""),
         "Aerodynamics/flow",
-        joined(without_direction, {of_momentum}),
+        joined(without_direction, {of_momentum, {{"Apparent mass", "0.3"}}}),
         {{"Direction", no_azimuth}});
   check("Pitt-Peters inflow",
         flyer(analytic, air, changed(uniform, "uniform", "Pitt-Peters"), ""),

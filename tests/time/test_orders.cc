@@ -6,10 +6,10 @@
 // much less than it should be: where the leading term is not yet all there is, orders may be higher, or lower by the
 // next term. (With ρ∞ = 0.1 instead of ½ that is the case earlier.)
 
-#include <gtest/gtest.h>
-
 #include "../debug.h"
 #include "../states/scenes.h"
+#include <gtest/gtest.h>
+
 #include "systems.h"
 
 using namespace samara;

@@ -155,20 +155,20 @@ TEST(StepTangent, WithStatesOfFirstOrder)
 //     m ẏ = −k e − c y − f z,     ż = (x − z)/T;     y, z and e on a_α, x on a
 TEST(StepTangent, OfAnOscillatorWithALagIsThatOfTheTableau)
 {
-  const double      m = 2, k = 50, c = 3, f = 20, T = 0.15, h = 0.07;
-  const Scene       scene(on_a_slide("subsection lag\n set Rate = (slide.displacement - lag)/(0.15 s)\n"
-                                           " set Initial = 0.4\n end\n",
+  const double  m = 2, k = 50, c = 3, f = 20, T = 0.15, h = 0.07;
+  const Scene   scene(on_a_slide("subsection lag\n set Rate = (slide.displacement - lag)/(0.15 s)\n"
+                                 " set Initial = 0.4\n end\n",
                                "set Spring = 50\n set Damper = 3\n set Force = -20 N*lag"));
-  const System     &system = scene.system;
-  const Layout     &layout = system.layout;
-  const int         place[] = {layout.of_node(1) + 2, layout.of_coordinate(0)}, lag = layout.of_state(0);
+  const System &system  = scene.system;
+  const Layout &layout  = system.layout;
+  const int     place[] = {layout.of_node(1) + 2, layout.of_coordinate(0)}, lag = layout.of_state(0);
   for (const unsigned int s : {1, 2, 3})
     for (const double rho : {1., 0.5, 0.})
       {
         SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
         const Tableau         tableau(s, rho);
-        const Eigen::MatrixXd one   = Eigen::MatrixXd::Identity(s, s);
-        const Eigen::VectorXd ones  = Eigen::VectorXd::Ones(s), w_b = tableau.w.transpose() * tableau.b;
+        const Eigen::MatrixXd one  = Eigen::MatrixXd::Identity(s, s);
+        const Eigen::VectorXd ones = Eigen::VectorXd::Ones(s), w_b = tableau.w.transpose() * tableau.b;
         Eigen::MatrixXd       J(2 * s, 2 * s), right(2 * s, 3); // of x, y, z at the start
         J << m / h * tableau.w + k * h * tableau.a_alpha + c * one, f * one, -h / T * tableau.a,
           tableau.w / h + one / T;

@@ -473,6 +473,13 @@ namespace samara
                         const std::vector<Stage>  &base,
                         const std::vector<double> &base_q,
                         StepDifference            &difference);
+    /** What the neighbour, @p epsilon away, ends with, less what the step does. */
+    void measure_neighbour(double                      h,
+                           double                      epsilon,
+                           const std::vector<Stage>   &base,
+                           const std::vector<double>  &base_q,
+                           const std::vector<Vector6> &u,
+                           StepDifference             &difference) const;
     /** Velocities that the constraints allow at the end, and those that drives enforce there. */
     void project_neighbour(const State &state, double h, StepDifference &difference);
     /** Derivatives of the residuals and excesses by α, times @p epsilon; @p v are stresses. */

@@ -25,7 +25,7 @@ namespace samara
     Field               resolved_at_end; ///< the same by its end; empty where that makes no difference
     std::vector<double> load, load_rate; ///< of the loads between the stages, and its rate; empty: there is nothing
     std::vector<double> driven;          ///< twists of all nodes, the ground's too, that prescribed motions enforce
-    std::vector<double> states; ///< ∂z/∂α of states of first order, zero of those that do not count; empty: none does
+    std::vector<double> states; ///< ∂z/∂α of all states of first order, by those that count; empty: none does
   };
 
 
@@ -37,8 +37,9 @@ namespace samara
    *
    *     e₁ = √(α² + φ² (h/τ)²) √(|δq|² + τ² |δv|²)         the neighbour in α; δv the rate of δq from step to step
    *     e₂ = κ/(4(2s+1)) (h|Ω|)^{2s+1} max(ℓ, |v|/|Ω|)     steady rotation, of which the neighbour says nothing; Ω
-   * relative to prescribed rotations, which are exact at the ends of steps e₃ = max(|δq|, τ |δv|) response to what
-   * loads do between the stages
+   *                                                        relative to prescribed rotations, which are exact at the
+   *                                                        ends of steps
+   *     e₃ = max(|δq|, τ |δv|)                             response to what loads do between the stages
    *
    * τ is the time scale of the motion that carries the error: of δq over δv, or of δv over its rate, if that is longer
    * and not longer than what strains. All are means over about a period, with a memory of exp(−t/2τ); so are δq and δv
