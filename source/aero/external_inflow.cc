@@ -2,6 +2,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <map>
+
 namespace samara
 {
   void
@@ -29,7 +31,10 @@ namespace samara
     try
       {
         for (const auto &[state, unit] : names_of_states(model))
-          states.push_back(model.add_state(name + ", " + state, unit, 0., 0.1));
+          {
+            states.push_back(model.add_state(name + ", " + state, unit, 0., 0.1));
+            units.push_back(unit);
+          }
       }
     catch (const std::invalid_argument &problem)
       {
@@ -48,6 +53,23 @@ namespace samara
     Inflow::connect(layout);
     layout.couple(block, {}, {}, {}, states);
     layout.add(*this, *this);
+  }
+
+
+
+  std::vector<CountedStates>
+  ExternalInflow::counted_states() const
+  {
+    std::map<std::string, CountedStates> of_unit;
+    for (unsigned int k = 0; k < states.size(); ++k)
+      {
+        of_unit[units[k]].states.push_back(states[k]);
+        of_unit[units[k]].metric.push_back(1.);
+      }
+    std::vector<CountedStates> groups;
+    for (auto &[unit, group] : of_unit)
+      groups.push_back(std::move(group));
+    return groups;
   }
 
 

@@ -30,7 +30,7 @@ namespace samara
             apparent_mass,
             "Of the mean flow, divided by density, area and radius of the disk: 8/(3 pi) is that of a rigid disk, "
             "128/(75 pi) the other one of Pitt and Peters; the less, the sooner inflow follows thrust [1].",
-            dealii::Patterns::Double(1e-6));
+            dealii::Patterns::Double(1e-12));
   }
 
 
@@ -280,6 +280,18 @@ namespace samara
                           text(std::acos(std::clamp(e3(2), -1., 1.)) * 180 / M_PI) +
                           " deg: <Ground effect> is that of a disk that is parallel to the ground"});
     return result;
+  }
+
+
+
+  std::vector<CountedStates>
+  MomentumInflow::counted_states() const
+  {
+    CountedStates group;
+    group.states = states;
+    for (unsigned int k = 0; k < states.size(); ++k)
+      group.metric.push_back(theory.apparent_mass[k] / theory.load_weights[k]);
+    return {group};
   }
 
 

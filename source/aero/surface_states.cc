@@ -114,4 +114,38 @@ namespace samara
         name + ", inflow " + axis + at, "m/s", element.lags.size() == station.first_flow ? flow.initial : 0., 1.));
     flow.add_station(element.lags[station.first_flow], r, station.width * station.weight);
   }
+
+
+
+  std::vector<CountedStates>
+  Surface::counted_states() const
+  {
+    CountedStates of_lags, angles, separations, flows;
+    const auto    add = [](CountedStates &group, const unsigned int state, const double metric) {
+      group.states.push_back(state);
+      group.metric.push_back(metric);
+    };
+    for (const auto &element : elements)
+      for (const auto &station : element.stations)
+        {
+          const double chord = station.section.chord, area = chord * station.weight;
+          const auto   state = [&](const unsigned int i) { return element.lags[station.first_lag + i]; };
+          for (unsigned int i = 0; i < lags::n && i < states_of(unsteady); ++i)
+            add(of_lags, state(i), chord * area);
+          if (unsteady == Unsteady::dynamic_stall)
+            {
+              add(angles, state(lags::n), area);
+              add(separations, state(lags::n + 1), area);
+            }
+          for (unsigned int i = 0; i < AnnularMomentum::n_states && annular != nullptr; ++i)
+            add(flows,
+                element.lags[station.first_flow + i],
+                station.weight * station.width * on_disk(station, element).head<2>().norm());
+        }
+    std::vector<CountedStates> groups;
+    for (auto *const group : {&of_lags, &angles, &separations, &flows})
+      if (!group->states.empty())
+        groups.push_back(std::move(*group));
+    return groups;
+  }
 } // namespace samara

@@ -313,10 +313,27 @@ namespace samara
   AirLoads
   Surface::air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const
   {
+    return air_loads_at(state.point(), centre, carried);
+  }
+
+
+
+  AirPower
+  Surface::air_power(const Point<double> &point) const
+  {
+    const AirLoads loads = air_loads_at(point, Vector3::Zero(), Vector3::Zero());
+    return {loads.induced, loads.profile};
+  }
+
+
+
+  AirLoads
+  Surface::air_loads_at(const Point<double> &point, const Vector3 &centre, const Vector3 &carried) const
+  {
     AirLoads sum;
     for (const auto &element : elements)
       {
-        const auto &all = at_element(element, state.point());
+        const auto &all = at_element(element, point);
         for (unsigned int i = 0; i < element.stations.size(); ++i)
           {
             const Station &station = element.stations[i];

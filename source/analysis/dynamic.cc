@@ -22,16 +22,15 @@ namespace samara
     const bool is_picture =
       output.pictures != nullptr && state.time >= output.next_picture - 1e-9 * (end_time - start_time);
     if (output.energies != nullptr)
-      output.energies->add({state.time,
-                            budget.kinetic,
-                            budget.strain,
-                            budget.potential,
-                            budget.loads,
-                            budget.drives,
-                            budget.viscous,
-                            budget.friction,
-                            budget.dissipated,
-                            budget.balance()});
+      {
+        std::vector<double> row = {state.time, budget.kinetic, budget.strain, budget.potential, budget.loads};
+        if (output.has_air)
+          row.push_back(budget.air.on_model);
+        row.insert(row.end(), {budget.drives, budget.viscous, budget.friction, budget.dissipated, budget.balance()});
+        if (output.has_air)
+          row.insert(row.end(), {budget.air.induced, budget.air.profile});
+        output.energies->add(row);
+      }
     // every few rows: it costs the strains of the beams
     if (n_recorded++ % 16 == 0 || is_end(state.time))
       meshes.check(context, state, "dynamic, t = " + short_text(state.time) + " s");
@@ -100,7 +99,8 @@ namespace samara
     // loads with a potential do the work that it loses
     const auto   energy    = step.energy ? *step.energy : context.system.energy(state);
     const double potential = context.system.potential_energy(state.point());
-    budget.loads += step.work_of_loads + potential - budget.potential;
+    budget.loads += step.work_of_loads - step.air.on_model + potential - budget.potential;
+    budget.air.add(1, step.air);
     budget.drives += step.work_of_drives;
     budget.viscous += step.viscous_loss;
     budget.friction += step.friction_loss;

@@ -23,6 +23,7 @@ namespace samara
                                   const Checkpoint *const last)
     : next_picture(start)
     , needs(context.probes)
+    , has_air(!AirOfSystem(context.system).is_empty())
   {
     if (context.folder.empty())
       return;
@@ -35,30 +36,24 @@ namespace samara
     for (const auto &probe : context.probes)
       columns.emplace_back(probe.name, probe.unit);
     history = std::make_unique<History>(context.folder, "dynamic", columns, after, n_rows("dynamic"));
-    energies =
-      std::make_unique<History>(context.folder,
-                                "dynamic_energy",
-                                std::vector<std::pair<std::string, std::string>>{{"t", "s"},
-                                                                                 {"kinetic", "J"},
-                                                                                 {"strain", "J"},
-                                                                                 {"potential", "J"},
-                                                                                 {"work of loads", "J"},
-                                                                                 {"work of drives", "J"},
-                                                                                 {"damper loss", "J"},
-                                                                                 {"friction loss", "J"},
-                                                                                 {"numerical dissipation", "J"},
-                                                                                 {"balance", "J"}},
-                                after,
-                                n_rows("dynamic_energy"));
-    steps = std::make_unique<History>(context.folder,
+    columns = {{"t", "s"}, {"kinetic", "J"}, {"strain", "J"}, {"potential", "J"}, {"work of loads", "J"}};
+    if (has_air)
+      columns.emplace_back("work of air", "J");
+    for (const auto name : {"work of drives", "damper loss", "friction loss", "numerical dissipation", "balance"})
+      columns.emplace_back(name, "J");
+    if (has_air) // where it went; no part of the balance
+      for (const auto name : {"induced work", "profile work"})
+        columns.emplace_back(name, "J");
+    energies = std::make_unique<History>(context.folder, "dynamic_energy", columns, after, n_rows("dynamic_energy"));
+    steps    = std::make_unique<History>(context.folder,
                                       "dynamic_steps",
                                       std::vector<std::pair<std::string, std::string>>{{"t", "s"},
-                                                                                       {"step", "s"},
-                                                                                       {"iterations", ""},
-                                                                                       {"factorizations", ""},
-                                                                                       {"rejections", ""},
-                                                                                       {"estimate", ""},
-                                                                                       {"second estimate", ""}},
+                                                                                          {"step", "s"},
+                                                                                          {"iterations", ""},
+                                                                                          {"factorizations", ""},
+                                                                                          {"rejections", ""},
+                                                                                          {"estimate", ""},
+                                                                                          {"second estimate", ""}},
                                       after,
                                       n_rows("dynamic_steps"));
     if (context.pictures && analysis.n_pictures > 0)
@@ -86,6 +81,9 @@ namespace samara
   DynamicAnalysis::remembered_numbers()
   {
     return {{"work of loads", &budget.loads},
+            {"work of air", &budget.air.on_model},
+            {"induced work", &budget.air.induced},
+            {"profile work", &budget.air.profile},
             {"work of drives", &budget.drives},
             {"damper loss", &budget.viscous},
             {"friction loss", &budget.friction},

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <unordered_set>
 
 namespace samara
 {
@@ -36,6 +37,35 @@ namespace samara
       for (unsigned int i = 6; i < state.y.size(); i += 6)
         square = std::max(square, Eigen::Map<const Vector3>(&state.y[i + 3]).squaredNorm());
       return std::sqrt(square);
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /** Of states of first order that adaptive steps know nothing of. */
+    void
+    warn_of_states(const Context &context)
+    {
+      const Model                     &model = context.system.model;
+      std::unordered_set<unsigned int> known;
+      for (const CountedStates &group : counted_states(model))
+        known.insert(group.states.begin(), group.states.end());
+      const unsigned int others = model.states.size() - known.size();
+      if (others == 0)
+        return;
+      unsigned int first = 0;
+      while (known.count(first) > 0)
+        ++first;
+      context.log.warning(
+        "dynamic",
+        "adaptive steps are chosen by what moves, by states of the air and by states with a <Weight>, and so is the "
+        "error that is told: " +
+          (others == 1 ? "the state <" + model.states[first].name + "> does" :
+                         std::to_string(others) + " other states of first order, <" + model.states[first].name +
+                           "> among them, do") +
+          " not count. Let the <Largest step> be small beside what they follow");
     }
   } // namespace
 
@@ -401,11 +431,8 @@ namespace samara
     Complaints complaints;
     check(context.sweep, complaints);
     complaints.throw_if_any();
-    if (control == "adaptive" && context.system.layout.n_states > 0)
-      context.log.warning(
-        "dynamic",
-        "adaptive steps are chosen by what moves, and so is the error that is told: states of first order do not "
-        "count. Let the <Largest step> be small beside what they follow");
+    if (control == "adaptive")
+      warn_of_states(context);
     report     = {};
     budget     = {};
     contacts   = {};

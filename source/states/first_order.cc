@@ -15,6 +15,12 @@ namespace samara
             scale,
             "Size of the state, in its unit, below which its changes do not count for convergence.",
             dealii::Patterns::Double(1e-300));
+    prm.add(
+      "Weight",
+      weight,
+      "How much relative errors of the state count for adaptive steps, beside those of positions over the length: "
+      "1 as much, 0 not at all [1].",
+      dealii::Patterns::Double(0));
     const auto own_unit = [this](const Quantities &quantities) {
       const std::string given = quantities.signals.unit_of_state(name);
       return given.empty() ? "1" : "(" + given + ")";

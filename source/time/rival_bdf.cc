@@ -242,9 +242,8 @@ namespace samara
         unpack(std::min(reached, last_time), N_VGetArrayPointer(i.z), now);
         const rivals::Powers next = rivals::powers(system, now);
         const double         half = 0.5 * (reached - time);
-        work_done.loads += half * (power.loads + next.loads);
-        work_done.drives += half * (power.drives + next.drives);
-        work_done.viscous += half * (power.viscous + next.viscous);
+        work_done.add(half, power);
+        work_done.add(half, next);
         if (flag == IDA_TSTOP_RETURN)
           return true;
         power = next;

@@ -479,8 +479,9 @@ namespace samara
     after.rates = f.rates;
     system.stresses(after, after.stress);
     // powers of the mean motion
-    const rivals::Powers work = rivals::powers(system, f.mean);
-    rivals::account(system, state, after, {h * work.loads, h * work.drives, h * work.viscous}, result);
+    rivals::Powers work;
+    work.add(h, rivals::powers(system, f.mean));
+    rivals::account(system, state, after, work, result);
     state = after;
     ++n_steps;
     return result;

@@ -172,6 +172,8 @@ namespace samara
       for (unsigned int i = 0; i < layout.n_coordinates; ++i)
         result.loads -= force[layout.of_coordinate(i)] * state.rates[i];
 
+      result.air = AirOfSystem(system).powers(state.point());
+
       // a constraint does the work −λ·Gy = λ·∂g/∂t
       const std::vector<bool> is_active = active_multipliers(system);
       std::vector<double>     time_rates(layout.n_multipliers);
@@ -190,6 +192,7 @@ namespace samara
       const auto start = system.energy(before), end = system.energy(after);
       result.work_of_loads =
         work.loads + system.potential_energy(before.point()) - system.potential_energy(after.point());
+      result.air            = work.air;
       result.work_of_drives = work.drives;
       result.viscous_loss   = work.viscous;
       result.dissipated     = start.kinetic + start.strain - end.kinetic - end.strain + result.work_of_loads +
@@ -202,12 +205,10 @@ namespace samara
     account(const System &system, const State &before, const State &after, StepResult &result)
     {
       const double h = after.time - before.time;
-      const Powers a = powers(system, before), b = powers(system, after);
-      account(system,
-              before,
-              after,
-              {0.5 * h * (a.loads + b.loads), 0.5 * h * (a.drives + b.drives), 0.5 * h * (a.viscous + b.viscous)},
-              result);
+      Powers       work;
+      work.add(0.5 * h, powers(system, before));
+      work.add(0.5 * h, powers(system, after));
+      account(system, before, after, work, result);
     }
 
 

@@ -39,6 +39,8 @@ namespace samara
     , mode_weights(tableau.w.transpose() * tableau.b.cwiseProduct(tableau.p))
     , no_multipliers(system.layout.n_multipliers, 0.)
     , contacts(system, this->tableau)
+    , air(system)
+    , counted(counted_states(system.model))
   {
     const Layout      &layout = system.layout;
     const unsigned int n      = system.size();

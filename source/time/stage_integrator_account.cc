@@ -46,6 +46,8 @@ namespace samara
         system.add_loads(stages[k].point(), force.data());
         result.work_of_loads -= h * tableau.b(k) * power(stages[k]);
       }
+    for (unsigned int k = 0; k < tableau.s && !air.is_empty(); ++k)
+      result.air.add(h * tableau.b(k), air.powers(stages[k].point()));
   }
 
 

@@ -4,6 +4,8 @@
 // method, the rank-one matrix of the family times the highest modes of the rates (doc/theory/step_control.md):
 //
 //     ∂r_k/∂α = −(w p)_k/(2(2s−1)) M u + B₀ᵀ C h p_k/(2(2s−1)) v,     u = Σ b_k p_k ẏ_k,  v = Σ b_k p_k ė_k
+//
+// and −(w p)_k/(2(2s−1)) Σ b_k p_k ż_k in the rows of the states of first order that count (CountedStates).
 
 #include <samara/time/stage_integrator.h>
 
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace samara
 {
@@ -99,7 +102,36 @@ namespace samara
             stage.excess[i] += stress_increment[i];
           }
         strains_in_matrix(k).add_forces(stress_increment.data(), stage.residual.data());
+        for (unsigned int i = 0; i < state_modes.size(); ++i)
+          stage.residual[system.layout.of_state(i)] -= epsilon * w_p(k) * state_modes[i];
       }
+  }
+
+
+
+  double
+  StageIntegrator::find_state_modes(const State &state, const double h)
+  {
+    state_modes.clear();
+    double       largest = 0;
+    const double factor  = 1 / (2 * (2. * tableau.s - 1));
+    for (const CountedStates &group : counted)
+      if (group.weight > 0)
+        {
+          state_modes.resize(system.layout.n_states, 0.);
+          double change = 0, size = 0;
+          for (unsigned int i = 0; i < group.states.size(); ++i)
+            {
+              const unsigned int j = group.states[i];
+              for (unsigned int k = 0; k < tableau.s; ++k)
+                state_modes[j] += factor * tableau.b(k) * tableau.p(k) * stages[k].state_rates[j];
+              change += group.metric[i] * std::pow(h * state_modes[j], 2);
+              size += group.metric[i] * std::pow(std::max(std::abs(state.states[j]), system.model.states[j].scale), 2);
+            }
+          if (size > 0)
+            largest = std::max(largest, std::sqrt(change / size));
+        }
+    return largest;
   }
 
 
@@ -148,12 +180,17 @@ namespace samara
     squares += 2 * system.strain_energy(strain_increment.data());
     difference.neighbour.displacement.assign(6 * (n_nodes - 1), 0.);
     difference.neighbour.rate.assign(6 * n_nodes, 0.);
-    if (!(squares > 0))
+    const double of_states = find_state_modes(state, h);
+    difference.states.assign(state_modes.size(), 0.);
+    if (!(squares > 0) && !(of_states > 0))
       return true;
 
     // Newton's method for the neighbour, a little way off
-    const double epsilon = perturbation * std::sqrt(2 * std::max(kinetic_energy, energy_scale) / squares);
-    double       total = 0, size = 0;
+    double epsilon = std::numeric_limits<double>::infinity(), total = 0, size = 0;
+    if (squares > 0)
+      epsilon = perturbation * std::sqrt(2 * std::max(kinetic_energy, energy_scale) / squares);
+    if (of_states > 0)
+      epsilon = std::min(epsilon, perturbation / of_states);
     for (unsigned int sweep = 0; sweep < most_sweeps && (sweep < 2 || size > good_enough * total); ++sweep)
       {
         if (sweep > 0)
@@ -172,9 +209,23 @@ namespace samara
         total += size;
       }
     move_stages(state, h);
+    measure_neighbour(h, epsilon, base, base_q, u, difference);
+    return size <= 0.5 * total;
+  }
 
-    const double of_start = final_weights.dot(tableau.p);
-    for (unsigned int node = 1; node < n_nodes; ++node)
+
+
+  void
+  StageIntegrator::measure_neighbour(const double                h,
+                                     const double                epsilon,
+                                     const std::vector<Stage>   &base,
+                                     const std::vector<double>  &base_q,
+                                     const std::vector<Vector6> &u,
+                                     StepDifference             &difference) const
+  {
+    const unsigned int s        = tableau.s;
+    const double       of_start = final_weights.dot(tableau.p);
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         const Eigen::Map<const Vector3> x(&final_q[12 * node]), x_base(&base_q[12 * node]);
         const Eigen::Map<const Matrix3> D(&final_q[12 * node + 3]), D_base(&base_q[12 * node + 3]);
@@ -186,7 +237,12 @@ namespace samara
           y += final_weights(k) / epsilon *
                (Eigen::Map<const Vector6>(&stages[k].y[6 * node]) - Eigen::Map<const Vector6>(&base[k].y[6 * node]));
       }
-    return size <= 0.5 * total;
+    for (unsigned int i = 0; i < state_modes.size(); ++i)
+      {
+        difference.states[i] = -of_start * h * state_modes[i];
+        for (unsigned int k = 0; k < s; ++k)
+          difference.states[i] += final_weights(k) / epsilon * (stages[k].states[i] - base[k].states[i]);
+      }
   }
 
 

@@ -84,7 +84,8 @@ namespace samara
 
 
   StepError::StepError(const System &system, const Tableau &tableau)
-    : system(system)
+    : of_states(system, tableau)
+    , system(system)
     , tableau(tableau)
     , relation(tableau)
   {
@@ -240,6 +241,7 @@ namespace samara
     std::swap(all, next_all);
     std::swap(resolved, next_resolved);
     std::swap(resolved_at_end, next_resolved_at_end);
+    of_states.accept();
   }
 
 
@@ -256,6 +258,8 @@ namespace samara
         values.push_back(scale->last.size());
         values.insert(values.end(), scale->last.begin(), scale->last.end());
       }
+    const std::vector<double> states = of_states.memory();
+    values.insert(values.end(), states.begin(), states.end());
     return values;
   }
 
@@ -274,5 +278,6 @@ namespace samara
         scale->last.assign(next, next + size);
         next += size;
       }
+    of_states.set_memory(next);
   }
 } // namespace samara

@@ -390,6 +390,7 @@ namespace samara
                             integrator.family()->alpha * result.step.indicator,
                             controller->E_ref,
                             controller->remaining(trial.time));
+    estimate = std::max(estimate, controller->size * error->of_states.of_step(trial, result.step.difference.states, h));
     const auto decision = controller->decide({estimate, result.step.indicator, result.step.work_defect}, h);
     if (!decision.accept)
       {

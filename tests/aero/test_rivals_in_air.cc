@@ -103,6 +103,38 @@ TEST(RivalsInAir, HaveTheirOrders)
 
 
 
+// Their accounts tell the work of the air by quadrature of its power: here all that loads do.
+TEST(RivalsInAir, TellTheWorkOfAir)
+{
+  const Trial  trial(blade_in_wind());
+  const double T    = 0.05;
+  const auto   work = [&](Integrator &integrator, const unsigned int n) {
+    State     state = trial.start;
+    WorkOfAir sum;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const StepResult result = integrator.step(state, T / n);
+        EXPECT_TRUE(result.converged);
+        EXPECT_NEAR(result.air.on_model, result.work_of_loads, 1e-9 * std::abs(result.work_of_loads));
+        sum.add(1, result.air);
+      }
+    return sum;
+  };
+  StageIntegrator family(trial.scene.system, Tableau(3, 1.), 1e-12);
+  const WorkOfAir exact = work(family, 50);
+  for (const std::string &name : rival_names())
+    {
+      SCOPED_TRACE(name);
+      const auto      rival = make_rival(name, trial.scene.system, settings(0.5, 1e-7));
+      const WorkOfAir sum   = work(*rival, 100);
+      EXPECT_NEAR(sum.on_model, exact.on_model, 1e-2 * std::abs(exact.on_model));
+      EXPECT_NEAR(sum.induced, exact.induced, 1e-2 * std::abs(exact.induced));
+      EXPECT_NEAR(sum.profile, exact.profile, 1e-2 * std::abs(exact.profile));
+    }
+}
+
+
+
 TEST(RivalsInAir, SayThatTheyKnowNoLags)
 {
   const Scene scene(blade_in_wind("two lags").text);

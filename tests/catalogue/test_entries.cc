@@ -402,7 +402,11 @@ TEST_F(Catalogued, States)
   check("first order",
         model,
         "States/it",
-        {{"Rate", "3*sin(t) - it"}, {"Initial", "0.7"}, {"Unit", "m"}, {"Scale", "1e6"}});
+        {{"Rate", "3*sin(t) - it"},
+         {"Initial", "0.7"},
+         {"Unit", "m"},
+         {"Scale", "1e6"},
+         {"Weight", "1", {"Dynamic/Step control = adaptive"}}});
 }
 
 

@@ -224,3 +224,37 @@ TEST(FirstOrderStates, ReactionsOfWhatTheyDrive)
   EXPECT_NEAR(force(false), -200 * std::sin(10.), 1e-2);
   EXPECT_NEAR(force(true), force(false), 1e-3);
 }
+
+
+
+// The first guess of a step is the polynomial through the start and the stages of the one before: where the states are
+// one, here z = t², it is the solution, and Newton's method has nothing to do, however nonlinear their rates are.
+TEST(FirstOrderStates, ArePredicted)
+{
+  const Scene scene(on_a_slide("subsection z\n set Rate = 2*t - 30*(exp(z - t^2) - 1)\n end\n", "set Force = 3 N"));
+  for (const auto &[s, rho] : {std::pair(2u, 1.), {3u, 1.}, {3u, 0.}})
+    {
+      SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
+      unsigned int iterations[2] = {0, 0};
+      for (const bool forgets : {false, true})
+        {
+          StageIntegrator integrator(scene.system, Tableau(s, rho), 1e-12);
+          State           state = started(scene.system);
+          for (unsigned int i = 0; i < 8; ++i)
+            {
+              if (forgets)
+                integrator.forget_history();
+              const StepResult result = integrator.step(state, i % 3 == 1 ? 0.07 : 0.1); // steps may change
+              ASSERT_TRUE(result.converged);
+              EXPECT_NEAR(state.states[0], state.time * state.time, 1e-11);
+              if (i > 0)
+                iterations[forgets] += result.iterations;
+              if (i > 0 && !forgets)
+                {
+                  EXPECT_LE(result.iterations, 2u);
+                }
+            }
+        }
+      EXPECT_GE(iterations[true], 2 * iterations[false]);
+    }
+}

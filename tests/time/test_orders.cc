@@ -6,9 +6,10 @@
 // much less than it should be: where the leading term is not yet all there is, orders may be higher, or lower by the
 // next term. (With ρ∞ = 0.1 instead of ½ that is the case earlier.)
 
+#include "../debug.h"
+#include "../states/scenes.h"
 #include <gtest/gtest.h>
 
-#include "../debug.h"
 #include "systems.h"
 
 using namespace samara;
@@ -61,7 +62,8 @@ namespace
       EXPECT_GT(order, expected - 1);
   }
 
-  /** What is reported: places, projected velocities, reactions, section forces, each at T/4, T/2, 3T/4 and T. */
+  /** What is reported: places, projected velocities, reactions, section forces, states of first order and their rates,
+   * each at T/4, T/2, 3T/4 and T. */
   using Report = std::map<std::string, std::vector<double>>;
 
   Report
@@ -81,7 +83,9 @@ namespace
         for (const auto &[name, values] : {std::pair("places", end.q),
                                            {"velocities", end.y},
                                            {"reactions", end.multipliers},
-                                           {"section forces", end.stress}})
+                                           {"section forces", end.stress},
+                                           {"states", end.states},
+                                           {"rates of states", end.state_rates}})
           report[name].insert(report[name].end(), values.begin(), values.end());
       }
     return report;
@@ -90,14 +94,13 @@ namespace
 
 
 
-TEST(Orders, OfWhatIsReported)
+namespace
 {
-  for_all_systems([&](const MovingSystem &what, const System &system, const State &start) {
-    if (what.T == 0)
-      return;
-    // the same error a little later is farther above round-off
-    const double later    = what.name.find("crank") == 0 ? 1.5 * what.T : what.T;
-    const Report at_T     = reported(system, start, Tableau(3, 1.), 128, what.T),
+  /** @p later: with the sixth order, as the same error a little later is farther above round-off. */
+  void
+  expect_orders_of_reports(const System &system, const State &start, const double T, const double later)
+  {
+    const Report at_T     = reported(system, start, Tableau(3, 1.), 128, T),
                  at_later = reported(system, start, Tableau(3, 1.), 128, later);
     for (const unsigned int s : {1, 2, 3})
       for (const double rho : is_debug ? std::vector<double>{0.1} : std::vector<double>{1, 0.1, 0})
@@ -107,7 +110,7 @@ TEST(Orders, OfWhatIsReported)
           const Report                              &exact    = is_later ? at_later : at_T;
           std::map<std::string, std::vector<double>> errors;
           for (const unsigned int n : numbers_of_steps(tableau))
-            for (const auto &[name, values] : reported(system, start, tableau, n, is_later ? later : what.T))
+            for (const auto &[name, values] : reported(system, start, tableau, n, is_later ? later : T))
               errors[name].push_back(distance(values, exact.at(name)));
           for (const auto &[name, e] : errors)
             {
@@ -118,7 +121,30 @@ TEST(Orders, OfWhatIsReported)
                 expect_order(e, name == "places" ? 5e-14 : 5e-13, order_of(tableau));
             }
         }
+  }
+} // namespace
+
+
+
+TEST(Orders, OfWhatIsReported)
+{
+  for_all_systems([&](const MovingSystem &what, const System &system, const State &start) {
+    if (what.T > 0)
+      expect_orders_of_reports(system, start, what.T, what.name.find("crank") == 0 ? 1.5 * what.T : what.T);
   });
+}
+
+
+
+// Loads and reactions that depend on states of first order, and the states themselves.
+TEST(Orders, OfWhatIsReportedWithStates)
+{
+  for (const auto &[text, T] : {std::pair(oscillator_with_lag(), 0.6), {top_with_controls(), 0.3}})
+    {
+      SCOPED_TRACE(text);
+      const Scene scene(text);
+      expect_orders_of_reports(scene.system, start_of({"", text, 0, T}, scene.system), T, T);
+    }
 }
 
 

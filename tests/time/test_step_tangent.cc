@@ -150,6 +150,69 @@ TEST(StepTangent, WithStatesOfFirstOrder)
 
 
 
+// An oscillator with a lag is linear: the step itself and its tangent are those of the tableau, in dense matrices.
+//
+//     m ẏ = −k e − c y − f z,     ż = (x − z)/T;     y, z and e on a_α, x on a
+TEST(StepTangent, OfAnOscillatorWithALagIsThatOfTheTableau)
+{
+  const double  m = 2, k = 50, c = 3, f = 20, T = 0.15, h = 0.07;
+  const Scene   scene(on_a_slide("subsection lag\n set Rate = (slide.displacement - lag)/(0.15 s)\n"
+                                 " set Initial = 0.4\n end\n",
+                               "set Spring = 50\n set Damper = 3\n set Force = -20 N*lag"));
+  const System &system  = scene.system;
+  const Layout &layout  = system.layout;
+  const int     place[] = {layout.of_node(1) + 2, layout.of_coordinate(0)}, lag = layout.of_state(0);
+  for (const unsigned int s : {1, 2, 3})
+    for (const double rho : {1., 0.5, 0.})
+      {
+        SCOPED_TRACE("s = " + std::to_string(s) + ", rho = " + std::to_string(rho));
+        const Tableau         tableau(s, rho);
+        const Eigen::MatrixXd one  = Eigen::MatrixXd::Identity(s, s);
+        const Eigen::VectorXd ones = Eigen::VectorXd::Ones(s), w_b = tableau.w.transpose() * tableau.b;
+        Eigen::MatrixXd       J(2 * s, 2 * s), right(2 * s, 3); // of x, y, z at the start
+        J << m / h * tableau.w + k * h * tableau.a_alpha + c * one, f * one, -h / T * tableau.a,
+          tableau.w / h + one / T;
+        right << -k * ones, m / h * tableau.w * ones, 0 * ones, ones / T, 0 * ones, tableau.w * ones / h;
+        const Eigen::MatrixXd stages = J.fullPivLu().solve(right);
+        Eigen::Matrix3d       map    = Eigen::Matrix3d::Identity();
+        map.row(0) += h * tableau.b.transpose() * stages.topRows(s);
+        map.row(1) *= 1 - w_b.sum();
+        map.row(1) += w_b.transpose() * stages.topRows(s);
+        map.row(2) *= 1 - w_b.sum();
+        map.row(2) += w_b.transpose() * stages.bottomRows(s);
+
+        StageIntegrator integrator(system, tableau, tolerance);
+        State           start = system.reference();
+        system.add_initial_velocities(start);
+        Projection(system).velocities(start);
+        State end = start;
+        ASSERT_TRUE(integrator.step(end, h).converged);
+        const Eigen::Vector3d expected = map * Eigen::Vector3d(0, 1, 0.4);
+        EXPECT_NEAR(end.coordinates[0], expected(0), 1e-13);
+        EXPECT_NEAR(end.y[6 + 2], expected(1), 1e-12);
+        EXPECT_NEAR(end.states[0], expected(2), 1e-13);
+
+        const auto tangent = integrator.linearize(start);
+        const int  v       = tangent->first_velocity();
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            std::vector<double> x(tangent->size(), 0.);
+            for (const int i : place)
+              (j == 0 ? x[i] : x[v + i]) = j < 2;
+            x[lag] = j == 2;
+            tangent->apply(x.data());
+            for (const int i : place)
+              {
+                EXPECT_NEAR(x[i], map(0, j), 1e-12);
+                EXPECT_NEAR(x[v + i], map(1, j), 1e-12 * map.row(1).cwiseAbs().maxCoeff());
+              }
+            EXPECT_NEAR(x[lag], map(2, j), 1e-12);
+          }
+      }
+}
+
+
+
 // What keeps the energy of nonlinear springs is no part of the tangent: better none than one without it.
 TEST(StepTangent, RefusesNonlinearSprings)
 {

@@ -2,6 +2,7 @@
 #define samara_aero_external_inflow_h
 
 #include <samara/aero/inflow.h>
+#include <samara/model/counted_states.h>
 
 namespace samara
 {
@@ -20,7 +21,7 @@ namespace samara
    *
    * HelicalWake is an example. How to register a kind: doc/theory/aerodynamics.md, "A wake of one's own".
    */
-  class ExternalInflow : public Inflow, public Evaluated<ExternalInflow, StateEquation>
+  class ExternalInflow : public Inflow, public Evaluated<ExternalInflow, StateEquation>, public HasCountedStates
   {
   public:
     template <typename Number>
@@ -36,6 +37,9 @@ namespace samara
     {
       return false;
     }
+
+    /** States of one unit together. */
+    std::vector<CountedStates> counted_states() const override;
 
     /** A, column by column, 3 numbers for each state. @{ */
     virtual void velocities(const Vec3<double> &x, const Flow<double> &flow, double *A) const    = 0;
@@ -93,8 +97,9 @@ namespace samara
     virtual std::vector<std::pair<std::string, std::string>> names_of_states(Model &model) = 0;
 
   private:
-    double time_constant = 0.1;
-    Block  block; ///< states
+    double                   time_constant = 0.1;
+    Block                    block; ///< states
+    std::vector<std::string> units; ///< of the states
   };
 
   extern template class Evaluated<ExternalInflow, StateEquation>;

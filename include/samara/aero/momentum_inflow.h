@@ -3,7 +3,10 @@
 
 #include <samara/aero/finite_state.h>
 #include <samara/aero/inflow.h>
+#include <samara/model/counted_states.h>
 #include <samara/model/doubts.h>
+
+#include <cmath>
 
 namespace samara
 {
@@ -14,7 +17,10 @@ namespace samara
    * Momentum theory has no stream tube where the rotor descends into its own wake, −2 < λ_f/ν_h < 0 with ν_h the flow
    * of hover under the same thrust: results are smooth there and not to be trusted, and there is a doubt beyond −0.3.
    */
-  class MomentumInflow : public Inflow, public Evaluated<MomentumInflow, StateEquation>, public Doubtful
+  class MomentumInflow : public Inflow,
+                         public Evaluated<MomentumInflow, StateEquation>,
+                         public Doubtful,
+                         public HasCountedStates
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -27,6 +33,9 @@ namespace samara
     void damping(const Point<double> &point, SparseMatrix &C) const override;
 
     std::vector<Doubt> doubts(const State &state) const override;
+
+    /** By the energy of the air, ½ρR³ Σ M_k z_k²/load_weights[k]. */
+    std::vector<CountedStates> counted_states() const override;
 
   protected:
     virtual FiniteStateInflow make() const = 0;
@@ -63,7 +72,10 @@ namespace samara
 
 
 
-  /** The mean flow alone, of H. Glauert, with the time constant of a rigid disk. */
+  /**
+   * The mean flow alone, of H. Glauert. It follows the thrust with the time constant M R/(2 V_T), M its apparent mass:
+   * that of a rigid disk, or so small that momentum theory holds at once.
+   */
   class UniformInflow : public MomentumInflow
   {
   public:

@@ -4,7 +4,9 @@
 #include <samara/aero/annular_inflow.h>
 #include <samara/aero/external_inflow.h>
 #include <samara/aero/station.h>
+#include <samara/model/counted_states.h>
 #include <samara/model/doubts.h>
+#include <samara/model/load_of_air.h>
 #include <samara/model/moved.h>
 #include <samara/model/virtual_mass.h>
 
@@ -31,7 +33,13 @@ namespace samara
    *
    * Source: the paper, section 2.3; the lifting line and its derivatives are derived in doc/theory/aerodynamics.md.
    */
-  class Surface : public Item, public LoadedSurface, public VirtualMass, public MovesWithBodies, public Doubtful
+  class Surface : public Item,
+                  public LoadedSurface,
+                  public LoadOfAir,
+                  public HasCountedStates,
+                  public VirtualMass,
+                  public MovesWithBodies,
+                  public Doubtful
   {
   public:
     void                     add_parameters(Parameters &prm) override;
@@ -43,11 +51,18 @@ namespace samara
     void                     draw(const State &state, Drawing &drawing) const override;
 
     AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const override;
+    AirPower air_power(const Point<double> &point) const override;
     double   reach(const State &state, const Vector3 &centre, const Vector3 &axis) const override;
     void     add_virtual_mass(std::vector<Matrix6> &of_nodes) const override;
 
     /** Where the air is faster than the airfoils know. */
     std::vector<Doubt> doubts(const State &state) const override;
+
+    /**
+     * Lags by ½πρ(c/2)²ΔS x², the energy of the air that a section moves along; angles and places of separation by
+     * area; flows of an annular inflow by the area of the annulus.
+     */
+    std::vector<CountedStates> counted_states() const override;
 
     Frame
     carrier() const override
@@ -148,11 +163,13 @@ namespace samara
     };
     std::vector<Element> elements;
 
-    void    add_states(Station &station, Element &element);
-    void    add_flow(Station &station, Element &element, AnnularInflow &flow);
-    void    check_disk() const;
-    Vector3 on_disk(const Station &station, const Element &element) const;
-    void    find_virtual_mass(Element &element);
+    /** The loads of a surface in the state of a point; see air_loads(). */
+    AirLoads air_loads_at(const Point<double> &point, const Vector3 &centre, const Vector3 &carried) const;
+    void     add_states(Station &station, Element &element);
+    void     add_flow(Station &station, Element &element, AnnularInflow &flow);
+    void     check_disk() const;
+    Vector3  on_disk(const Station &station, const Element &element) const;
+    void     find_virtual_mass(Element &element);
 
     /** The loads, and all derivatives: those of the states' rates, too. */
     class Loads : public Evaluated<Loads, Force>

@@ -95,15 +95,16 @@ namespace samara
     /** Energies since the start [J]. */
     struct Budget
     {
-      double kinetic = 0, strain = 0, potential = 0;
-      double loads = 0, drives = 0, viscous = 0, friction = 0, dissipated = 0;
-      double start = 0; ///< kinetic + strain + potential energy at the start
+      double    kinetic = 0, strain = 0, potential = 0;
+      double    loads = 0, drives = 0, viscous = 0, friction = 0, dissipated = 0; ///< loads: but those of the air
+      WorkOfAir air;
+      double    start = 0; ///< kinetic + strain + potential energy at the start
 
       /** What does not close; round-off. */
       double
       balance() const
       {
-        return kinetic + strain + potential - start - loads - drives + viscous + friction + dissipated;
+        return kinetic + strain + potential - start - loads - air.on_model - drives + viscous + friction + dissipated;
       }
     };
     Budget budget;

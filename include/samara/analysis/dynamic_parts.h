@@ -18,6 +18,7 @@ namespace samara
     double                         next_picture = 0;
     bool                           is_massless  = false; ///< accelerations cannot be found; has been said
     ProbeNeeds                     needs;
+    const bool                     has_air;  ///< loads of it, which have columns of their own
     State                          reported; ///< the last one
 
     /** @p last: the checkpoint that the run goes on from, or none. */

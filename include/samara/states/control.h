@@ -1,6 +1,7 @@
 #ifndef samara_states_control_h
 #define samara_states_control_h
 
+#include <samara/model/counted_states.h>
 #include <samara/model/terms.h>
 
 namespace samara
@@ -11,7 +12,7 @@ namespace samara
    *
    * In statics it has the value that the file gives, (value − z)/(1 s) = 0.
    */
-  class Control : public Item, public Evaluated<Control, StateEquation>
+  class Control : public Item, public Evaluated<Control, StateEquation>, public HasCountedStates
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -25,6 +26,13 @@ namespace samara
 
     /** The control itself, "" for its path is its name, in its unit. */
     std::optional<Probe> probe(const std::string &path) const override;
+
+    /** Controls never decide on steps. */
+    std::vector<CountedStates>
+    counted_states() const override
+    {
+      return {{{number}, {1.}, 0.}};
+    }
 
   private:
     double      value = 0, scale = 1;

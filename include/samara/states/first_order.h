@@ -1,6 +1,7 @@
 #ifndef samara_states_first_order_h
 #define samara_states_first_order_h
 
+#include <samara/model/counted_states.h>
 #include <samara/model/response.h>
 
 namespace samara
@@ -9,7 +10,7 @@ namespace samara
    * A state of first order, ż = g with a law g of time, signals and states: a filter, a lag, an actuator, the integral
    * of a controller. Statics look for the z at which g vanishes (the paper has no such states; doc/theory/states.md).
    */
-  class FirstOrder : public Item, public Evaluated<FirstOrder, StateEquation>
+  class FirstOrder : public Item, public Evaluated<FirstOrder, StateEquation>, public HasCountedStates
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -27,9 +28,16 @@ namespace samara
     /** The state itself, "" for its path is its name, in its unit. */
     std::optional<Probe> probe(const std::string &path) const override;
 
+    /** With its weight, if there is one. */
+    std::vector<CountedStates>
+    counted_states() const override
+    {
+      return weight > 0 ? std::vector<CountedStates>{{{number}, {1.}, weight}} : std::vector<CountedStates>{};
+    }
+
   private:
     Law         rate;
-    double      initial = 0, scale = 1;
+    double      initial = 0, scale = 1, weight = 0;
     std::string unit;
 
     unsigned int              number = 0, row = 0;

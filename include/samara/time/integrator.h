@@ -3,6 +3,7 @@
 
 #include <samara/time/stage_stops.h>
 #include <samara/time/step_error.h>
+#include <samara/time/work_of_air.h>
 
 #include <optional>
 #include <string>
@@ -19,14 +20,15 @@ namespace samara
     double       dissipated = 0; ///< numerically, D ≥ 0
     double       indicator  = 0; ///< D/α, also for α = 0: how much there would be to dissipate; see wants_estimates
     double       work_of_loads = 0, viscous_loss = 0;
-    double       friction_loss   = 0; ///< of dry friction, not negative
-    double       work_of_drives  = 0; ///< of constraints that depend on time; zero to round-off for all others
-    double       work_defect     = 0; ///< Σ|N| of stops: what their energy would change by without correction
-    double       last_correction = 0; ///< size of the last Newton correction of velocities, relative
+    WorkOfAir    air;                     ///< part of the work of loads, and where it went
+    double       friction_loss    = 0;    ///< of dry friction, not negative
+    double       work_of_drives   = 0;    ///< of constraints that depend on time; zero to round-off for all others
+    double       work_defect      = 0;    ///< Σ|N| of stops: what their energy would change by without correction
+    double       last_correction  = 0;    ///< size of the last Newton correction of velocities, relative
     bool         is_finite        = true; ///< what acts; if not, the worst unknown is where it is not
     int          unresolved_state = -1;   ///< of first order, that the step does not resolve; -1: none
-    std::string  refusal; ///< why a step that Newton's method found is not accepted; empty: it is, or was not found
-    unsigned int worst           = 0; ///< unknown with the largest force left; if converged, with the most work left
+    std::string  refusal;   ///< why a step that Newton's method found is not accepted; empty: it is, or was not found
+    unsigned int worst = 0; ///< unknown with the largest force left; if converged, with the most work left
     int          worst_constraint =
       -1; ///< if converged, the multiplier with the largest force of those that act there; -1: none
 
@@ -34,7 +36,7 @@ namespace samara
 
     std::vector<Touch>       touches; ///< stops that were touched or left in the step
     std::vector<TouchedStop> touched_stops;
-    std::vector<double>      creep; ///< of Layout::frictions: way of slips so slow that they should stick [m]
+    std::vector<double>      creep;      ///< of Layout::frictions: way of slips so slow that they should stick [m]
     StepDifference           difference; ///< what it says about its error; see wants_estimates
   };
 

@@ -90,10 +90,20 @@ namespace samara
     /** Place of the largest of the first @p n numbers in absolute value. */
     unsigned int largest_of(const std::vector<double> &values, unsigned int n);
 
-    /** Power of loads, drives and dampers [W]. */
+    /** Power of loads, drives and dampers [W], or their work [J]; of the air, which is part of that of the loads. */
     struct Powers
     {
-      double loads = 0, drives = 0, viscous = 0;
+      double    loads = 0, drives = 0, viscous = 0;
+      WorkOfAir air = {};
+
+      void
+      add(const double factor, const Powers &of)
+      {
+        loads += factor * of.loads;
+        drives += factor * of.drives;
+        viscous += factor * of.viscous;
+        air.add(factor, of.air);
+      }
     };
 
     /** At a state with multipliers; loads with a potential do not count. */

@@ -152,7 +152,7 @@ namespace samara
     std::unique_ptr<LinearStrains> frozen_strains; ///< of the same configuration
     unsigned int                   n_steps_with_factors = 0, fresh_iterations = 0;
     double                         extra_iterations = 0; ///< more than with fresh factors
-    SparseMatrix                   C, K; // of large models gone after a factorisation
+    SparseMatrix                   C, K;                 // of large models gone after a factorisation
     /** Of the mass matrix, where it is not zero, and where that is in the pattern of the factors. */
     struct MassEntry
     {
@@ -444,10 +444,11 @@ namespace samara
     std::unique_ptr<Projection> projection; ///< for these
     State                       admissible;
     /** @name The energy account of a step (stage_integrator_account.cc) @{ */
-    void account(const State &state, double h, StepResult &result);
-    void account_for_loads(double h, StepResult &result);
-    void account_for_drives(double h, StepResult &result);
-    void account_for_dissipation(const State &state, double h, StepResult &result);
+    const AirOfSystem air;
+    void              account(const State &state, double h, StepResult &result);
+    void              account_for_loads(double h, StepResult &result);
+    void              account_for_drives(double h, StepResult &result);
+    void              account_for_dissipation(const State &state, double h, StepResult &result);
     /** @} */
     /** The state of first order that the step resolves least, of those it does not resolve; -1 if there is none. */
     int                 unresolved_state(const State &state, double h);
@@ -460,14 +461,25 @@ namespace samara
     Vector6 highest_mode(const std::vector<double> &start, unsigned int node, double h) const;
 
     /** @name What a step says about its error (stage_integrator_error.cc) @{ */
-    std::vector<double> load_defect, load_sum;
-    void                estimate_error(const State &state, double h, StepDifference &difference);
+    std::vector<double>              load_defect, load_sum;
+    const std::vector<CountedStates> counted;     ///< groups of states of first order
+    std::vector<double>              state_modes; ///< of those states 1/(2(2s−1)) Σ b_k p_k ż_k, zero of others
+    /** Find state_modes, and how much they are of the states over the step; relative. */
+    double find_state_modes(const State &state, double h);
+    void   estimate_error(const State &state, double h, StepDifference &difference);
     /** False if Newton's method does not find the neighbour with the matrix in use. */
     bool find_neighbour(const State               &state,
                         double                     h,
                         const std::vector<Stage>  &base,
                         const std::vector<double> &base_q,
                         StepDifference            &difference);
+    /** What the neighbour, @p epsilon away, ends with, less what the step does. */
+    void measure_neighbour(double                      h,
+                           double                      epsilon,
+                           const std::vector<Stage>   &base,
+                           const std::vector<double>  &base_q,
+                           const std::vector<Vector6> &u,
+                           StepDifference             &difference) const;
     /** Velocities that the constraints allow at the end, and those that drives enforce there. */
     void project_neighbour(const State &state, double h, StepDifference &difference);
     /** Derivatives of the residuals and excesses by α, times @p epsilon; @p v are stresses. */
