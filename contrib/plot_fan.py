@@ -142,7 +142,8 @@ def draw_fan(folder, skip, full):
     left_out = sum(len(curve.branches) for curve in everything) - sum(len(curve.branches) for curve in curves)
     figure.suptitle(
         "Frequencies against the speed of rotation"
-        + (f" ({left_out} motions that do not swing are left out)" if left_out else "")
+        + (f" ({left_out} motions that do not swing are left out)" if left_out > 1 else "")
+        + (" (1 motion that does not swing is left out)" if left_out == 1 else "")
     )
     figure.align_ylabels(axes[:, 0])
     return figure
