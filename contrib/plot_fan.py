@@ -8,6 +8,7 @@ import numpy as np
 
 EQUAL = 5e-3  # of the frequency: branches of one family that are nearer than this everywhere are one curve
 MOST_LINES = 12  # of n/rev
+NO_SWING = 0.95  # damping ratio: what has more at all speeds, as lags of the air have, is not drawn in a fan
 MAPS = {"flap": "Blues", "lag": "Reds", "torsion": "Greens", "support": "Greys", "": "turbo"}
 DASHES = {"collective": "-", "progressive": "--", "regressive": ":", "differential": "-."}
 
@@ -25,6 +26,8 @@ class Curve:
         self.family, self.pattern = (
             collections.Counter(row.get(name) or "" for row in rows).most_common(1)[0][0] for name in ("family", "pattern")
         )
+        names = [", ".join(filter(None, (row.get("family"), row.get("pattern")))) for row in rows]
+        self.way = " to ".join(dict.fromkeys([names[0], names[-1]]))
         if not self.pattern:  # of one blade, or by content alone: flap 2 to flap-torsion
             words = [row["family"] for row in rows if row.get("family")]
             self.family = " to ".join(dict.fromkeys(words[:: max(1, len(words) - 1)]))
@@ -74,18 +77,31 @@ def styled(curves):
     for curve in curves:
         kinds[curve.family.split(" ")[0].split("-")[0]].append(curve)
     count = collections.Counter(curve.family for curve in curves)
-    for curve in curves:
+    labels = [curve.label(count[curve.family]) for curve in curves]
+    # two branches that most speeds call alike: by what they begin and end as, by their numbers if that does not help
+    ways = collections.Counter(curve.way for curve in curves)
+    often = collections.Counter(labels)
+    for i, curve in enumerate(curves):
+        if often[labels[i]] > 1:
+            number = min(int(float(branch)) for branch in curve.branches)
+            labels[i] = curve.way if ways[curve.way] == 1 else f"{labels[i]} (branch {number})"
+    for curve, label in zip(curves, labels):
         kind = curve.family.split(" ")[0].split("-")[0]
         names = sorted({other.family or str(sorted(other.branches)) for other in kinds[kind]})
         place = names.index(curve.family or str(sorted(curve.branches)))
         tint = 0.9 - 0.5 * place / max(1, len(names) - 1) if kind else 0.05 + 0.87 * place / max(1, len(names) - 1)
         color = plt.get_cmap(MAPS.get(kind, "Purples"))(tint)
         dashes = DASHES.get(curve.pattern, "-") if count[curve.family] > 1 else "-"
-        yield curve, color, dashes, curve.label(count[curve.family])
+        if label == curve.way and " to " in label:
+            dashes = (0, (6, 1, 1, 1, 1, 1))
+        yield curve, color, dashes, label
 
 
 def draw_fan(folder, skip, full):
-    curves = read_curves(folder / "fan.csv", "frequency [rad/s]", "real [1/s]", skip)
+    everything = read_curves(folder / "fan.csv", "frequency [rad/s]", "real [1/s]", skip)
+    curves = [curve for curve in everything if not np.all(np.abs(curve.damping) > NO_SWING)]
+    if not curves:
+        raise skip("nothing swings")
     with_damping = any(np.nanmax(np.abs(curve.damping), initial=0) > 1e-9 for curve in curves)
     figure, axes = plt.subplots(
         1 + with_damping,
@@ -100,9 +116,9 @@ def draw_fan(folder, skip, full):
     fastest = max(curve.speed[-1] for curve in curves)
     for curve, color, dashes, label in styled(curves):
         end = f"  {curve.frequency[-1] / curve.speed[-1]:.2f}/rev" if curve.speed[-1] == fastest > 0 else ""
-        top.plot(curve.speed, curve.frequency, dashes, marker="o", ms=3, color=color, label=label + end)
+        top.plot(curve.speed, curve.frequency, ls=dashes, marker="o", ms=3, color=color, label=label + end)
         if with_damping:
-            axes[1, 0].plot(curve.speed, curve.damping, dashes, marker="o", ms=3, color=color)
+            axes[1, 0].plot(curve.speed, curve.damping, ls=dashes, marker="o", ms=3, color=color)
     top.set_ylim(0, 1.05 * max(max(curve.frequency.max() for curve in curves), 1e-9))
     top.set_xlim(min(curve.speed[0] for curve in curves), 1.01 * fastest)
     top.set_ylabel("frequency [rad/s]")
@@ -123,7 +139,12 @@ def draw_fan(folder, skip, full):
             axes[1, 0].text(0.015, 0.03, "unstable", transform=axes[1, 0].transAxes, color="#b23", fontsize=10, va="bottom")
         axes[1, 0].axhline(0, color="0.4", lw=0.8)
     axes[-1, 0].set_xlabel("speed [rad/s]")
-    figure.suptitle("Frequencies against the speed of rotation")
+    left_out = sum(len(curve.branches) for curve in everything) - sum(len(curve.branches) for curve in curves)
+    figure.suptitle(
+        "Frequencies against the speed of rotation"
+        + (f" ({left_out} motions that do not swing are left out)" if left_out > 1 else "")
+        + (" (1 motion that does not swing is left out)" if left_out == 1 else "")
+    )
     figure.align_ylabels(axes[:, 0])
     return figure
 
@@ -154,8 +175,8 @@ def draw_growth(folder, skip, full):
     curves = read_curves(folder / "floquet_speeds.csv", "frequency [rad/s]", "growth rate [1/s]", skip)
     figure, axes = plt.subplots(2, 1, figsize=(9, 9), sharex=True, layout="constrained")
     for curve, color, dashes, label in styled(curves):
-        axes[0].plot(curve.speed, curve.frequency, dashes, marker="o", ms=3, color=color, label=label)
-        axes[1].plot(curve.speed, curve.growth, dashes, marker="o", ms=3, color=color)
+        axes[0].plot(curve.speed, curve.frequency, ls=dashes, marker="o", ms=3, color=color, label=label)
+        axes[1].plot(curve.speed, curve.growth, ls=dashes, marker="o", ms=3, color=color)
     axes[0].set_ylabel("frequency [rad/s]")
     axes[0].set_ylim(0, 1.05 * max(max(curve.frequency.max() for curve in curves), 1e-9))
     axes[0].set_xlim(min(curve.speed[0] for curve in curves), max(curve.speed[-1] for curve in curves))
@@ -172,6 +193,20 @@ def draw_growth(folder, skip, full):
     return figure
 
 
+def mark_speeds(ax, curves, full):
+    """At the ends of each curve, and where it grows fastest, how many per cent of the full speed it turns with."""
+    for curve in curves:
+        for i in sorted({0, len(curve.speed) - 1, int(np.argmax(curve.growth))}):
+            ax.annotate(
+                f"{100 * curve.speed[i] / full:.0f} %",
+                (curve.growth[i], curve.frequency[i]),
+                xytext=(4, 3),
+                textcoords="offset points",
+                fontsize=7,
+                color="0.35",
+            )
+
+
 def draw_locus(folder, skip, full):
     """Exponents in their plane; dots grow with the speed."""
     if (folder / "floquet_speeds.csv").exists():
@@ -184,14 +219,18 @@ def draw_locus(folder, skip, full):
     figure, ax = plt.subplots(figsize=(9, 6.5), layout="constrained")
     speeds = np.concatenate([curve.speed for curve in curves])
     for curve, color, dashes, label in styled(curves):
-        ax.plot(curve.growth, curve.frequency, dashes, color=color, lw=1, label=label)
+        ax.plot(curve.growth, curve.frequency, ls=dashes, color=color, lw=1, label=label)
         ax.scatter(curve.growth, curve.frequency, s=6 + 30 * (curve.speed - speeds.min()) / np.ptp(speeds), color=color)
     ax.axvline(0, color="0.4", lw=0.8)
     if ax.get_xlim()[1] > 0:
         ax.axvspan(0, ax.get_xlim()[1], color="#d1495b", alpha=0.08, lw=0)
     ax.secondary_yaxis("right", functions=(lambda w: w / (2 * np.pi), lambda f: 2 * np.pi * f)).set_ylabel("[Hz]")
+    if full:
+        per_rev = ax.secondary_yaxis(1.1, functions=(lambda w: w / full, lambda n: n * full))
+        per_rev.set_ylabel(f"[/rev of {full:g} rad/s]")
+        mark_speeds(ax, curves, full)
     ax.set(xlabel="growth rate [1/s]", ylabel="frequency [rad/s]")
     if len(curves) <= 24:
-        ax.legend(loc="upper left", bbox_to_anchor=(1.09, 1), borderaxespad=0)
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2, borderaxespad=0)
     ax.set_title(f"Root locus from {speeds.min():g} to {speeds.max():g} rad/s, dots grow with the speed")
     return figure

@@ -3,7 +3,9 @@
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/probe_needs.h>
 #include <samara/output/pictures.h>
+#include <samara/time/projection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -273,22 +275,72 @@ namespace samara
 
 
 
+  /** Leave the motion that was reached last, though it is no periodic one. */
   void
-  FloquetAnalysis::check_gap(const Context &context, const SectionMap &map) const
+  FloquetAnalysis::keep_motion(Context &context, const SectionMap &map) const
+  {
+    context.state          = map.map.states().front();
+    context.is_equilibrium = false;
+    if (context.folder.empty())
+      return;
+    const Model             &model   = context.system.model;
+    std::vector<std::string> columns = {"t [s]"};
+    for (unsigned int i = 0; i < model.coordinates.size(); ++i)
+      columns.push_back(model.coordinates[i] + " [" + model.coordinate_units[i] + "]");
+    for (const auto &state : model.states)
+      columns.push_back(state.name + " [" + (state.unit.empty() ? "1" : state.unit) + "]");
+    for (const auto &probe : context.probes)
+      columns.push_back(probe.name + " [" + (probe.unit.empty() ? "1" : probe.unit) + "]");
+    Table            table(columns);
+    const ProbeNeeds needs(context.probes);
+    Projection       projection(context.system);
+    for (State state : map.map.states())
+      {
+        std::vector<Table::Cell> row = {state.time};
+        row.insert(row.end(), state.coordinates.begin(), state.coordinates.end());
+        row.insert(row.end(), state.states.begin(), state.states.end());
+        bool is_known = true;
+        try
+          {
+            if (needs.velocities || needs.forces)
+              projection.report(state, needs.forces);
+          }
+        catch (const SingularMatrix &)
+          {
+            is_known = false; // which is not what is to be told here
+          }
+        for (const auto &probe : context.probes)
+          row.push_back(Table::Cell::optional(is_known ? probe.value(state) : std::nan("")));
+        table.add_row(row);
+      }
+    table.write(context.folder + "/floquet_orbit.csv");
+  }
+
+
+
+  void
+  FloquetAnalysis::check_gap(Context &context, const SectionMap &map) const
   {
     const std::string text = "the motion lacks " + number_to_text("%.1e", map.gap.size) + " to periodicity after " +
                              short_text(double(map.n_sections_run) / map.repeated().n()) + " periods and " +
                              std::to_string(map.n_corrections) + " corrections, most at " +
                              context.system.layout.name_of(map.gap.unknown);
     if (!(map.gap.size <= largest_gap))
-      throw NotConverged(
-        "floquet analysis: " + text +
-        ".\n  Multipliers belong to a motion that repeats itself. Is the period right? Damping lets it settle in more "
-        "periods (<Settle>); what is unstable never does by itself: begin nearer to the periodic motion" +
-        (map.repeated().n() > 1 ? ". Parts that are not alike, in another order, or <Turning> ones that are not named, "
-                                  "look like this, too: try Method = implicit" :
-                                  "") +
-        ".");
+      {
+        keep_motion(context, map);
+        throw NotConverged(
+          "floquet analysis: " + text +
+          (context.folder.empty() ? "" :
+                                    "; floquet_orbit.csv has its last " +
+                                      std::string(map.repeated().n() > 1 ? "part of a period" : "period")) +
+          ".\n  Multipliers belong to a motion that repeats itself. Is the period right? Damping lets it settle in more "
+          "periods (<Settle>); what is unstable never does by itself: begin nearer to the periodic motion" +
+          (map.repeated().n() > 1 ?
+             ". Parts that are not alike, in another order, or <Turning> ones that are not named, "
+             "look like this, too: try Method = implicit" :
+             "") +
+          ".");
+      }
     if (map.gap.size > doubtful_gap)
       context.log.warning("floquet",
                           text + "; multipliers lack as much, and more where that dies away slowly: then the periodic "
@@ -385,13 +437,13 @@ namespace samara
     for (const auto &mode : modes)
       {
         Mode shape;
-        shape.lambda = mode.exponent;
+        shape.lambda = {mode.growth(), std::abs(std::arg(mode.multiplier)) / T}; // which is what shapes belong to
         shape.shape  = mode.shape.head(context.system.layout.n_kinematic());
         shapes.push_back(shape);
       }
     SparseMatrix M(context.system.layout.pattern);
     context.system.mass(M);
-    const auto branches = tracking.follow(shapes, M);
+    const auto branches = tracking.follow(shapes, M, M_PI / T);
     for (unsigned int i = 0; i < modes.size(); ++i)
       of_speeds->add_row({context.speeds[0],
                           branches[i],

@@ -40,6 +40,27 @@ namespace samara
 
 
 
+  std::vector<double>
+  logarithmic_frequencies(const double lowest, const double highest, const unsigned int n)
+  {
+    std::vector<double> result;
+    for (unsigned int i = 0; highest > 0 && i < n; ++i)
+      result.push_back(lowest * std::pow(highest / lowest, i / (n - 1.)));
+    return result;
+  }
+
+
+
+  void
+  check_frequencies(const Parameters &parameters, const double lowest, const double highest, Complaints &complaints)
+  {
+    if (highest > 0 && !(lowest > 0 && lowest < highest))
+      complaints.add(parameters.where("Lowest frequency"),
+                     "the <Lowest frequency> must be positive and below the <Highest frequency>");
+  }
+
+
+
   void
   LinearSystemAnalysis::add_parameters(Parameters &prm)
   {
@@ -65,9 +86,7 @@ namespace samara
   void
   LinearSystemAnalysis::check(const std::vector<double> &rotor_speeds, Complaints &complaints) const
   {
-    if (highest_frequency > 0 && !(lowest_frequency > 0 && lowest_frequency < highest_frequency))
-      complaints.add(parameters.where("Lowest frequency"),
-                     "the <Lowest frequency> must be positive and below the <Highest frequency>");
+    check_frequencies(parameters, lowest_frequency, highest_frequency, complaints);
     if (!rotor_speeds.empty())
       complaints.add(parameters.where(),
                      "a state space belongs to one speed; let a study vary the speed in place of <Rotor speeds>");
@@ -78,10 +97,7 @@ namespace samara
   std::vector<double>
   LinearSystemAnalysis::frequencies() const
   {
-    std::vector<double> result;
-    for (unsigned int i = 0; highest_frequency > 0 && i < n_frequencies; ++i)
-      result.push_back(lowest_frequency * std::pow(highest_frequency / lowest_frequency, i / (n_frequencies - 1.)));
-    return result;
+    return logarithmic_frequencies(lowest_frequency, highest_frequency, n_frequencies);
   }
 
 
@@ -179,32 +195,31 @@ namespace samara
                     {"outputs", space.outputs},
                     {"output units", space.output_units}});
     if (highest_frequency > 0)
-      write_responses(context);
+      space.write_responses(frequencies(), context.folder + "/frequency_response.csv");
   }
 
 
 
   void
-  LinearSystemAnalysis::write_responses(const Context &context) const
+  LinearSystem::write_responses(const std::vector<double> &frequencies, const std::string &file) const
   {
     Table      table({"frequency [rad/s]", "input", "output", "unit", "real", "imaginary", "amplitude", "phase [deg]"});
-    const auto omega = frequencies();
-    const auto all   = space.responses(omega);
-    for (unsigned int j = 0; j < space.inputs.size(); ++j)
-      for (unsigned int i = 0; i < space.outputs.size(); ++i)
-        for (unsigned int k = 0; k < omega.size(); ++k)
+    const auto all = responses(frequencies);
+    for (unsigned int j = 0; j < inputs.size(); ++j)
+      for (unsigned int i = 0; i < outputs.size(); ++i)
+        for (unsigned int k = 0; k < frequencies.size(); ++k)
           {
             const std::complex<double> H = all[k](i, j);
-            table.add_row({omega[k],
-                           space.inputs[j],
-                           space.outputs[i],
-                           space.output_units[i] + "/" + (space.input_units[j].empty() ? "1" : space.input_units[j]),
+            table.add_row({frequencies[k],
+                           inputs[j],
+                           outputs[i],
+                           output_units[i] + "/" + (input_units[j].empty() ? "1" : input_units[j]),
                            H.real(),
                            H.imag(),
                            std::abs(H),
                            std::arg(H) * 180 / M_PI});
           }
-    table.write(context.folder + "/frequency_response.csv");
+    table.write(file);
   }
 
 

@@ -69,31 +69,96 @@ namespace samara
 
 
 
-  std::vector<unsigned int>
-  ModeTracking::follow(std::vector<Mode> &modes, const SparseMatrix &M)
+  namespace
   {
-    std::vector<unsigned int> branches(modes.size(), 0);
-    turn_equal_modes(modes, M);
-    std::vector<double> energies;
-    for (const auto &mode : previous)
-      energies.push_back(mode.shape.dot(weighted(M, mode.shape)).real());
-    std::vector<std::tuple<double, unsigned int, unsigned int>> pairs;
+    double
+    distance_from_the_real_axis(const Mode &mode, const double band)
+    {
+      const double omega = std::abs(mode.lambda.imag());
+      return std::min(omega, std::abs(band - omega));
+    }
+
+
+
+    /** Both near 0, or both near the band, and nearer than @p reach together. */
+    bool
+    may_pass_the_real_axis(const Mode &before, const Mode &now, const double band, const double reach)
+    {
+      const auto near_zero = [&](const Mode &mode) { return std::abs(mode.lambda.imag()) <= 0.5 * band; };
+      return near_zero(before) == near_zero(now) &&
+             distance_from_the_real_axis(before, band) + distance_from_the_real_axis(now, band) <= reach;
+    }
+  } // namespace
+
+
+
+  /** The assurance criterion of each mode (rows) with each branch, or with the other member of its pair. */
+  Eigen::MatrixXd
+  ModeTracking::criteria(const std::vector<Mode> &modes, const SparseMatrix &M, const bool conjugate) const
+  {
+    Eigen::VectorXd energies(previous.size());
+    for (unsigned int j = 0; j < previous.size(); ++j)
+      energies(j) = previous[j].shape.dot(weighted(M, previous[j].shape)).real();
+    Eigen::MatrixXd result(modes.size(), previous.size());
     for (unsigned int i = 0; i < modes.size(); ++i)
       {
         const Eigen::VectorXcd M_shape = weighted(M, modes[i].shape);
         const double           norm    = modes[i].shape.dot(M_shape).real();
         for (unsigned int j = 0; j < previous.size(); ++j)
-          pairs.emplace_back(std::norm(previous[j].shape.dot(M_shape)) / std::max(1e-300, norm * energies[j]), i, j);
+          result(i, j) =
+            std::norm(conjugate ? previous[j].shape.conjugate().dot(M_shape) : previous[j].shape.dot(M_shape)) /
+            std::max(1e-300, norm * energies(j));
       }
+    return result;
+  }
+
+
+
+  /** Pair what is free with the largest criterion first, wherever @p may_be says so. */
+  void
+  ModeTracking::pair(const Eigen::MatrixXd                                 &mac,
+                     const std::function<bool(unsigned int, unsigned int)> &may_be,
+                     std::vector<unsigned int>                             &branches,
+                     std::vector<bool>                                     &taken) const
+  {
+    std::vector<std::tuple<double, unsigned int, unsigned int>> pairs;
+    for (unsigned int i = 0; i < mac.rows(); ++i)
+      for (unsigned int j = 0; j < mac.cols(); ++j)
+        if (mac(i, j) > 0.3 && may_be(i, j))
+          pairs.emplace_back(mac(i, j), i, j);
     std::sort(pairs.rbegin(), pairs.rend());
-    std::vector<bool> taken(previous.size(), false);
-    for (const auto &[mac, i, j] : pairs)
-      if (branches[i] == 0 && !taken[j] && mac > 0.3)
+    for (const auto &[size, i, j] : pairs)
+      if (branches[i] == 0 && !taken[j])
         {
           branches[i] = j + 1;
           taken[j]    = true;
-          previous[j] = modes[i];
         }
+  }
+
+
+
+  std::vector<unsigned int>
+  ModeTracking::follow(std::vector<Mode> &modes, const SparseMatrix &M, const double band)
+  {
+    std::vector<unsigned int> branches(modes.size(), 0);
+    std::vector<bool>         taken(previous.size(), false);
+    turn_equal_modes(modes, M);
+    pair(
+      criteria(modes, M, false), [](auto, auto) { return true; }, branches, taken);
+    // What passes the real axis between two speeds goes on as the other member of its pair. But the conjugate of a
+    // progressive wave is the regressive one, another mode: only what is nearer to the axis than others have moved
+    // passes.
+    double reach = 0;
+    for (unsigned int i = 0; i < modes.size(); ++i)
+      if (branches[i] > 0)
+        reach = std::max(reach, std::abs(modes[i].lambda.imag() - previous[branches[i] - 1].lambda.imag()));
+    pair(
+      criteria(modes, M, true),
+      [&](const unsigned int i, const unsigned int j) {
+        return may_pass_the_real_axis(previous[j], modes[i], band, reach);
+      },
+      branches,
+      taken);
     // shapes never seen before begin new branches
     for (unsigned int i = 0; i < modes.size(); ++i)
       if (branches[i] == 0)
@@ -101,6 +166,8 @@ namespace samara
           previous.push_back(modes[i]);
           branches[i] = previous.size();
         }
+      else
+        previous[branches[i] - 1] = modes[i];
     return branches;
   }
 } // namespace samara

@@ -59,6 +59,12 @@ namespace samara
       "What a motion may lack to periodicity, parts of the model's length, radians and the largest speed; more is "
       "refused [1].",
       Double(0));
+    prm.add("Lowest frequency", lowest_frequency, "Of the frequency response of the mean [rad/s].", Double(0));
+    prm.add("Highest frequency",
+            highest_frequency,
+            "Of the frequency response of the mean; 0: there is none [rad/s].",
+            Double(0));
+    prm.add("Frequencies", n_frequencies, "Number of frequencies, as far apart on a logarithmic scale.", Integer(2));
     prm.add("Most states", most_states, "More are refused: matrices are dense.", Integer(1));
   }
 
@@ -74,6 +80,7 @@ namespace samara
       complain("Period", "the <Period> must be positive");
     if (!(newton_tolerance > 0))
       complain("Newton tolerance", "the <Newton tolerance> must be positive");
+    check_frequencies(parameters, lowest_frequency, highest_frequency, complaints);
     if (trim(symmetry).empty() && !turning.empty())
       complain("Turning", "<Turning> belongs to a <Symmetry>: which parts are repeated");
     if (!trim(symmetry).empty())
@@ -217,5 +224,8 @@ namespace samara
                     {"input units", space.input_units},
                     {"outputs", space.outputs},
                     {"output units", space.output_units}});
+    if (highest_frequency > 0 && space.averaged.A.rows() > 0)
+      space.averaged.write_responses(logarithmic_frequencies(lowest_frequency, highest_frequency, n_frequencies),
+                                     context.folder + "/frequency_response.csv");
   }
 } // namespace samara

@@ -202,10 +202,14 @@ namespace samara
             return;
         sum += both.log() * (n_samples / period) / n_samples;
       }
-    mean.A = sum.topLeftCorner(n, n);
-    mean.B = sum.topRightCorner(n, m);
-    mean.C = Eigen::MatrixXd::Zero(space.C[0].rows(), n);
-    mean.D = Eigen::MatrixXd::Zero(space.C[0].rows(), m);
+    mean.inputs       = space.inputs;
+    mean.outputs      = space.outputs;
+    mean.input_units  = space.input_units;
+    mean.output_units = space.output_units;
+    mean.A            = sum.topLeftCorner(n, n);
+    mean.B            = sum.topRightCorner(n, m);
+    mean.C            = Eigen::MatrixXd::Zero(space.C[0].rows(), n);
+    mean.D            = Eigen::MatrixXd::Zero(space.C[0].rows(), m);
     for (unsigned int k = 0; k < n_samples; ++k)
       {
         mean.C += space.C[k] / n_samples;

@@ -70,7 +70,9 @@ TEST_F(Catalogued, LinearSystem)
 
 TEST_F(Catalogued, PeriodicLinearSystem)
 {
-  const std::string settle = "Periodic linear system/Settle = 1";
+  const std::string settle  = "Periodic linear system/Settle = 1",
+                    highest = "Periodic linear system/Highest frequency = 100",
+                    lowest  = "Periodic linear system/Lowest frequency = 1";
   check("periodic linear system",
         models::periodic_arms,
         "Periodic linear system",
@@ -84,6 +86,9 @@ TEST_F(Catalogued, PeriodicLinearSystem)
          {"Settle", "1", {"Periodic linear system/Corrections = 0"}},
          {"Corrections", "0", {settle}},
          {"Largest gap", "1e-16", {settle, "Periodic linear system/Corrections = 0"}},
+         {"Lowest frequency", "2", {highest, lowest}},
+         {"Highest frequency", "50", {highest, lowest}},
+         {"Frequencies", "7", {highest, lowest}},
          {"Most states", "2"}},
         {{"Symmetry", "only the coordinates of matrices depend on it: tests/floquet/test_periodic_linear_system.cc"},
          {"Turning", "only what moves besides the parts has other axes: tests/floquet/test_periodic_linear_system.cc"},

@@ -92,6 +92,43 @@ TEST(PeriodicLinearSystem, PendulumOnAMovingHinge)
 
 
 
+// On a hinge that stands still, seen over a period all the same: θ = M/(I (a − ω² + i c ω)), I = 0.5 kg m².
+TEST(PeriodicLinearSystem, FrequencyResponseOfTheMean)
+{
+  const std::string folder = "response_of_the_mean_" + std::to_string(getpid());
+  std::filesystem::create_directory(folder);
+  Scene scene(with(pendulum, pushed),
+              {"Analyses = periodic linear system",
+               "Constants/q = 0",
+               "Constants/c = 0.2",
+               "Joints/hinge/rotation/Moment = push",
+               "Periodic linear system/Lowest frequency = 0.1",
+               "Periodic linear system/Highest frequency = 10",
+               "Periodic linear system/Frequencies = 3",
+               "Output/Probes = hinge.rotation"});
+  scene.context.folder = folder;
+  space_of(scene);
+  std::ifstream in(folder + "/frequency_response.csv");
+  std::string   line;
+  std::getline(in, line);
+  for (const double omega : {0.1, 1., 10.})
+    {
+      ASSERT_TRUE(std::getline(in, line)) << omega;
+      std::istringstream       words(line);
+      std::vector<std::string> cells(8);
+      for (auto &cell : cells)
+        std::getline(words, cell, ',');
+      EXPECT_NEAR(std::stod(cells[0]), omega, 1e-9);
+      const std::complex<double> H(std::stod(cells[4]), std::stod(cells[5])),
+        expected = 180 / M_PI / (0.5 * std::complex<double>(1 - omega * omega, 0.2 * omega));
+      EXPECT_LT(std::abs(H - expected), 1e-6 * std::abs(expected)) << line;
+    }
+  EXPECT_FALSE(std::getline(in, line));
+  std::filesystem::remove_all(folder);
+}
+
+
+
 // Matrices of the samples lie below each other; what is complex is two columns.
 TEST(PeriodicLinearSystem, IsReadBackFromItsFile)
 {

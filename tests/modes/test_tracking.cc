@@ -7,9 +7,11 @@
 #include "../said_by.h"
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "modes.h"
 
@@ -127,6 +129,66 @@ TEST(Tracking, EqualFrequenciesOnTheWay)
       tracking.follow(at, M);
       std::vector<Mode> after = {mode(1.8, b), mode(1.9, a)};
       EXPECT_EQ(tracking.follow(after, M), (std::vector<unsigned int>{2, 1})) << angle;
+    }
+}
+
+
+
+// Between 14 and 16 rad/s the airframe's regressive motion changes its sense of turning as the rotor sees it: the other
+// member of its pair is told from there on, with the conjugate shape. It is one branch all the same.
+TEST(Tracking, ThroughZeroInTurningAxes)
+{
+  const std::vector<double>                  at = {10, 12, 14, 16, 18, 20, 22};
+  Scene                                      scene("prm/examples/floquet/ground_resonance.prm", {});
+  std::map<double, std::vector<TrackedMode>> branches;
+  for (const auto &row : fan_of(scene, at))
+    branches[row.branch].push_back(row);
+  EXPECT_EQ(branches.size(), 6u);
+  unsigned int turned = 0;
+  for (const auto &[number, rows] : branches)
+    {
+      EXPECT_EQ(rows.size(), at.size()) << number;
+      turned += rows.front().pattern == "progressive" && rows.back().pattern == "regressive";
+    }
+  EXPECT_EQ(turned, 1u);
+}
+
+
+
+// A progressive wave and a regressive one are conjugates of each other, but two modes: where one leaves those that are
+// looked at and the other enters, far from the real axis, a branch ends and another begins. Near it, or near the band,
+// it is one.
+TEST(Tracking, ConjugateShapes)
+{
+  const unsigned int n       = 4;
+  auto               pattern = std::make_shared<Pattern>();
+  for (unsigned int i = 0; i <= n; ++i)
+    pattern->column_start.push_back(i);
+  for (unsigned int i = 0; i < n; ++i)
+    pattern->rows.push_back(i);
+  SparseMatrix M(pattern);
+  std::fill(M.values.begin(), M.values.end(), 1.);
+  const std::complex<double> I(0, 1);
+  const Eigen::VectorXcd     collective = Eigen::Vector4cd(1, 1, 1, 1), wave = Eigen::Vector4cd(1, I, -1, -I);
+  const auto                 mode = [&](const double frequency, const Eigen::VectorXcd &shape) {
+    return Mode{{-0.1, frequency}, shape.normalized(), 0.};
+  };
+  using Numbers = std::vector<unsigned int>;
+  // frequencies of the wave before and after, the band; whether it is one branch
+  const std::tuple<double, double, double, bool> cases[] = {{10, 10.1, INFINITY, false},
+                                                            {0.3, 0.2, INFINITY, true},
+                                                            {0.3, 0.8, INFINITY, false},
+                                                            {10.1, 9.8, 10.2, true},
+                                                            {10.1, 0.1, 10.2, false}};
+  for (const auto &[before, after, band, is_one] : cases)
+    {
+      ModeTracking      tracking;
+      std::vector<Mode> modes = {mode(5, collective), mode(before, wave)};
+      EXPECT_EQ(tracking.follow(modes, M, band), (Numbers{1, 2}));
+      modes = {mode(6, collective), mode(after, wave.conjugate())};
+      EXPECT_EQ(tracking.follow(modes, M, band), (Numbers{1, is_one ? 2u : 3u})) << before << " " << after;
+      modes = {mode(7, collective), mode(after, wave.conjugate())};
+      EXPECT_EQ(tracking.follow(modes, M, band), (Numbers{1, is_one ? 2u : 3u})) << before << " " << after;
     }
 }
 

@@ -108,12 +108,16 @@ namespace
 
 TEST(StepTangent, IsThatOfConvergedStepsOfAllSystems)
 {
-  // most agree within 1e-10; differences of the stiff beam and of the universal joint are no better than some 1e-10
-  for_all_systems([](const MovingSystem &what, const System &system, const State &start) {
+  // differences of these are no better than some 1e-10 themselves
+  const auto bound_of = [](const std::string &name) {
+    const auto has = [&](const char *text) { return name.find(text) != name.npos; };
+    return has("EA = 1e8") || has("universal") || has("crank") ? 3e-10 : 1e-10;
+  };
+  for_all_systems([&bound_of](const MovingSystem &what, const System &system, const State &start) {
     for (const Tableau &tableau : {Tableau(1, 1.), Tableau(2, 0.5), Tableau(3, 0.)})
       {
         SCOPED_TRACE("s = " + std::to_string(tableau.s));
-        compare(system, start, tableau, what.h, 1e-9);
+        compare(system, start, tableau, what.h, bound_of(what.name));
       }
   });
 }

@@ -9,6 +9,7 @@
 #include <samara/base/errors.h>
 #include <samara/trim_variants.h>
 
+#include "../debug.h"
 #include "../reference.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
@@ -322,6 +323,39 @@ TEST(Trim, FlappingRotor)
           }
       EXPECT_TRUE(found);
     }
+}
+
+
+
+// The chord has a direction: lift is normal to the flow at the quarter chord, half a chord ahead of the axis. With a
+// thousandth of the chord, and a thousand times the slope and the drag, it has none, and the controls are those of
+// strips on a line.
+TEST(Trim, FlappingRotorWithStripsOnALine)
+{
+  unsigned int count = 0;
+  for (const auto &row : reference_rows("rotor/trim_strips_on_a_line.csv"))
+    {
+      const double mu = std::stod(row.at("mu"));
+      SCOPED_TRACE(mu);
+      if (mu == 0 || (is_debug && mu != 0.2))
+        continue;
+      Scene       scene(rotor,
+                  {"Aerodynamics/flow/Type = uniform inflow",
+                         "Constants/mu = " + std::to_string(mu),
+                         "Constants/tilt = " + row.at("alpha_deg") + " deg",
+                         "Constants/chord = 1e-3*0.08*pi/4*R",
+                         "Constants/I_blade = rho*5.7e3*chord*R^4/8",
+                         "Airfoils/straight/Lift slope = 5.7e3",
+                         "Airfoils/straight/Drag = 10",
+                         "Trim/Steps = 30"});
+      const auto &trim = trimmed(scene);
+      for (const auto &[j, name] : {std::pair{0, "th0_deg"}, {1, "th1c_deg"}, {2, "th1s_deg"}})
+        {
+          EXPECT_NEAR(trim.report.controls[j] * 180 / M_PI, std::stod(row.at(name)), 5e-5) << name;
+        }
+      ++count;
+    }
+  EXPECT_EQ(count, is_debug ? 1u : 3u);
 }
 
 

@@ -52,7 +52,8 @@ namespace samara
     State                                 first_state(const Context &context) const;
     double                                period_at(const Context &context, const State &state) const;
     RepeatedParts                         repeated_parts(const System &system) const;
-    void                                  check_gap(const Context &context, const SectionMap &map) const;
+    void                                  check_gap(Context &context, const SectionMap &map) const;
+    void                                  keep_motion(Context &context, const SectionMap &map) const;
     void                                  check_behind(const SectionMap &map, double difference) const;
     void                                  check_corners(const Context &context, const SectionMap &map) const;
     void                                  check_switches(const Context &context, const SectionMap &map) const;

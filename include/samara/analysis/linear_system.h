@@ -20,6 +20,9 @@ namespace samara
 
     /** C (iω − A)⁻¹ B + D at these angular frequencies [rad/s]. */
     std::vector<Eigen::MatrixXcd> responses(const std::vector<double> &frequencies) const;
+
+    /** A row of @p file an input, output and frequency. */
+    void write_responses(const std::vector<double> &frequencies, const std::string &file) const;
   };
 
 
@@ -55,8 +58,13 @@ namespace samara
                                            const Linearization             &linearization,
                                            const std::vector<unsigned int> &inputs) const;
     void                      write(const Context &context) const;
-    void                      write_responses(const Context &context) const;
   };
+
+  /** @p n angular frequencies, as far apart as on a logarithmic scale [rad/s]; none up to 0. */
+  std::vector<double> logarithmic_frequencies(double lowest, double highest, unsigned int n);
+
+  /** Complains about limits of frequencies that have none between them. */
+  void check_frequencies(const Parameters &parameters, double lowest, double highest, Complaints &complaints);
 } // namespace samara
 
 #endif

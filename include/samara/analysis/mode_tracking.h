@@ -3,6 +3,9 @@
 
 #include <samara/solvers/eigen.h>
 
+#include <functional>
+#include <limits>
+
 namespace samara
 {
   /**
@@ -11,17 +14,28 @@ namespace samara
    *
    * Shapes of equal frequencies are arbitrary in the space they span: there those nearest to the branches so far are
    * taken, so that branches go through a crossing.
+   *
+   * Of a pair the member with Im λ ≥ 0 is told. Where the other one takes its place, as Im λ passes zero in turning
+   * axes (or the band π/T of multipliers), the shape is the conjugate of that before, and so a branch that finds no
+   * shape like its own takes up a conjugate one, if both are nearer to the axis than other branches have moved.
    */
   class ModeTracking
   {
   public:
-    /** The branch of each mode, from 1; turns the shapes of equal frequencies. */
-    std::vector<unsigned int> follow(std::vector<Mode> &modes, const SparseMatrix &M);
+    /** The branch of each mode, from 1; turns the shapes of equal frequencies. Im λ of multipliers are principal values
+     * in [0, @p band], π/T [rad/s]. */
+    std::vector<unsigned int>
+    follow(std::vector<Mode> &modes, const SparseMatrix &M, double band = std::numeric_limits<double>::infinity());
 
   private:
     std::vector<Mode> previous; ///< in the order of branches
 
-    void turn_equal_modes(std::vector<Mode> &modes, const SparseMatrix &M) const;
+    void            turn_equal_modes(std::vector<Mode> &modes, const SparseMatrix &M) const;
+    Eigen::MatrixXd criteria(const std::vector<Mode> &modes, const SparseMatrix &M, bool conjugate) const;
+    void            pair(const Eigen::MatrixXd                                 &mac,
+                         const std::function<bool(unsigned int, unsigned int)> &may_be,
+                         std::vector<unsigned int>                             &branches,
+                         std::vector<bool>                                     &taken) const;
   };
 } // namespace samara
 

@@ -39,7 +39,8 @@ namespace samara
 
   /**
    * The state space about a periodic motion. The motion goes on from that of dynamic, trim or floquet, or begins as a
-   * dynamic analysis does, and settles; what it lacks is corrected as in floquet. Writes periodic_linear_system.h5.
+   * dynamic analysis does, and settles; what it lacks is corrected as in floquet. Writes periodic_linear_system.h5, and
+   * frequency_response.csv of the mean.
    * Leaves the state as it was.
    *
    * @throws InputError for inputs that are no controls or prescribe motions; NotConverged for motions that are not
@@ -60,6 +61,8 @@ namespace samara
     double                   period = 0, spectral_radius = 1, newton_tolerance = 1e-12, largest_gap = 1e-4;
     std::string              symmetry;
     std::vector<std::string> inputs, turning;
+    double                   lowest_frequency = 0, highest_frequency = 0; ///< of responses of the mean [rad/s]
+    unsigned int             n_frequencies = 100;
     unsigned int             n_samples = 36, n_steps = 1, n_stages = 3, max_iterations = 50, most_periods = 20,
                  most_corrections = 10, most_states = 400;
 
