@@ -1,6 +1,6 @@
 // What the tolerance of adaptive steps means: the error of positions at the end of a run is in proportion to it, for
 // rigid mechanisms, a fast top, and elastic bodies with stiff parts that no step resolves; a looser tolerance of these takes no
-// more steps.
+// more steps, those that are made again included.
 //
 // Reference: the same model with a fine fixed step of three stages (self). The whole set:
 // doc/benchmarks/tolerance_tables.
@@ -24,7 +24,18 @@ namespace
     double       radius;
   };
 
-  /** Errors over the tolerance between @p least and @p most, more steps for smaller tolerances. */
+  /** Where steps have no solution it is not the tolerance alone that decides how many there are: a looser one may take
+   * up to a quarter more (doc/benchmarks/tolerance.md). */
+  constexpr double more_for_less = 1.25;
+
+  /** All steps that were tried: what a run costs. */
+  unsigned int
+  n_tried(const DynamicAnalysis::Report &report)
+  {
+    return report.n_steps + report.n_rejected + report.n_failed;
+  }
+
+  /** Errors over the tolerance between @p least and @p most, and no more steps for a looser tolerance. */
   void
   expect_what_it_says(const Problem               &problem,
                       const std::vector<Adaptive> &members,
@@ -39,7 +50,7 @@ namespace
     const std::vector<double> reference = with(integrator(3, 0.5, problem.fine_step, "1e-12")).values.back();
     for (const Adaptive &member : members)
       {
-        unsigned int n_before = 0;
+        DynamicAnalysis::Report looser;
         for (const double tolerance : tolerances)
           {
             SCOPED_TRACE(problem.model + ", s = " + std::to_string(member.stages) +
@@ -54,9 +65,9 @@ namespace
             error /= problem.length * tolerance;
             EXPECT_GT(error, least);
             EXPECT_LT(error, most);
-            EXPECT_GE(motion.report.n_steps, n_before);
-            // where steps have no solution it is not the tolerance that decides how many there are
-            n_before = motion.report.n_failed > 0 ? 0 : motion.report.n_steps;
+            const double allowed = looser.n_failed + motion.report.n_failed > 0 ? more_for_less : 1;
+            EXPECT_LE(n_tried(looser), allowed * n_tried(motion.report));
+            looser = motion.report;
             // the sum of what the steps say is what the control aims at
             EXPECT_LT(motion.report.error / motion.report.length, tolerance);
           }
