@@ -3,6 +3,7 @@
 #include <samara/cosserat/element_lanes.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace samara
@@ -107,11 +108,12 @@ namespace samara
   void
   ElementLanes<dim>::for_batches(const Function &f) const
   {
-    const auto &all = batches_of<Number>();
-    parallel_for(all.size(), worth_threads, [&](const unsigned int begin, const unsigned int end) {
+    const auto &all  = batches_of<Number>();
+    const auto  part = [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int i = begin; i < end; ++i)
         with_size<dim>(table_of(all[i]).n_nodes, [&](const auto N) { f(all[i], N); });
-    });
+    };
+    parallel_for(all.size(), worth_threads, std::cref(part)); // a reference needs no memory of its own
   }
 
 
@@ -134,7 +136,7 @@ namespace samara
         const auto values_of = [&](const unsigned int i, const unsigned int lane) {
           return first + ((i - start) * size + lane) * 6 * most_nodes_of_element;
         };
-        parallel_for(at_once, worth_threads, [&](const unsigned int begin, const unsigned int end) {
+        const auto part = [&](const unsigned int begin, const unsigned int end) {
           for (unsigned int i = start + begin; i < start + end; ++i)
             {
               std::array<Number *, size> to;
@@ -142,15 +144,29 @@ namespace samara
                 to[l] = values_of(i, l);
               with_size<dim>(table_of(all[i]).n_nodes, [&](const auto N) { f(i, N, to); });
             }
-        });
+        };
+        parallel_for(at_once, worth_threads, std::cref(part));
         for (unsigned int i = start; i < start + at_once; ++i)
-          for (unsigned int l = 0; l < all[i].lanes.size(); ++l)
-            {
-              const auto &element = element_of(all[i].lanes[l]);
-              local =
-                Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, 1>>(values_of(i, l), 6 * element.table->n_nodes);
-              element.block.add(local, r);
-            }
+          {
+            unsigned int with_arms = 0; // lanes, as bits
+            for (const auto &arm : all[i].arms)
+              with_arms |= 1u << arm.lane;
+            for (unsigned int l = 0; l < all[i].lanes.size(); ++l)
+              {
+                const auto         &element = element_of(all[i].lanes[l]);
+                const unsigned int  n_nodes = element.table->n_nodes;
+                const Number *const from    = values_of(i, l);
+                if (with_arms >> l & 1)
+                  {
+                    local = Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, 1>>(from, 6 * n_nodes);
+                    element.block.add(local, r);
+                  }
+                else
+                  for (unsigned int a = 0; a < n_nodes; ++a)
+                    Eigen::Map<Vec6<Number>>(r + element.block.row(6 * a)) +=
+                      Eigen::Map<const Vec6<Number>>(from + 6 * a);
+              }
+          }
       }
   }
 

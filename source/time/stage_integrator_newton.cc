@@ -4,6 +4,7 @@
 #include <samara/solvers/part_without.h>
 #include <samara/solvers/row_scale.h>
 #include <samara/solvers/swept_solver.h>
+#include <samara/time/four_nodes.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -90,7 +91,7 @@ namespace samara
     constexpr unsigned int worth_threads = 2000;
     parallel_for(factors.size(),
                  system.size() < worth_threads ? factors.size() + 1 : 2,
-                 [&](const unsigned int begin, const unsigned int end) {
+                 [&f](const unsigned int begin, const unsigned int end) {
                    for (unsigned int j = begin; j < end; ++j)
                      f(j);
                  });
@@ -241,6 +242,71 @@ namespace samara
 
 
 
+  namespace
+  {
+    using Lane = FourNodes::Lane;
+
+    Lane
+    larger(const Lane &a, const Lane &b)
+    {
+      return Lane(a.values > b.values ? a.values : b.values);
+    }
+
+    double
+    largest_of_lanes(const Lane &a)
+    {
+      return std::max({a.values[0], a.values[1], a.values[2], a.values[3]});
+    }
+
+    Lane
+    square_of(const Lane *v)
+    {
+      return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    }
+
+    /** The same operation on each. */
+    Lane
+    root_of(const Lane &a)
+    {
+      return Lane(
+        Lane::Vector{std::sqrt(a.values[0]), std::sqrt(a.values[1]), std::sqrt(a.values[2]), std::sqrt(a.values[3])});
+    }
+
+
+
+    /** Add twist(nodes, ·) to the twists @p all of nodes, lengths in parts of @p length; what is no number is returned.
+     */
+    template <typename Twist>
+    double
+    correct_twists(const Twist &twist, const double length, std::vector<double> &all, double &size, double &scale)
+    {
+      const unsigned int n_nodes = all.size() / 6;
+      const Lane         factor  = 1 / (length * length);
+      Lane               changes = 0., squares = 0., sum = 0.;
+      for (unsigned int first = 1; first < n_nodes; first += 4)
+        {
+          const FourNodes nodes(first, n_nodes);
+          Lane            d[6], y[6];
+          twist(nodes, d);
+          nodes.load(6, all, y);
+          for (int i = 0; i < 6; ++i)
+            y[i] += d[i];
+          nodes.store(6, y, all);
+          // (|v| + |ω|)²
+          const Lane of_v = factor * square_of(d), of_spin = square_of(d + 3),
+                     change = of_v + of_spin + Lane(2.) * root_of(of_v * of_spin);
+          sum += change;
+          changes = larger(changes, change);
+          squares = larger(squares, larger(factor * square_of(y), square_of(y + 3)));
+        }
+      size  = std::max(size, std::sqrt(largest_of_lanes(changes)));
+      scale = std::max(scale, std::sqrt(largest_of_lanes(squares)));
+      return sum.values[0] + sum.values[1] + sum.values[2] + sum.values[3];
+    }
+  } // namespace
+
+
+
   template <typename Twist>
   double
   StageIntegrator::correct_velocities(const double h, const Twist &twist)
@@ -254,17 +320,10 @@ namespace samara
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         Stage &stage = stages[k];
-        for (unsigned int node = 1; node < layout.n_nodes; ++node)
-          {
-            const Vector6       d = twist(k, node);
-            Eigen::Map<Vector6> y(&stage.y[6 * node]);
-            y += d;
-            const double change = d.head<3>().norm() / length + d.tail<3>().norm();
-            if (!std::isfinite(change))
-              return change;
-            size  = std::max(size, change);
-            scale = std::max({scale, y.head<3>().norm() / length, y.tail<3>().norm()});
-          }
+        if (const double all = correct_twists(
+              [&](const FourNodes &nodes, Lane *d) { twist(k, nodes, d); }, length, stage.y, size, scale);
+            !std::isfinite(all))
+          return all;
         for (unsigned int i = 0; i < layout.n_coordinates; ++i)
           {
             const double d = dz_rate[k][layout.of_coordinate(i)],
@@ -410,8 +469,19 @@ namespace samara
   {
     if (!solve_for_increments(h))
       return std::nan("");
-    return correct_velocities(h,
-                              [&](const unsigned int k, const unsigned int node) { return change_of_twist(k, node); });
+    return correct_velocities(h, [&](const unsigned int k, const FourNodes &nodes, Lane *const change) {
+      // change_of_twist()
+      Lane zeta[6], rate[6], y[6];
+      nodes.load_unknowns(dz[k], zeta);
+      nodes.load_unknowns(dz_rate[k], rate);
+      nodes.load(6, frozen.y, y);
+      for (int i = 0; i < 3; ++i)
+        {
+          const int m = (i + 1) % 3, n = (i + 2) % 3;
+          change[i]     = rate[i] + y[3 + m] * zeta[n] - y[3 + n] * zeta[m] + y[m] * zeta[3 + n] - y[n] * zeta[3 + m];
+          change[3 + i] = rate[3 + i] + y[3 + m] * zeta[3 + n] - y[3 + n] * zeta[3 + m];
+        }
+    });
   }
 
 
@@ -448,9 +518,8 @@ namespace samara
   StageIntegrator::solve_exactly(const double h)
   {
     solve_exactly_for_increments(h);
-    const Layout &layout = system.layout;
-    return correct_velocities(h, [&](const unsigned int k, const unsigned int node) -> Vector6 {
-      return Eigen::Map<const Vector6>(&d_exact[k][layout.of_node(node)]);
+    return correct_velocities(h, [&](const unsigned int k, const FourNodes &nodes, Lane *const change) {
+      nodes.load_unknowns(d_exact[k], change);
     });
   }
 

@@ -1,10 +1,11 @@
 // The stages of a step: where they are, and how far their equations are from being satisfied.
 
-#include <samara/base/lanes.h>
 #include <samara/base/threads.h>
+#include <samara/time/four_nodes.h>
 #include <samara/time/stage_integrator.h>
 
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace samara
@@ -21,19 +22,27 @@ namespace samara
     bool
     eliminate(Lane (&A)[n][n + m])
     {
+      // unrolled, as indices are constants then; GCC leaves loops of this size alone
+#pragma GCC unroll 9
       for (int i = 0; i < n; ++i)
         {
           if (!(A[i][i].smallest() > 0.1))
             return false;
           const Lane inverse = Lane(1) / A[i][i];
+#pragma GCC unroll 12
           for (int k = i + 1; k < n + m; ++k)
             A[i][k] *= inverse;
+#pragma GCC unroll 9
           for (int j = i + 1; j < n; ++j)
+#pragma GCC unroll 12
             for (int k = i + 1; k < n + m; ++k)
               A[j][k] -= A[j][i] * A[i][k];
         }
+#pragma GCC unroll 9
       for (int i = n - 1; i > 0; --i)
+#pragma GCC unroll 9
         for (int j = 0; j < i; ++j)
+#pragma GCC unroll 3
           for (int k = n; k < n + m; ++k)
             A[j][k] -= A[j][i] * A[i][k];
       return true;
@@ -125,46 +134,15 @@ namespace samara
 
 
 
-    /** Four nodes at once, each in a lane; behind the last node of a model, it fills up. */
-    class FourNodes
+    /** Places and triads. */
+    void
+    store(const FourNodes &nodes, const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q)
     {
-    public:
-      FourNodes(const unsigned int first, const unsigned int n_nodes)
-      {
-        for (unsigned int l = 0; l < 4; ++l)
-          {
-            nodes[l]     = std::min(first + l, n_nodes - 1);
-            is_wanted[l] = first + l < n_nodes;
-          }
-      }
-
-      /** The @p n values of each. */
-      void
-      load(const unsigned int n, const std::vector<double> &values, Lane *lanes) const
-      {
-        std::array<const double *, 4> from;
-        for (unsigned int l = 0; l < 4; ++l)
-          from[l] = values.data() + n * nodes[l];
-        Lanes<double>::load(n, from, lanes);
-      }
-
-      void
-      store(const Vec3<Lane> &x, const Mat3<Lane> &D, std::vector<double> &q) const
-      {
-        Lane   lanes[12];
-        double not_wanted[12];
-        std::copy_n(x.data(), 3, lanes);
-        std::copy_n(D.data(), 9, lanes + 3);
-        std::array<double *, 4> to;
-        for (unsigned int l = 0; l < 4; ++l)
-          to[l] = is_wanted[l] ? q.data() + 12 * nodes[l] : not_wanted;
-        Lanes<double>::store(12, lanes, to);
-      }
-
-    private:
-      std::array<unsigned int, 4> nodes;
-      std::array<bool, 4>         is_wanted;
-    };
+      Lane lanes[12];
+      std::copy_n(x.data(), 3, lanes);
+      std::copy_n(D.data(), 9, lanes + 3);
+      nodes.store(12, lanes, q);
+    }
 
 
 
@@ -189,7 +167,7 @@ namespace samara
   StageIntegrator::move_nodes(const State &state, const double h)
   {
     const unsigned int n_nodes = system.layout.n_nodes;
-    parallel_for((n_nodes + 2) / 4, worth_threads, [&](const unsigned int begin, const unsigned int end) {
+    const auto         move    = [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int first = 1 + 4 * begin; first < std::min(1 + 4 * end, n_nodes); first += 4)
         {
           const FourNodes nodes(first, n_nodes);
@@ -223,11 +201,12 @@ namespace samara
               for (int l = 0; l < s; ++l)
                 for (int i = 0; i < 3; ++i)
                   x(i) += Lane(h * tableau.a(k, l)) * velocity[l](i);
-              nodes.store(x, D[k], stages[k].q);
+              store(nodes, x, D[k], stages[k].q);
             }
-          nodes.store(x_final, D_final, final_q);
+          store(nodes, x_final, D_final, final_q);
         }
-    });
+    };
+    parallel_for((n_nodes + 2) / 4, worth_threads, std::cref(move)); // a reference needs no memory of its own
   }
 
 
@@ -411,24 +390,53 @@ namespace samara
   StageIntegrator::add_inertia(const unsigned int k, const State &state, const double h)
   {
     Stage                           &stage   = stages[k];
-    const unsigned int               n_nodes = system.layout.n_nodes - 1;
+    const unsigned int               n_nodes = system.layout.n_nodes, n_groups = (n_nodes + 2) / 4;
     thread_local std::vector<double> energies;
-    energies.resize(n_nodes);
+    energies.resize(n_groups);
     double *const energy = energies.data();
-    parallel_for(n_nodes, 4 * worth_threads, [&](const unsigned int begin, const unsigned int end) {
-      for (unsigned int node = 1 + begin; node < 1 + end; ++node)
+    const auto    add    = [&](const unsigned int begin, const unsigned int end) {
+      for (unsigned int group = begin; group < end; ++group)
         {
-          const Matrix6                  &inertia = system.model.nodes[node].inertia;
-          const Eigen::Map<const Vector6> y(&stage.y[6 * node]), y_start(&state.y[6 * node]);
-          Vector6                         acceleration = Vector6::Zero();
+          const FourNodes nodes(1 + 4 * group, n_nodes);
+          Lane            M[36], start[6], y[6], acceleration[6], p[6], r[6];
+          Lanes<double>::load(36,
+                              {system.model.nodes[nodes[0]].inertia.data(),
+                               system.model.nodes[nodes[1]].inertia.data(),
+                               system.model.nodes[nodes[2]].inertia.data(),
+                               system.model.nodes[nodes[3]].inertia.data()},
+                              M);
+          nodes.load(6, state.y, start);
+          std::fill_n(acceleration, 6, Lane(0.));
           for (unsigned int l = 0; l < tableau.s; ++l)
-            acceleration += tableau.w(k, l) / h * (Eigen::Map<const Vector6>(&stages[l].y[6 * node]) - y_start);
-          const Vector6 momentum = inertia * y;
-          energy[node - 1]       = 0.5 * momentum.dot(y);
-          Eigen::Map<Vector6>(&stage.residual[system.layout.of_node(node)]) +=
-            inertia * acceleration - ad_star<double>(y, momentum);
+            {
+              const Lane factor = tableau.w(k, l) / h;
+              nodes.load(6, stages[l].y, y);
+              for (int i = 0; i < 6; ++i)
+                acceleration[i] += factor * (y[i] - start[i]);
+            }
+          nodes.load(6, stage.y, y);
+          nodes.load_unknowns(stage.residual, r);
+          Lane twice_energy = 0.;
+          for (int i = 0; i < 6; ++i)
+            {
+              const Lane *const row = M + 6 * i; // of a symmetric matrix
+              p[i] = row[0] * y[0] + row[1] * y[1] + row[2] * y[2] + row[3] * y[3] + row[4] * y[4] + row[5] * y[5];
+              r[i] += row[0] * acceleration[0] + row[1] * acceleration[1] + row[2] * acceleration[2] +
+                      row[3] * acceleration[3] + row[4] * acceleration[4] + row[5] * acceleration[5];
+              twice_energy += p[i] * y[i];
+            }
+          // −ad*_y p = (ω × l, ω × a + v × l) of the momenta l, a
+          for (int i = 0; i < 3; ++i)
+            {
+              const int m = (i + 1) % 3, n = (i + 2) % 3;
+              r[i] += y[3 + m] * p[n] - y[3 + n] * p[m];
+              r[3 + i] += y[3 + m] * p[3 + n] - y[3 + n] * p[3 + m] + y[m] * p[n] - y[n] * p[m];
+            }
+          nodes.store_unknowns(r, stage.residual);
+          energy[group] = 0.5 * nodes.sum(twice_energy);
         }
-    });
+    };
+    parallel_for(n_groups, worth_threads, std::cref(add));
     return std::accumulate(energies.begin(), energies.end(), 0.);
   }
 

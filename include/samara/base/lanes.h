@@ -115,9 +115,7 @@ namespace samara
       unsigned int i = 0;
       for (; i + 4 <= n; i += 4)
         {
-          type rows[4];
-          for (unsigned int l = 0; l < 4; ++l)
-            std::memcpy(&rows[l], in[l] + i, sizeof(type));
+          const type rows[4] = {from(in[0] + i), from(in[1] + i), from(in[2] + i), from(in[3] + i)};
           transpose(rows, out + i);
         }
       for (; i < n; ++i)
@@ -132,15 +130,38 @@ namespace samara
         {
           type rows[4];
           transpose(in + i, rows);
-          for (unsigned int l = 0; l < 4; ++l)
-            std::memcpy(out[l] + i, &rows[l], sizeof(type));
+          to(rows[0], out[0] + i);
+          to(rows[1], out[1] + i);
+          to(rows[2], out[2] + i);
+          to(rows[3], out[3] + i);
         }
       for (; i < n; ++i)
-        for (unsigned int l = 0; l < 4; ++l)
-          out[l][i] = in[i].values[l];
+        {
+          out[0][i] = in[i].values[0];
+          out[1][i] = in[i].values[1];
+          out[2][i] = in[i].values[2];
+          out[3][i] = in[i].values[3];
+        }
     }
 
   private:
+    // written out: compilers make loops of four that go through memory
+
+    /** Four numbers that stand anywhere. */
+    static type
+    from(const double *numbers)
+    {
+      type result;
+      std::memcpy(&result.values, numbers, sizeof(result.values));
+      return result;
+    }
+
+    static void
+    to(const type &row, double *numbers)
+    {
+      std::memcpy(numbers, &row.values, sizeof(row.values));
+    }
+
     static void
     transpose(const type *in, type *out)
     {
