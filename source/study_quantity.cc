@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 
 namespace samara
@@ -166,7 +167,7 @@ namespace samara
     name = trim(name.substr(0, blank));
     const std::vector<std::string> names =
       source == "modal" ?
-        std::vector<std::string>{"frequency", "damping ratio", "real", "imaginary"} :
+        std::vector<std::string>{"frequency", "damping ratio", "real", "imaginary", "growth rate"} :
         std::vector<std::string>{"multiplier", "growth rate", "frequency", "frequency mod period", "damping ratio"};
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw std::invalid_argument("a mode has no <" + name + ">" + did_you_mean(name, names));
@@ -198,7 +199,11 @@ namespace samara
   {
     if (!is_of_modes())
       return read_series(folder + "/" + (source == "energy" ? "dynamic_energy" : source) + ".csv", name);
-    const Series modes = read_series(folder + (source == "modal" ? "/modes.csv" : "/floquet.csv"), name);
+    const bool is_ordered = source == "modal" && name == "growth rate"; // modes.csv is in the order of frequencies
+    Series     modes =
+      read_series(folder + (source == "modal" ? "/modes.csv" : "/floquet.csv"), is_ordered ? "real" : name);
+    if (is_ordered)
+      std::sort(modes.y.begin(), modes.y.end(), std::greater<double>());
     if (mode > modes.y.size())
       throw std::runtime_error("there are " + std::to_string(modes.y.size()) + " modes, not " + std::to_string(mode));
     return {{0.}, {modes.y[mode - 1]}};

@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace samara
 {
@@ -118,6 +119,23 @@ namespace samara
   {
     std::vector<Doubt> result;
     add_doubt_of_reach(state, result);
+    const Matrix3 H = hub.triad(state.q.data());
+    const Vector3 u =
+      H.transpose() * (air->wind(hub.position(state.q.data()), state.time) - H * hub.twist(state.y.data()).head<3>());
+    const double R = radius_at(state.time), thrust = surfaces.empty() ? 0. : H.col(2).dot(loads(state).force);
+    if (thrust * u(2) > 0) // the air comes from where the wake goes
+      {
+        const auto   text  = [](const double x) { return number_to_text("%.3g", x); };
+        const double hover = std::sqrt(std::abs(thrust) / (2 * air->density * M_PI)) / R,
+                     ratio = std::abs(u(2)) / hover;
+        // C_T = 2 at the square root of two: no air passes the disk any more
+        if (ratio > 0.3 && ratio < std::sqrt(2.) && u.head<2>().norm() < hover)
+          result.push_back({"vortex rings",
+                            "the air meets the wake of <" + name + "> with " + text(std::abs(u(2))) + " m/s, " +
+                              text(ratio) +
+                              " of its flow in hover: from 0.3 to 1.4 there are vortex rings, which annular momentum "
+                              "bridges and does not describe. Results may be wrong there"});
+      }
     return result;
   }
 

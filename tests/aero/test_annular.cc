@@ -285,6 +285,39 @@ TEST(AnnularInflow, DerivativesAgainstComplexSteps)
 
 
 
+// Where a rotor descends into its wake it is told so: against v_h = √(T/2ρA), from 0.3 v_h to √2 v_h, where the thrust
+// is that of a disk that lets nothing pass, C_T = 2. Hover, a climb, a turbine in its working range and flight are not.
+TEST(AnnularInflow, VortexRingsAreWarnedAbout)
+{
+  struct Case
+  {
+    std::string wind;
+    bool        is_told;
+  };
+  // thrust is positive, along z: the wind blows along it where the rotor descends
+  for (const Case &c : {Case{"0, 0, 0", false},
+                        Case{"0, 0, -5", false},
+                        Case{"0, 0, 0.5", false},
+                        Case{"0, 0, 5", true},
+                        Case{"0, 0, 8", true},
+                        Case{"0, 0, 20", false},
+                        Case{"30, 0, 5", false}})
+    {
+      SCOPED_TRACE(c.wind);
+      Scene scene(rotor(
+        4, c.wind, "    set Swirl = false\n", "    set Chord = 0.3\n    set Twist = 0.15\n    set Airfoils = real\n"));
+      scene.equilibrium();
+      EXPECT_EQ(scene.stream.str().find("vortex rings") != std::string::npos, c.is_told) << scene.stream.str();
+      const double T = scene.value("flow.thrust"), hover = std::sqrt(T / (2 * 1.225 * M_PI * 9));
+      EXPECT_GT(T, 0.);
+      // the cases are what they are meant to be
+      const double descent = std::stod(c.wind.substr(c.wind.rfind(' '))) / hover;
+      EXPECT_EQ(descent > 0.3 && descent < std::sqrt(2.) && c.wind[0] == '0', c.is_told) << descent;
+    }
+}
+
+
+
 TEST(AnnularInflow, RefusesWhatItCannotBe)
 {
   const std::string entries = "    set Chord = 0.2\n    set Airfoils = real\n";

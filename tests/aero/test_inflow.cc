@@ -108,7 +108,7 @@ TEST(FiniteStateInflow, MatricesOfPetersAndHe)
       const bool            is_sine = row.at("type") == "sin";
       const double          l       = L(number_of(inflow, number(row, "r"), number(row, "j"), is_sine),
                          number_of(inflow, number(row, "m"), number(row, "n"), is_sine));
-      EXPECT_NEAR(l, number(row, "L_formula"), 1e-9);
+      EXPECT_NEAR(l, number(row, "L_formula"), 1e-10); // ten digits are given
       EXPECT_NEAR(l, number(row, "L_integrated"), 5e-5);
       ++n_rows;
     }
@@ -116,6 +116,61 @@ TEST(FiniteStateInflow, MatricesOfPetersAndHe)
   EXPECT_EQ(FiniteStateInflow::peters_he(2, 4).size(), 11u);
   EXPECT_EQ(FiniteStateInflow::peters_he(4, 8).size(), 33u);
   EXPECT_EQ(FiniteStateInflow::peters_he(8, 12).size(), 79u);
+}
+
+
+
+namespace
+{
+  /** Normalised associated Legendre function of degree n and order m: the integral of its square from 0 to 1 is 1. */
+  double
+  legendre(const unsigned int n, const unsigned int m, const double nu)
+  {
+    return std::assoc_legendre(n, m, nu) *
+           std::sqrt((2 * n + 1) * std::exp(std::lgamma(n - m + 1.) - std::lgamma(n + m + 1.)));
+  }
+
+  /** The degree n of a shape. */
+  unsigned int
+  degree_of(const DiskShapes::Shape &shape)
+  {
+    return shape.m + 2 * shape.c.size() - 1;
+  }
+} // namespace
+
+
+
+// Shapes are φ = P(ν)/ν with ν = √(1 − r²), and in axial flow, where what passes the disk is φ times what the states
+// are and the pressure is P times the loads, L is the integral of ν P P: both by Legendre functions of the library.
+TEST(FiniteStateInflow, ShapesAndMatrixByLegendreFunctions)
+{
+  const auto            inflow = FiniteStateInflow::peters_he(8, 12);
+  const auto           &shapes = inflow.disk.shapes;
+  std::vector<double>   values(inflow.size());
+  const Eigen::MatrixXd L       = inflow.influence(0., 0.);
+  const auto            rule    = composite_rule({0., 1.}, 20);
+  unsigned int          n_sines = 0;
+  for (const double r : {0.05, 0.3, 0.6, 0.75, 0.9, 0.99})
+    for (unsigned int k = 0; k < shapes.size(); ++k)
+      {
+        const unsigned int m = shapes[k].m, n = degree_of(shapes[k]);
+        const double       psi = shapes[k].is_sine ? 0.5 * M_PI / m : 0., nu = std::sqrt(1 - r * r);
+        inflow.disk.evaluate(r * std::cos(psi), r * std::sin(psi), values.data());
+        const double size = std::sqrt(2. * n + 1);
+        EXPECT_NEAR(values[k], legendre(n, m, nu) / nu, 1e-11 * size) << m << " " << n << " " << r;
+        n_sines += shapes[k].is_sine;
+      }
+  EXPECT_EQ(n_sines, 6 * 36u);
+  for (unsigned int k = 0; k < shapes.size(); ++k)
+    for (unsigned int j = 0; j < shapes.size(); ++j)
+      {
+        double integral = 0;
+        if (shapes[k].m == shapes[j].m && shapes[k].is_sine == shapes[j].is_sine)
+          for (const auto &[nu, weight] : rule)
+            integral += weight * nu * legendre(degree_of(shapes[k]), shapes[k].m, nu) *
+                        legendre(degree_of(shapes[j]), shapes[j].m, nu);
+        EXPECT_NEAR(L(k, j), integral, 1e-12) << k << " " << j;
+      }
 }
 
 
@@ -182,44 +237,122 @@ TEST(FiniteStateInflow, MeanFlowIsThatOfMomentumTheory)
 
 
 
-// Blade elements of infinitely many blades in hover.
-TEST(FiniteStateInflow, HoverOfBladeElements)
+namespace
 {
-  std::vector<double> r, w;
-  for (const auto &[x, weight] : composite_rule({0., 0.25, 0.5, 0.75, 1.}, 10))
+  /** Infinitely many blades of constant chord from the axis to the edge, a row of a reference; in units of ΩR. */
+  struct HoveringBlades
+  {
+    double sigma, a, theta0, twist;
+    double CT = 0, CPi = 0; ///< of the flow that they were asked with last
+
+    explicit HoveringBlades(const std::map<std::string, std::string> &row)
+      : sigma(number(row, "sigma"))
+      , a(number(row, "a"))
+      , theta0(number(row, "theta0_deg") * M_PI / 180)
+      , twist(number(row, "twist_deg") * M_PI / 180)
+    {}
+
+    /** In the flow @p v(r): @p add(r, force along the thrust axis) for each station. */
+    template <typename Flow, typename Add>
+    void
+    load(const Flow &v, const Add &add)
     {
-      r.push_back(x);
-      w.push_back(weight);
+      CT = CPi = 0;
+      for (const auto &[r, weight] : composite_rule({0., 0.25, 0.5, 0.75, 1.}, 10))
+        {
+          const double w = v(r), f = sigma * a / 2 * ((theta0 + twist * r) * r * r - w * r) * weight;
+          add(r, f);
+          CT += f;
+          CPi += f * w;
+        }
     }
-  unsigned int n_rows = 0;
-  for (const auto &row : reference_rows("rotor/hover_finite_state.csv"))
+
+    /** States in which they hover. */
+    Eigen::VectorXd
+    hover(const FiniteStateInflow &inflow)
     {
-      const auto   inflow = FiniteStateInflow::peters_he(0, 2 * number(row, "S") - 2, row.at("form") == "left");
-      const double sigma = number(row, "sigma"), a = number(row, "a"), theta0 = number(row, "theta0_deg") * M_PI / 180,
-                   twist = number(row, "twist_deg") * M_PI / 180;
-      double     CT = 0, CPi = 0;
-      const auto loads = [&](const Eigen::VectorXd &z) {
-        Eigen::VectorXd t = Eigen::VectorXd::Zero(inflow.size()), phi(inflow.size());
-        CT = CPi = 0;
-        for (unsigned int i = 0; i < r.size(); ++i)
-          {
-            inflow.disk.evaluate(r[i], 0., phi.data());
-            const double v = z.dot(phi), f = sigma * a / 2 * ((theta0 + twist * r[i]) * r[i] * r[i] - v * r[i]) * w[i];
-            t += M_PI * f * phi;
-            CT += f;
-            CPi += f * v;
-          }
+      Eigen::VectorXd phi(inflow.size());
+      const auto      loads = [&](const Eigen::VectorXd &z) {
+        Eigen::VectorXd t = Eigen::VectorXd::Zero(inflow.size());
+        load(
+          [&](const double r) {
+            inflow.disk.evaluate(r, 0., phi.data());
+            return z.dot(phi);
+          },
+          [&](const double, const double f) { t += M_PI * f * phi; });
         return t;
       };
       const auto z = steady(inflow, loads, {0., 0., 0., 0.}, 0.03);
       loads(z);
-      EXPECT_NEAR(CT, number(row, "CT"), 1e-6 * CT);
-      EXPECT_NEAR(CPi, number(row, "CPi"), 1e-6 * CPi);
+      return z;
+    }
+  };
+} // namespace
+
+
+
+// Blade elements of infinitely many blades in hover.
+TEST(FiniteStateInflow, HoverOfBladeElements)
+{
+  unsigned int n_rows = 0;
+  for (const auto &row : reference_rows("rotor/hover_finite_state.csv"))
+    {
+      const auto     inflow = FiniteStateInflow::peters_he(0, 2 * number(row, "S") - 2, row.at("form") == "left");
+      HoveringBlades blades(row);
+      const auto     z = blades.hover(inflow);
+      EXPECT_NEAR(blades.CT, number(row, "CT"), 1e-6 * blades.CT);
+      EXPECT_NEAR(blades.CPi, number(row, "CPi"), 1e-6 * blades.CPi);
       EXPECT_NEAR(z(0), number(row, "alpha_01"), 1e-6);
-      EXPECT_NEAR(inflow.flow<double>(z, {0., 0., 0., 0.}, 1., 1e-6).nu, std::sqrt(CT / 2), 1e-10);
+      EXPECT_NEAR(inflow.flow<double>(z, {0., 0., 0., 0.}, 1., 1e-6).nu, std::sqrt(blades.CT / 2), 1e-10);
       ++n_rows;
     }
   EXPECT_GT(n_rows, 20u);
+}
+
+
+
+// The same blades beside annular momentum theory, whose annuli do not know each other, and beside uniform inflow. That
+// is met exactly. More states come nearer to annuli, by more than a half from one to eight, to 5 % in induced power and
+// 5.5 % in thrust, 10 % where tips push the other way; they do not get there, as no flow that is linear in the loads
+// does.
+TEST(FiniteStateInflow, MoreStatesComeNearerToAnnularMomentum)
+{
+  unsigned int n_rows = 0;
+  for (const auto &row : reference_rows("rotor/hover_bemt.csv"))
+    {
+      HoveringBlades blades(row);
+      SCOPED_TRACE(row.at("sigma") + " " + row.at("a") + " " + row.at("theta0_deg") + " " + row.at("twist_deg"));
+      const double CT = number(row, "CT_bemt"), CPi = number(row, "CPi_bemt");
+      blades.load(
+        [&](const double r) {
+          const double s = blades.sigma * blades.a / 16;
+          return s * (std::sqrt(std::max(0., 1 + 2 * (blades.theta0 + blades.twist * r) * r / s)) - 1);
+        },
+        [](const double, const double) {});
+      EXPECT_NEAR(blades.CT, CT, 1e-9 * CT);
+      EXPECT_NEAR(blades.CPi, CPi, 1e-9 * CPi);
+
+      const auto z = blades.hover(FiniteStateInflow::uniform());
+      EXPECT_NEAR(blades.CT, number(row, "CT_uniform"), 1e-9 * CT);
+      EXPECT_NEAR(z(0), number(row, "lam_uniform"), 1e-10);
+
+      std::vector<double> of_thrust, of_power;
+      for (const unsigned int n_states : {1, 3, 8})
+        {
+          blades.hover(FiniteStateInflow::peters_he(0, 2 * n_states - 2));
+          of_thrust.push_back(std::abs(blades.CT / CT - 1));
+          of_power.push_back(std::abs(blades.CPi / CPi - 1));
+        }
+      EXPECT_LT(of_thrust[1], of_thrust[0]);
+      EXPECT_LT(of_thrust[2], 0.5 * of_thrust[0]);
+      EXPECT_LT(of_power[1], of_power[0]);
+      EXPECT_LT(of_power[2], 0.5 * of_power[0]);
+      EXPECT_LT(of_power[2], 0.05);
+      const bool has_light_tips = blades.theta0 + blades.twist <= 1e-9;
+      EXPECT_LT(of_thrust[2], has_light_tips ? 0.1 : 0.055);
+      ++n_rows;
+    }
+  EXPECT_EQ(n_rows, 20u);
 }
 
 

@@ -539,7 +539,7 @@ TEST(AnnularInflow, WindTurbineAgainstAnotherCode)
                    set("pitch", row.pitch, " deg"),
                    "Sections/blade/File = " + data + "blade.csv, " + data + "torsion_stiff.csv"});
       scene.equilibrium();
-      EXPECT_NEAR(scene.value("flow.thrust") / 1e3, row.thrust, 0.035 * row.thrust) << row.wind;
+      EXPECT_NEAR(scene.value("flow.thrust") / 1e3, row.thrust, 0.0305 * row.thrust) << row.wind;
       EXPECT_NEAR(-scene.value("flow.torque") / 1e3, row.torque, 0.03 * row.torque) << row.wind;
     }
 }

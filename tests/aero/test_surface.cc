@@ -1,11 +1,13 @@
 // Loads of surfaces: derivatives, power, closed forms, independence of meshes and of axes.
 
 #include <samara/aero/surface.h>
+#include <samara/time/stage_integrator.h>
 
 #include "../complex_step.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
+#include "growth.h"
 #include "models.h"
 
 using namespace samara;
@@ -64,6 +66,31 @@ TEST(Surface, DerivativesAgainstComplexSteps)
 
 
 
+// The same with coefficients of tables, before and beyond stall, Mach numbers between those of the table.
+TEST(Surface, DerivativesWithTables)
+{
+  const std::string data = SAMARA_SOURCE_DIR "/prm/rotorcraft/",
+                    tables =
+                      "  subsection polars\n    set Type = AeroDyn\n    set File = " + data +
+                      "nrel_5mw/DU21_A17.dat\n  end\n  subsection c81\n    set Type = C81\n    set File = " + data +
+                      "xv15/64-X12.c81\n  end\n";
+  const std::string head = "subsection Airfoils\n";
+  for (const std::string wind : {"20, 5, -3", "5, 20, 30", "-30, 10, 8"})
+    for (const std::string unsteady : {"quasi-steady", "two lags", "dynamic stall"})
+      {
+        SCOPED_TRACE(wind + ", " + unsteady);
+        std::string text = blade(air(wind, "    set Speed of sound = 60\n"),
+                                 "    set Chord = 0.4 - 0.05*s\n    set Quarter chord = 0.05 + 0.01*s\n"
+                                 "    set Twist = 0.1 - 0.02*s\n    set Airfoils = polars at 0.5, c81 at 2.5\n"
+                                 "    set Unsteady = " +
+                                   unsteady + "\n");
+        text.insert(text.find(head) + head.size(), tables);
+        EXPECT_LT(error_of_matrices(text), 1e-12);
+      }
+}
+
+
+
 // What the forces on the nodes do is what the air does.
 TEST(Surface, PowerIsDual)
 {
@@ -109,6 +136,71 @@ TEST(Surface, ClosedForms)
   EXPECT_NEAR(scene.value("it.moment x"), scene.value("it.force z") * 1., 1e-12 * lift);
   EXPECT_NEAR(scene.value("it.at 1.angle of attack"), alpha * 180 / M_PI, 1e-12);
   EXPECT_NEAR(scene.value("it.at 1.Mach"), U / 340.3, 1e-12);
+}
+
+
+
+// Flow along the span: no part of angle, Mach number and lift, ½ρcU c_d V along the line (doc/theory/aerodynamics.md).
+TEST(Surface, FlowAlongTheSpan)
+{
+  const double      alpha = 0.1, U = 30, c = 0.5, rho = 1.225, s = std::sin(alpha);
+  const std::string wing = "    set Chord = 0.5\n    set Airfoils = plain\n    set Unsteady = quasi-steady\n";
+  const auto        with = [&](const double along, const std::string &entries) {
+    return Scene(rigid_wing(air("30*cos(0.1), " + number_to_text(along) + ", 30*sin(0.1)"), entries));
+  };
+  const Scene  across = with(0, wing);
+  const double lift = across.value("it.force z"), cd = 0.01 + 0.02 * s + 0.5 * s * s;
+  for (const double V : {12., -40.})
+    {
+      const Scene swept = with(V, wing);
+      for (const std::string probe : {"it.force x", "it.force z", "it.moment y", "it.at 1.Mach"})
+        EXPECT_NEAR(swept.value(probe), across.value(probe), 1e-13 * lift) << probe;
+      EXPECT_NEAR(swept.value("it.at 1.angle of attack"), alpha * 180 / M_PI, 1e-12);
+      EXPECT_NEAR(swept.value("it.force y"), 0.5 * rho * c * U * cd * V * 4, 1e-12 * lift);
+      EXPECT_NEAR(swept.value("it.moment z"), -swept.value("it.force x") * 1., 1e-12 * lift); // the middle is at y = 1
+    }
+  // a compressible section that stalls: the Mach number is that across the span
+  const std::string full = "    set Chord = 0.5\n    set Airfoils = full\n    set Unsteady = quasi-steady\n";
+  EXPECT_NEAR(with(100, full).value("it.force z"), with(0, full).value("it.force z"), 1e-12 * lift);
+}
+
+
+
+// A fin that stands up in a wind that grows with the height, u (z/z_r)^p above the ground: ½ρ c c_l ∫u² dz, one lever
+// arm of its middle to the ground's.
+TEST(Surface, WindThatGrowsWithTheHeight)
+{
+  const double u = 20, c = 0.5, rho = 1.225, ground = -2, z_r = 4, s = 3 / std::hypot(20., 3.);
+  for (const double p : {0.5, 0.2})
+    {
+      std::string text    = rigid_wing(air("20, 3, 0",
+                                        "    set Shear exponent = " + number_to_text(p) +
+                                          "\n    set Ground = -2\n    set Shear height = 4\n"),
+                                    "    set Chord = 0.5\n    set Airfoils = plain\n    set Unsteady = quasi-steady\n"
+                                       "    set Stations = 10\n");
+      const auto  replace = [&](const std::string &what, const std::string &by) {
+        ASSERT_NE(text.find(what), std::string::npos);
+        text.replace(text.find(what), what.size(), by);
+      };
+      replace("Line = 0, -1, 0; 0, 3, 0", "Line = 0, 0, 1; 0, 0, 5");
+      replace("Upper side = 0, 0, 1", "Upper side = 0, 1, 0");
+      const Scene scene(text);
+      const auto  integral = [&](const double exponent) { // of the height to that power over the fin
+        return (std::pow(5 - ground, exponent + 1) - std::pow(1 - ground, exponent + 1)) / (exponent + 1);
+      };
+      const double square = 1 + 9. / 400, cl = 2 * M_PI * s * 20 / std::hypot(20., 3.),
+                   cd = 0.01 + 0.02 * s + 0.5 * s * s, q = 0.5 * rho * c * u * u * square / std::pow(z_r, 2 * p),
+                   cosine = 20 / std::hypot(20., 3.), side = q * (cl * cosine + cd * s),
+                   back  = q * (cd * cosine - cl * s);
+      const double bound = p == 0.5 ? 1e-12 : 1e-9;
+      EXPECT_NEAR(scene.value("it.force y"), side * integral(2 * p), bound * side * integral(2 * p)) << p;
+      EXPECT_NEAR(scene.value("it.force x"), back * integral(2 * p), bound * side * integral(2 * p)) << p;
+      // about the origin, which is 2 m above the ground
+      EXPECT_NEAR(scene.value("it.moment x"),
+                  -side * (integral(2 * p + 1) + ground * integral(2 * p)),
+                  bound * 5 * side * integral(2 * p))
+        << p;
+    }
 }
 
 
@@ -212,6 +304,97 @@ TEST(Surface, FramesAndMirrors)
                                                                                {"it.moment y", 1},
                                                                                {"it.moment z", -1}})
     EXPECT_NEAR(mirror.value(probe), sign * blown.value(probe), 1e-11 * blown.value("it.force z")) << probe;
+}
+
+
+
+namespace
+{
+  /** A wing, a tail plane or a fin of the aircraft of prm/examples/aero/tail_plane.prm: chord, span, quarter chord. */
+  struct Plane
+  {
+    double c, span, x; ///< x behind the mass centre [m]
+
+    double
+    lift(const double U) const // over the upwash [N s/m]
+    {
+      return 0.5 * 1.225 * U * c * span * 2 * M_PI;
+    }
+    double
+    roll(const double U) const // the moment over the rate of roll [N m s]
+    {
+      return lift(U) * span * span / 12;
+    }
+  };
+
+  /**
+   * Eigenvalue of pitch and heave, or of yaw and sideslip, of planes without drag whose lift is zero in steady flight:
+   * with K = Σk, K₃ = Σ k x₃, x₃ the place of three quarters of the chord, the angle of attack α and the rate r
+   *
+   *     α' = −K/m α + (1 − K₃/(mU)) r      r' = −(U Σ k x/I) α − (Σ k x x₃/I) r
+   */
+  std::complex<double>
+  oscillation(const std::vector<Plane> &planes, const double U, const double m, const double I)
+  {
+    double K = 0, K3 = 0, Kx = 0, Kx3 = 0;
+    for (const Plane &p : planes)
+      {
+        const double k = p.lift(U), x3 = p.x + 0.5 * p.c;
+        K += k;
+        K3 += k * x3;
+        Kx += k * p.x;
+        Kx3 += k * p.x * x3;
+      }
+    const double half = 0.5 * (K / m + Kx3 / I), square = K / m * Kx3 / I + Kx * U / I * (1 - K3 / (m * U));
+    return -half + std::sqrt(std::complex<double>(half * half - square));
+  }
+} // namespace
+
+
+
+// An aircraft with wing, tail plane and fin in free flight: short period, weathercock and roll, as modes and as a
+// motion.
+TEST(Surface, AircraftWithTailPlaneAndFin)
+{
+  const Plane wing{1.4, 10, -0.1}, tail{0.8, 3, 4.5}, fin{0.9, 1.6, 4.6};
+  for (const double U : {30., 60.})
+    {
+      const std::string model = "prm/examples/aero/tail_plane.prm", speed = "Constants/U = " + number_to_text(U);
+      Scene             scene(model, {speed});
+      std::vector<std::complex<double>> found;
+      for (const auto &mode : scene.modes())
+        if (std::abs(mode.lambda) > 1e-3)
+          found.push_back(mode.lambda);
+      const auto short_period = oscillation({wing, tail}, U, 1200, 2600),
+                 weathercock  = oscillation({fin}, U, 1200, 4000);
+      const double roll       = -(wing.roll(U) + tail.roll(U) + fin.roll(U)) / 1800;
+      ASSERT_EQ(found.size(), 3u);
+      EXPECT_LT(std::abs(found[0] - weathercock), 1e-9 * std::abs(weathercock)) << found[0] << weathercock;
+      EXPECT_LT(std::abs(found[1] - short_period), 1e-9 * std::abs(short_period)) << found[1] << short_period;
+      EXPECT_LT(std::abs(found[2] - roll), 1e-9 * std::abs(roll)) << found[2] << roll;
+
+      // a small pitching velocity: 2 s of it
+      Scene  flying(model, {speed, "Bodies/aircraft/Angular velocity = 0, 1e-3, 0"});
+      State &state = flying.context.state;
+      flying.system.add_initial_velocities(state);
+      state.held            = false;
+      const auto          h = 0.02;
+      StageIntegrator     integrator(flying.system, Tableau(3, 1.), 1e-12, 50);
+      std::vector<double> angles;
+      for (unsigned int i = 0; i < 60; ++i)
+        {
+          angles.push_back(flying.value("wing.at 5.angle of attack"));
+          ASSERT_TRUE(integrator.step(state, h).converged);
+        }
+      EXPECT_LT(std::abs(growth_of(angles, h) - short_period), 1e-5 * std::abs(short_period)) << U;
+    }
+  // without its tail plane it turns over
+  Scene  no_tail("prm/examples/aero/tail_plane.prm", {"Surfaces/tail plane/Lift factor = 0"});
+  double largest = 0;
+  for (const auto &mode : no_tail.modes())
+    largest = std::max(largest, mode.lambda.real());
+  EXPECT_NEAR(largest, oscillation({wing}, 60, 1200, 2600).real(), 1e-9);
+  EXPECT_GT(largest, 0.1);
 }
 
 

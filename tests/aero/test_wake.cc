@@ -83,6 +83,76 @@ TEST(VortexLine, Core)
 
 
 
+// Four segments at once are the same as one after the other: also the few that are left over, places on the line and
+// derivatives.
+TEST(VortexLine, FourAtOnce)
+{
+  using Complex          = std::complex<double>;
+  const auto largest_gap = [](const auto &line, const auto &at, const double core) {
+    using Number                              = std::decay_t<decltype(at(0))>;
+    const Eigen::Matrix<Number, 3, 1> at_once = induced_velocity<Number>(at, line, core);
+    std::array<Number, 3>             one     = {Number(0), Number(0), Number(0)};
+    internal::add_segments(at, line, 0, internal::VortexCore(core), one);
+    double gap = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+      gap = std::max(gap, std::abs(at_once(i) - one[i] / (4 * M_PI)));
+    return gap;
+  };
+  const Vector3 way(1, 0, -2);
+  for (const unsigned int n : {0, 1, 2, 4, 5, 8, 9, 11, 50})
+    {
+      VortexLine<double>  line;
+      VortexLine<Complex> shaken;
+      line.resize(n);
+      shaken.resize(n);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          line.x[i]   = 2 * std::cos(0.3 * i);
+          line.y[i]   = 2 * std::sin(0.3 * i);
+          line.z[i]   = -0.05 * i;
+          shaken.x[i] = {line.x[i], std::sin(7. * i)};
+          shaken.y[i] = {line.y[i], std::sin(5. * i)};
+          shaken.z[i] = {line.z[i], std::sin(3. * i)};
+        }
+      std::vector<Vector3> places = {{1, 0.5, -0.3}, {2.01, 0.01, 0}, {30, -50, 10}};
+      if (n > 2)
+        places.emplace_back(line.x[2], line.y[2], line.z[2]);
+      for (const Vector3 &at : places)
+        {
+          EXPECT_LT(largest_gap(line, at, 0.1), 1e-14) << n;
+          EXPECT_LT(largest_gap(line, at, 1e-6), 1e-13) << n;
+          // imaginary parts as small as those of derivatives, and, far from the line, larger ones
+          for (const double size : {1e-30, at.norm() > 10 ? 0.3 : 1e-20})
+            {
+              VortexLine<Complex> to = shaken;
+              for (auto *const x : {&to.x, &to.y, &to.z})
+                for (auto &value : *x)
+                  value.imag(size * value.imag());
+              EXPECT_LT(largest_gap(to, Eigen::Vector3cd(at + Complex(0, size) * way), 0.1), 1e-13) << n << " " << size;
+            }
+        }
+      // the derivative is that of doubles
+      const double step = 1e-30, h = 1e-5;
+      for (auto *const x : {&shaken.x, &shaken.y, &shaken.z})
+        for (auto &value : *x)
+          value.imag(step * value.imag());
+      const auto moved = [&](const double by) {
+        VortexLine<double> to = line;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            to.x[i] += by * std::sin(7. * i);
+            to.y[i] += by * std::sin(5. * i);
+            to.z[i] += by * std::sin(3. * i);
+          }
+        return induced_velocity<double>(places[0] + by * way, to, 0.1);
+      };
+      const Vector3 slope = induced_velocity<Complex>(places[0] + Complex(0, step) * way, shaken, 0.1).imag() / step;
+      EXPECT_LT((slope - (moved(h) - moved(-h)) / (2 * h)).norm(), 1e-8) << n;
+    }
+}
+
+
+
 // Many blades of one circulation make a cylinder of vortices. On the disk w = QΓΩ/(4πV) is momentum theory, with
 // T = ½ρΩΓQR², and nothing outside of it; where the air comes from the side, H. Glauert's, V_T in place of V, in the
 // middle, with the gradient tan(χ/2) of R. P. Coleman, A. M. Feingold & C. W. Stempin (NACA ARR L5E10, 1945).

@@ -139,3 +139,16 @@ TEST(Quantity, FrequenciesInRadiansPerSecond)
   EXPECT_EQ(StudyQuantity("modal: frequency 2").read(folder.path).y, std::vector<double>({20}));
   EXPECT_EQ(complaint_of([&]() { StudyQuantity("modal: frequency 3").read(folder.path); }), "there are 2 modes, not 3");
 }
+
+
+
+// modes.csv is in the order of frequencies; growth rates are told from the largest on, real eigenvalues among them.
+TEST(Quantity, GrowthRatesOfModes)
+{
+  const ScratchFolder folder;
+  write(folder.path + "/modes.csv",
+        "mode,frequency [rad/s],real [1/s],imaginary [rad/s]\n1,3,-3,0\n2,20,0.5,20\n3,30,-0.25,30\n");
+  for (const auto &[number, value] : {std::pair<std::string, double>{"1", 0.5}, {"2", -0.25}, {"3", -3}})
+    EXPECT_EQ(StudyQuantity("modal: growth rate " + number).read(folder.path).y, std::vector<double>({value}));
+  EXPECT_EQ(StudyQuantity("modal: real 1").read(folder.path).y, std::vector<double>({-3}));
+}
