@@ -1,10 +1,10 @@
 /*
  * Problem:   stiffness of cross-sections by warping analysis
- * Reference: Saint-Venant's torsion in closed form; shear factors, composite boxes and twisted rectangles computed
- *            independently (tests/reference/sections); Golovin's curved bar; symmetry: a twist of the axes of a body of
- *            revolution means nothing.
- * Expected:  torsion of a square of order 2 for p = 1, capped at 4 by its corners, where the warping behaves like r²
- * log r.
+ * Reference: Saint-Venant's torsion and shear factors in closed form; the list (isotropic_sections.csv, nine-node
+ * elements) is up to 1.4e-5 off them, 0.83334003 for 5/6; composite boxes and twisted rectangles computed independently
+ * (tests/reference/sections); Golovin's curved bar; symmetry: a twist of the axes of a body of revolution means
+ * nothing. Expected:  torsion of a square of order 2 for p = 1, capped at 4 by its corners, where the warping behaves
+ * like r² log r.
  */
 
 #include <samara/section/cross_section.h>
@@ -12,6 +12,7 @@
 #include <samara/section/section_constants.h>
 #include <samara/section/shapes.h>
 
+#include "../debug.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -57,6 +58,16 @@ namespace
   {
     // AS4/3501-6 as in the files of the boxes [psi]
     return {elasticity::stiffness({20.59e6, 1.42e6, 1.42e6, .87e6, .87e6, .696e6, .42, .42, .42}), 1.};
+  }
+
+
+
+  /** The same by other numbers, 142, 9.8, 6 and 4.8 GPa, as in boxbeam_CUS_15_6_anbamat.csv [psi]. */
+  SectionMaterial
+  graphite_epoxy_in_SI()
+  {
+    const double GPa = 1e9 / 6894.757293168;
+    return {elasticity::stiffness({142 * GPa, 9.8 * GPa, 9.8 * GPa, 6 * GPa, 6 * GPa, 4.8 * GPa, .3, .3, .34}), 1.};
   }
 
 
@@ -126,36 +137,121 @@ TEST(CrossSection, EllipseHasExactAreasTorsionAndShearFactors)
 
 
 
-TEST(CrossSection, RectanglesAndTubesAgreeWithTheList)
+namespace
+{
+  /**
+   * Shear factor of a rectangle, @p ratio its width over its depth, the depth along the force: Renton, Int. J. Solids
+   * Structures 27 (1991) 1955.
+   */
+  double
+  shear_factor_of_rectangle(const double ratio, const double nu)
+  {
+    double sum = 0;
+    for (unsigned int n = 200; n > 0; --n)
+      sum += std::tanh(n * M_PI / ratio) / std::pow(n, 5);
+    const double c = std::pow(nu / (1 + nu), 2) * std::pow(ratio, 4);
+    return 1 / (1.2 + c * (0.2 - 18 / std::pow(M_PI, 5) * ratio * sum));
+  }
+
+
+
+  /** Of an ellipse with the semi-axis @p a along the force: the energy of Love's stresses, integrated. */
+  double
+  shear_factor_of_ellipse(const double a, const double b, const double nu)
+  {
+    const double I = M_PI * a * a * a * b / 4, area = M_PI * a * b,
+                 c12 = (2 * (1 + nu) * a * a + b * b) / ((1 + nu) * (3 * a * a + b * b)) / (2 * I),
+                 e   = (1 - 2 * nu) * a * a / (2 * (1 + nu) * a * a + b * b),
+                 c13 = ((1 + nu) * a * a + nu * b * b) / ((1 + nu) * (3 * a * a + b * b)) / I;
+    const double xx = a * a / 4, yy = b * b / 4, xxyy = a * a * b * b / 24, x4 = std::pow(a, 4) / 8,
+                 y4   = std::pow(b, 4) / 8; // means
+    const double mean = std::pow(a, 4) + x4 + e * e * y4 - 2 * a * a * (xx + e * yy) + 2 * e * xxyy;
+    return 1 / (area * area * (c12 * c12 * mean + c13 * c13 * xxyy));
+  }
+
+
+
+  /** Of a ring with the radii m and 1: Renton, as above. */
+  double
+  shear_factor_of_ring(const double m, const double nu)
+  {
+    const double s = std::pow(1 + m * m, 2);
+    return 6 * std::pow(1 + nu, 2) * s / ((7 + 14 * nu + 8 * nu * nu) * s + 4 * (5 + 10 * nu + 4 * nu * nu) * m * m);
+  }
+
+
+
+  /** A row of isotropic_sections.csv: its mesh, its shear factors in closed form. */
+  struct IsotropicShape
+  {
+    std::vector<SectionPatch> patches;
+    double                    area = 0, k_x = 0, k_y = 0;
+
+    IsotropicShape(const std::string &name, const double nu)
+    {
+      const auto number = [&](const std::string &key) { return std::stod(name.substr(name.find(key) + key.size())); };
+      if (name.find("rectangle") == 0)
+        {
+          const double width = number("width x=");
+          patches            = graded(rectangle_patches(width, 1, width > 3 ? 10 : 8, 8));
+          area               = width;
+          k_x                = shear_factor_of_rectangle(1 / width, nu);
+          k_y                = shear_factor_of_rectangle(width, nu);
+        }
+      else if (name.find("ellipse") == 0)
+        {
+          const double a = number("x="), b = number("y=");
+          patches = ellipse_patches(a, b, 6);
+          area    = M_PI * a * b;
+          k_x     = shear_factor_of_ellipse(a, b, nu);
+          k_y     = shear_factor_of_ellipse(b, a, nu);
+        }
+      else if (name.find("tube") == 0)
+        {
+          const double inner = number("ri=");
+          patches            = ring_patches(inner, 1, 12, inner == 0.5 ? 2 : 1);
+          area               = M_PI * (1 - inner * inner);
+          k_x = k_y = shear_factor_of_ring(inner, nu);
+        }
+    }
+
+    /** Finer towards the corners, where the warping behaves like r² log r. */
+    static std::vector<SectionPatch>
+    graded(std::vector<SectionPatch> patches)
+    {
+      for (auto *const ends : {&patches[0].u, &patches[0].v})
+        for (double &x : *ends)
+          x = (1 - std::cos(M_PI * x)) / 2;
+      return patches;
+    }
+  };
+} // namespace
+
+
+
+// All rows of the list: torsion and shear factors to 1e-6 of the closed forms, which the list misses by up to 1.4e-5.
+TEST(CrossSection, IsotropicSectionsHaveTheirClosedForms)
 {
   unsigned int n_compared = 0;
   for (const auto &row : reference_rows("sections/isotropic_sections.csv"))
     {
-      const std::string        &name = row.at("section");
-      const double              nu = std::stod(row.at("nu")), G = 1 / (2 * (1 + nu));
-      std::vector<SectionPatch> patches;
-      double                    area = 0;
-      if (name.find("rectangle asp=2 ") == 0)
-        {
-          patches = rectangle_patches(2, 1, 10, 6);
-          area    = 2;
-        }
-      else if (name == "tube ro=1 ri=0.5" || name == "tube ro=1 ri=0.9")
-        {
-          const double inner = name == "tube ro=1 ri=0.5" ? 0.5 : 0.9;
-          patches            = ring_patches(inner, 1, 12, inner == 0.5 ? 2 : 1);
-          area               = M_PI * (1 - inner * inner);
-        }
-      else
-        continue;
-      const SectionMesh mesh(patches, 4, 1e-9);
-      const auto        section = section_of(mesh, isotropic(1, nu));
-      EXPECT_NEAR(section.stiffness(1, 1) / (G * area), std::stod(row.at("k_x")), 1e-5) << name << " " << nu;
-      EXPECT_NEAR(section.stiffness(2, 2) / (G * area), std::stod(row.at("k_y")), 1e-5) << name << " " << nu;
-      EXPECT_NEAR(section.stiffness(3, 3) / G / std::stod(row.at("J_exact")), 1, 2e-6) << name << " " << nu;
+      const std::string   &name = row.at("section");
+      const double         nu = std::stod(row.at("nu")), G = 1 / (2 * (1 + nu));
+      const IsotropicShape shape(name, nu);
+      ASSERT_GT(shape.area, 0) << name;
+      const double k_x = std::stod(row.at("k_x")), k_y = std::stod(row.at("k_y"));
+      EXPECT_NEAR(k_x, shape.k_x, 1.5e-5) << "of the list: " << name << " " << nu;
+      EXPECT_NEAR(k_y, shape.k_y, 1.5e-5) << "of the list: " << name << " " << nu;
       ++n_compared;
+      if (is_debug && nu != 0.3)
+        continue;
+      const SectionMesh mesh(shape.patches, 4, 1e-9);
+      const auto        section = section_of(mesh, isotropic(1, nu));
+      EXPECT_NEAR(section.stiffness(1, 1) / (G * shape.area), shape.k_x, 1e-6) << name << " " << nu;
+      EXPECT_NEAR(section.stiffness(2, 2) / (G * shape.area), shape.k_y, 1e-6) << name << " " << nu;
+      EXPECT_NEAR(section.stiffness(3, 3) / G / std::stod(row.at("J_exact")), 1, 1e-6) << name << " " << nu;
     }
-  EXPECT_EQ(n_compared, 10u);
+  EXPECT_EQ(n_compared, 28u);
 }
 
 
@@ -195,18 +291,22 @@ TEST(CrossSection, CompositeBoxesAgreeWithAllTheirCouplings)
       EXPECT_LT(difference(section.stiffness, reference_stiffness(name)), 2e-4) << name;
       EXPECT_LT(section.reaction, 1e-9) << name;
     }
+  const SectionMesh mesh(box_patches(boxes[0].second, 10), 3, 1e-7);
+  EXPECT_LT(difference(section_of(mesh, graphite_epoxy_in_SI()).stiffness,
+                       reference_stiffness("boxbeam_CUS_15_6_anbamat")),
+            2e-4);
 }
 
 
 
 TEST(CrossSection, TwistOfADiscMeansNothing)
 {
-  const SectionMesh mesh(ellipse_patches(1, 1, 3), 4, 1e-9);
+  const SectionMesh mesh(ellipse_patches(1, 1, 6), 4, 1e-9);
   const auto        straight = section_of(mesh, isotropic(1, 0.3));
   for (const double k : {0.1, 0.6})
     {
       const auto twisted = section_of(mesh, isotropic(1, 0.3), {k, 0, 0});
-      EXPECT_LT(difference(twisted.stiffness, straight.stiffness), 2e-7) << k;
+      EXPECT_LT(difference(twisted.stiffness, straight.stiffness), 1e-8) << k;
       EXPECT_LT(twisted.reaction, 1e-9);
     }
 }
@@ -245,9 +345,9 @@ TEST(CrossSection, CurvedBarIsGolovins)
   for (const auto &row : reference_rows("sections/curved_bar_pure_bending.csv"))
     {
       const double      ratio = std::stod(row.at("d_over_R"));
-      const SectionMesh mesh(rectangle_patches(1, 0.4, 6, 2), 4, 1e-9);
+      const SectionMesh mesh(rectangle_patches(1, 0.4, 10, 2), 4, 1e-9);
       const auto        section = section_of(mesh, isotropic(1, 0), {0, 0, ratio});
-      EXPECT_NEAR(section.compliance(5, 5) / std::stod(row.at("F66")), 1, ratio > 0.7 ? 1e-8 : 1e-9) << ratio;
+      EXPECT_NEAR(section.compliance(5, 5) / std::stod(row.at("F66")), 1, 1e-9) << ratio;
     }
 }
 

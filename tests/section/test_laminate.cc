@@ -30,6 +30,27 @@ namespace
 
 
 
+  /** A, B and D of a row of laminate_ABD_*.csv. */
+  void
+  compare_with_list(const Laminate &own, const std::map<std::string, std::string> &row)
+  {
+    // the file's order is 11 22 12
+    const int         of[3]    = {0, 2, 1};
+    const char *const block[3] = {"A", "B", "D"};
+    const char *const name[3]  = {"1", "2", "6"};
+    for (int b = 0; b < 3; ++b)
+      for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+          {
+            const double value = own.ABD(of[i] + (b == 2 ? 3 : 0), of[j] + (b > 0 ? 3 : 0));
+            const double size  = own.ABD(0, 0) * std::pow(own.thickness, b);
+            EXPECT_NEAR(value, std::stod(row.at(std::string(block[b]) + name[i] + name[j])), 1e-9 * size)
+              << row.at("layup_bottom_to_top") << " " << block[b] << name[i] << name[j];
+          }
+  }
+
+
+
   const elasticity::Orthotropic AS4 = {142e9, 9.8e9, 9.8e9, 6e9, 6e9, 4.8e9, 0.3, 0.3, 0.3};
 
   /** The material of Pagano's plates: E₁ = 25 E₂, G₁₂ = G₁₃ = E₂/2, G₂₃ = E₂/5, ν = 1/4. */
@@ -63,24 +84,24 @@ TEST(Laminate, IsClassicalLamination)
   unsigned int n = 0;
   for (const auto &row : reference_rows("sections/laminate_ABD_AS4.csv"))
     {
-      const auto     angles = layup_angles(row.at("layup_bottom_to_top"));
-      const Laminate own    = laminate(angles, AS4, angles.size() * 0.127e-3);
-      // the file's order is 11 22 12
-      const int         of[3]    = {0, 2, 1};
-      const char *const block[3] = {"A", "B", "D"};
-      const char *const name[3]  = {"1", "2", "6"};
-      for (int b = 0; b < 3; ++b)
-        for (int i = 0; i < 3; ++i)
-          for (int j = i; j < 3; ++j)
-            {
-              const double value = own.ABD(of[i] + (b == 2 ? 3 : 0), of[j] + (b > 0 ? 3 : 0));
-              const double size  = own.ABD(0, 0) * std::pow(own.thickness, b);
-              EXPECT_NEAR(value, std::stod(row.at(std::string(block[b]) + name[i] + name[j])), 1e-9 * size)
-                << row.at("layup_bottom_to_top") << " " << block[b] << name[i] << name[j];
-            }
+      const auto angles = layup_angles(row.at("layup_bottom_to_top"));
+      compare_with_list(laminate(angles, AS4, angles.size() * 0.127e-3), row);
       ++n;
     }
-  EXPECT_GT(n, 4u);
+  EXPECT_EQ(n, 12u);
+  // of the shells of Sze, Liu & Lo, "Sze3.8 roof h=12.7 0/90/0"
+  for (const auto &row : reference_rows("sections/laminate_ABD_sze.csv"))
+    {
+      const std::string            &name     = row.at("layup_bottom_to_top");
+      const elasticity::Orthotropic cylinder = {2068.5, 517.125, 517.125, 795.6, 795.6, 198.894, 0.3, 0.3, 0.3},
+                                    roof     = {3300, 1100, 1100, 660, 660, 440, 0.25, 0.25, 0.25};
+      compare_with_list(laminate(layup_angles(name.substr(name.rfind(' ') + 1)),
+                                 name.find("Sze3.7") == 0 ? cylinder : roof,
+                                 std::stod(row.at("h"))),
+                        row);
+      ++n;
+    }
+  EXPECT_EQ(n, 18u);
 }
 
 
@@ -121,6 +142,35 @@ TEST(Laminate, PlatesAgreeWithThreeDimensionalElasticity)
       ++n;
     }
   EXPECT_EQ(n, 16u);
+}
+
+
+
+/**
+ * Faces of a tenth of the thickness on a core whose shear stiffness is a hundredth of theirs: 0.5 % of the
+ * deflection at a/h = 10.
+ */
+TEST(Laminate, SandwichAgreesWithThreeDimensionalElasticity)
+{
+  const auto face = elasticity::stiffness(pagano),
+             core =
+               elasticity::stiffness({0.04, 0.04, 0.5, 0.016, 0.06, 0.06, 0.25, 0.02 * 0.04 / 0.5, 0.02 * 0.04 / 0.5});
+  const std::vector<Lamina> layers = {{face, 0, 0.1, 1.}, {core, 0, 0.8, 1.}, {face, 0, 0.1, 1.}};
+  const Laminate            by_equilibrium(layers), asymptotic(layers, Laminate::TransverseShear::asymptotic);
+  unsigned int              n = 0;
+  for (const auto &row : reference_rows("sections/pagano_plates.csv"))
+    if (row.at("layup") == "sandwich .1/.8/.1")
+      {
+        const double a = std::stod(row.at("a_over_h")), bound = a < 5 ? 0.03 : a < 15 ? 5e-3 : a < 50 ? 1.1e-3 : 1e-4;
+        for (const Laminate &own : {by_equilibrium, asymptotic})
+          EXPECT_NEAR(100 * deflection(own.ABD, own.shear, a) / std::pow(a, 4) / std::stod(row.at("w_mean")), 1, bound)
+            << a;
+        EXPECT_NEAR(by_equilibrium.shear(0, 0), std::stod(row.at("G11_rule")), 2e-8);
+        EXPECT_NEAR(by_equilibrium.shear(1, 1), std::stod(row.at("G22_rule")), 2e-8);
+        EXPECT_NEAR(asymptotic.shear(0, 0), std::stod(row.at("G11_vam")), 1e-4 * asymptotic.shear(0, 0));
+        ++n;
+      }
+  EXPECT_EQ(n, 4u);
 }
 
 
