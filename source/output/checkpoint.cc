@@ -19,7 +19,7 @@ namespace samara
 
     constexpr std::size_t head_size = 512; // one of the places where HDF5 looks for its beginning
     const std::string     title     = "samara checkpoint, format ";
-    const std::string     format    = "5";
+    const std::string     format    = "6";
 
     const std::pair<const char *, std::vector<double> State::*> vectors_of_state[] = {
       {"state/q", &State::q},

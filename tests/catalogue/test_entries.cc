@@ -104,7 +104,8 @@ TEST_F(Catalogued, AllKinds)
                                    "knife edge",
                                    "ball on plane",
                                    "ball on ball",
-                                   "ball on cylinder", "ellipsoid on plane",
+                                   "ball on cylinder",
+                                   "ellipsoid on plane",
                                    "contacts",
                                    "support",
                                    "distributing",
@@ -150,7 +151,8 @@ TEST_F(Catalogued, LowerPairs)
               "it.force 1",
               joined(ends, {gap, axis, on_b, axis_1, {{"Pitch", "0.3"}}}),
               {"displacement", "rotation"});
-  check_joint("cylindrical", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"displacement", "rotation"});
+  check_joint(
+    "cylindrical", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"displacement", "rotation"});
   check_joint("planar",
               tilted,
               "it.force 3, it.displacement 1",
@@ -232,7 +234,7 @@ TEST_F(Catalogued, OtherJoints)
                         "1 - 0.4*sqrt(1 - 0.09/30.54)/sqrt(6), 0.4 - 0.8*sqrt(1 - 0.09/30.54)/sqrt(6), "
                         "0.2 + 0.4*sqrt(1 - 0.09/30.54)/sqrt(6)"}}}));
   check_joint("knife edge", tilted, "it.force 1", joined(ends, {axis}));
-  const std::vector<std::string> teeth = {"Joints/it/Backlash = 0.001", "Joints/it/Mesh stiffness = 1000"};
+  const std::vector<std::string> teeth   = {"Joints/it/Backlash = 0.001", "Joints/it/Mesh stiffness = 1000"};
   std::vector<std::string>       bounces = teeth;
   bounces.insert(bounces.end(), {"Joints/it/Mesh restitution = 0.5", "Joints/it/Mesh speed = 1"});
   check("gear",
@@ -293,22 +295,28 @@ TEST_F(Catalogued, Contacts)
               joined(changes_of_contact("Joints/it"),
                      {{{"Axis", "0.3, 1, 0.2"}, {"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}}}));
   const std::vector<std::string> turned = {"Joints/it/Axis on B = 0.2, 0.3, 1", "Joints/it/Axis 1 on B = 1, 0, 0.1"};
-  check_joint("ellipsoid on plane",
-              "    set Axis = 1, 2, -1\n    set Position = 0.9, 0.3, 0.3\n    set Semi-axes = 0.15, 0.2, 0.1\n    set Rounding = 0.05"
-              "\n    set Stiffness = 100\n    set Friction = 0",
-              "it.gap, it.force",
-              joined(changes_of_contact("Joints/it"),
-                     {{{"Axis", "0.3, 1, 0.2"},
-                       {"Position", "0.9, 0.31, 0.3"},
-                       {"Semi-axes", "0.15, 0.21, 0.1"},
-                       {"Rounding", "0.06"},
-                       {"Axis on B", "0, 1, 1", turned},
-                       {"Axis 1 on B", "0, 1, 0", turned}}}));
-  const Changes other = {{"Position", "0.9, 0.31, 0.3"}, {"Radius", "0.25"}, {"Radius A", "0.12"}, {"Side", "inside", {}, true}};
+  check_joint(
+    "ellipsoid on plane",
+    "    set Axis = 1, 2, -1\n    set Position = 0.9, 0.3, 0.3\n    set Semi-axes = 0.15, 0.2, 0.1\n    set Rounding = 0.05"
+    "\n    set Stiffness = 100\n    set Friction = 0",
+    "it.gap, it.force",
+    joined(changes_of_contact("Joints/it"),
+           {{{"Axis", "0.3, 1, 0.2"},
+             {"Position", "0.9, 0.31, 0.3"},
+             {"Semi-axes", "0.15, 0.21, 0.1"},
+             {"Rounding", "0.06"},
+             {"Axis on B", "0, 1, 1", turned},
+             {"Axis 1 on B", "0, 1, 0", turned}}}));
+  const Changes other = {{"Position", "0.9, 0.31, 0.3"},
+                         {"Radius", "0.25"},
+                         {"Radius A", "0.12"},
+                         {"Side", "inside", {}, true}};
   check_joint("ball on ball",
               "    set Position = 0.9, 0.3, 0.3\n    set Radius A = 0.1" + entries,
               "it.gap, it.force",
-              joined(changes_of_contact("Joints/it"), {other, {{"Axis", "0.3, 1, 0.2", {"Joints/it/Friction = 0.3", "Output/Probes = it.friction 3"}}}}));
+              joined(changes_of_contact("Joints/it"),
+                     {other,
+                      {{"Axis", "0.3, 1, 0.2", {"Joints/it/Friction = 0.3", "Output/Probes = it.friction 3"}}}}));
   check_joint("ball on cylinder",
               "    set Position = 0.9, 0.3, 0.3\n    set Radius A = 0.1" + entries,
               "it.gap, it.force",
@@ -330,7 +338,8 @@ TEST_F(Catalogued, SlidingJoints)
           models::sliding(kind, kind == "sliding screw" ? "    set Turn per length = 2" : ""),
           "Joints/it",
           joined(ends,
-                 {changes_of_motion("displacement", "Joints/it", true), kind == "sliding screw" ? of_screw : Changes{}}));
+                 {changes_of_motion("displacement", "Joints/it", true),
+                  kind == "sliding screw" ? of_screw : Changes{}}));
 }
 
 

@@ -1,6 +1,6 @@
 // What the tolerance of adaptive steps means: the error of positions at the end of a run is in proportion to it, for
-// rigid mechanisms, a fast top, and elastic bodies with stiff parts that no step resolves; a looser tolerance of these takes no
-// more steps, those that are made again included.
+// rigid mechanisms, a fast top, and elastic bodies with stiff parts that no step resolves; a looser tolerance of these
+// takes no more steps, those that are made again included.
 //
 // Reference: the same model with a fine fixed step of three stages (self). The whole set:
 // doc/benchmarks/tolerance_tables.
@@ -158,13 +158,16 @@ TEST(Tolerance, Elbow)
 
 
 
-// The stiff direction of the spring turns against the axes of the bob: with that halfway along a step for that at its end,
-// vibration that is not resolved passed for the error of the swing, and runs were 18 to 110 (s = 2) and 7 to 12 (s = 3) tolerances off.
+// The stiff direction of the spring turns against the axes of the bob: with that halfway along a step for that at its
+// end, vibration that is not resolved passed for the error of the swing, and runs were 18 to 110 (s = 2) and 7 to 12 (s
+// = 3) tolerances off.
 TEST(Tolerance, SpringThatIsARod)
 {
   const std::vector<std::string> probes = {"bob.position x", "bob.position y"};
-  expect_what_it_says({"../stability/stiff_spring_pendulum", probes, {}, 2, 1e-4}, {{3, 0}}, {1e-2, 1e-3, 1e-4}, 0.5, 9);
-  expect_what_it_says({"../stability/stiff_spring_pendulum", probes, {}, 2, 1e-4}, {{2, 0.5}}, {1e-2, 1e-3, 1e-4}, 0.5, 90);
+  expect_what_it_says(
+    {"../stability/stiff_spring_pendulum", probes, {}, 2, 1e-4}, {{3, 0}}, {1e-2, 1e-3, 1e-4}, 0.5, 9);
+  expect_what_it_says(
+    {"../stability/stiff_spring_pendulum", probes, {}, 2, 1e-4}, {{2, 0.5}}, {1e-2, 1e-3, 1e-4}, 0.5, 90);
 }
 
 
