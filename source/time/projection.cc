@@ -432,16 +432,11 @@ namespace samara
     // a constant speed is one at all times, of which some at uneven distances stand for all
     const Values now       = of_time(0);
     bool         is_steady = true;
-    double       largest   = largest_of(now); // of several times: what swings is zero at some
     for (const double part : {-2., -1., -0.367, 0.123, 0.719, 1., 2.})
-      {
-        const Values then = of_time(part * dt);
-        is_steady         = is_steady && then == now;
-        largest           = std::max(largest, largest_of(then));
-      }
+      is_steady = is_steady && of_time(part * dt) == now;
     if (is_steady)
       return;
-    const auto in_time = limit_of_differences(dt, state.time, largest, of_time);
+    const auto in_time = limit_of_differences(dt, state.time, largest_of(now), of_time);
     for (unsigned int i = 0; i < later.size(); ++i)
       b[system.layout.of_multiplier(i)] -= in_time[i];
   }

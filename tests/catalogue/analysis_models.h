@@ -181,7 +181,8 @@ end
     std::regex_replace(turning_arms, std::regex("= floquet"), "= periodic linear system") +
     "subsection States\n subsection push\n set Type = control\n end\n subsection pull\n set Type = control\n end\nend\n"
     "subsection Periodic linear system\n set Period = 0.4*pi\n set Samples = 8\n set Steps = 2\n set Largest gap = 1\n"
-    " set Symmetry = arm 1, arm 2; lag 1, lag 2\n set Turning = hub, shaft, top, spin\nend\n";
+    " set Symmetry = arm 1, arm 2; lag 1, lag 2\n set Turning = hub, shaft, top, spin\nend\n"
+    "subsection Output\n set Probes = lag 1.rotation\nend\n";
 
   /** The same, for the loads on its shaft. */
   const std::string turning_loads =

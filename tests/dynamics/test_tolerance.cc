@@ -106,15 +106,15 @@ TEST(Tolerance, HeavyTop)
 // 1e-4.
 TEST(Tolerance, Governor)
 {
-  expect_what_it_says({"governor",
-                       {"rod 1.position x", "rod 1.position y", "rod 1.position z", "slider.position z"},
-                       {"Dynamic/End time = 4"},
-                       1.1,
-                       2e-3},
-                      {{3, 1}, {3, 0.5}, {3, 0}, {2, 1}},
-                      {1e-2, 1e-3, 1e-4},
-                      0.005,
-                      10);
+  const Problem governor = {"governor",
+                            {"rod 1.position x", "rod 1.position y", "rod 1.position z", "slider.position z"},
+                            {"Dynamic/End time = 4"},
+                            1.1,
+                            2e-3};
+  expect_what_it_says(governor, {{3, 0.5}, {3, 0}, {2, 1}}, {1e-2, 1e-3, 1e-4}, 0.005, 10);
+  // steps for 1e-2 are as long as Newton's method can follow: round-off decides whether 75 or 164 of them are tried
+  expect_what_it_says(governor, {{3, 1}}, {1e-2}, 0.005, 10);
+  expect_what_it_says(governor, {{3, 1}}, {1e-3, 1e-4}, 0.005, 10);
 }
 
 
