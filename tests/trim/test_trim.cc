@@ -302,6 +302,8 @@ TEST(Trim, FlappingRotor)
       const double      mu     = std::stod(row.at("mu"));
       const bool        others = inflow == "glauert" && mu == 0.1;
       SCOPED_TRACE(inflow + ", mu = " + row.at("mu"));
+      if (is_debug && !(mu == 0.2 && inflow == "glauert"))
+        continue;
       Scene       scene(rotor,
                   {std::string("Aerodynamics/flow/Type = ") +
                            (inflow == "glauert" ? "uniform inflow" : "Pitt-Peters inflow"),
@@ -316,7 +318,7 @@ TEST(Trim, FlappingRotor)
         EXPECT_NEAR(trim.report.controls[j] * 180 / M_PI, std::stod(row.at(name)), 1e-5) << name;
       ++n_rows;
     }
-  EXPECT_EQ(n_rows, 7u);
+  EXPECT_EQ(n_rows, is_debug ? 1u : 7u);
 }
 
 
