@@ -5,12 +5,19 @@ import csv
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.transforms import ScaledTranslation
 
 EQUAL = 5e-3  # of the frequency: branches of one family that are nearer than this everywhere are one curve
 MOST_LINES = 12  # of n/rev
 NO_SWING = 0.95  # damping ratio: what has more at all speeds, as lags of the air have, is not drawn in a fan
 MAPS = {"flap": "Blues", "lag": "Reds", "torsion": "Greens", "support": "Greys", "": "turbo"}
 DASHES = {"collective": "-", "progressive": "--", "regressive": ":", "differential": "-."}
+
+
+def beside(ax):
+    """Where a legend stands: to the right of the axis in Hz and of its label, whatever the width."""
+    to_the_right = ScaledTranslation(0.75, 0, ax.figure.dpi_scale_trans)
+    return {"loc": "upper left", "bbox_to_anchor": (1, 1), "bbox_transform": ax.transAxes + to_the_right, "borderaxespad": 0}
 
 
 class Curve:
@@ -124,7 +131,7 @@ def draw_fan(folder, skip, full):
     top.set_ylabel("frequency [rad/s]")
     handles, labels = top.get_legend_handles_labels()
     if len(curves) <= 24:
-        top.legend(handles[::-1], labels[::-1], loc="upper left", bbox_to_anchor=(1.09, 1), borderaxespad=0)
+        top.legend(handles[::-1], labels[::-1], **beside(top))
     draw_revolutions(top)
     hertz = top.secondary_yaxis("right", functions=(lambda w: w / (2 * np.pi), lambda f: 2 * np.pi * f))
     hertz.set_ylabel("[Hz]")
@@ -181,7 +188,7 @@ def draw_growth(folder, skip, full):
     axes[0].set_ylim(0, 1.05 * max(max(curve.frequency.max() for curve in curves), 1e-9))
     axes[0].set_xlim(min(curve.speed[0] for curve in curves), max(curve.speed[-1] for curve in curves))
     if len(curves) <= 24:
-        axes[0].legend(loc="upper left", bbox_to_anchor=(1.09, 1), borderaxespad=0)
+        axes[0].legend(**beside(axes[0]))
     draw_revolutions(axes[0])
     axes[0].secondary_yaxis("right", functions=(lambda w: w / (2 * np.pi), lambda f: 2 * np.pi * f)).set_ylabel("[Hz]")
     if full:
