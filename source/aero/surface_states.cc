@@ -108,6 +108,7 @@ namespace samara
     if (r < 1e-3 * flow.radius || station.width < 0.1)
       throw std::invalid_argument("annular inflow is for blades that lie across annuli of the disk of <" + flow.name +
                                   ">, and away from its axis: not the surface" + at + " m");
+    station.radius     = r;
     station.first_flow = element.lags.size();
     for (const std::string axis : {"against the thrust axis", "against the azimuth"})
       element.lags.push_back(model->add_state(
@@ -138,9 +139,7 @@ namespace samara
               add(separations, state(lags::n + 1), area);
             }
           for (unsigned int i = 0; i < AnnularMomentum::n_states && annular != nullptr; ++i)
-            add(flows,
-                element.lags[station.first_flow + i],
-                station.weight * station.width * on_disk(station, element).head<2>().norm());
+            add(flows, element.lags[station.first_flow + i], station.weight * station.width * station.radius);
         }
     std::vector<CountedStates> groups;
     for (auto *const group : {&of_lags, &angles, &separations, &flows})

@@ -29,6 +29,7 @@ namespace samara
     unsigned int  first_lag    = 0; ///< of its states among those of the element
     unsigned int  first_flow   = 0; ///< of those of an annular inflow, likewise
     double        width        = 1; ///< dr/ds of the line on the disk of an annular inflow, reference configuration
+    double        radius       = 0; ///< of the quarter chord on that disk [m], reference configuration
 
     /** Of the point at half chord. */
     Vector3
