@@ -1,7 +1,7 @@
 #ifndef samara_tests_rivals_h
 #define samara_tests_rivals_h
 
-#include <samara/catalogue.h>
+#include <samara/input/catalogue.h>
 
 namespace samara
 {

@@ -4,12 +4,13 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
-#include <samara/input.h>
+#include <samara/input/input.h>
+
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
 #include <sstream>
-#include <unistd.h>
 
 namespace samara
 {

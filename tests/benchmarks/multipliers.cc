@@ -7,7 +7,7 @@
 // same orbit, and correct it until it closes. Seconds are those of the processor.
 
 #include <samara/analysis/floquet.h>
-#include <samara/catalogue.h>
+#include <samara/input/catalogue.h>
 #include <samara/time/projection.h>
 
 #include "../scene.h"

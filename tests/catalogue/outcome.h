@@ -2,7 +2,7 @@
 #define samara_tests_catalogue_outcome_h
 
 #include <samara/base/errors.h>
-#include <samara/program.h>
+#include <samara/program/program.h>
 
 #include "../output/scratch_folder.h"
 

@@ -1,7 +1,7 @@
 // What stands above the single entries of an input file: used.prm says the same as the file it came from, and analyses
 // are done in the order in which they are asked for.
 
-#include <samara/study.h>
+#include <samara/study/study.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <samara/analysis/dynamic.h>
 #include <samara/cosserat/section_kinds.h>
-#include <samara/section_report.h>
+#include <samara/recovery/section_report.h>
 
 #include "../scene.h"
 #include <gtest/gtest.h>

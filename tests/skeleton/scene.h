@@ -5,7 +5,7 @@
 #include <samara/analysis/skeleton.h>
 #include <samara/analysis/static.h>
 #include <samara/cosserat/skeleton.h>
-#include <samara/input.h>
+#include <samara/input/input.h>
 #include <samara/joints/skeleton.h>
 #include <samara/loads/skeleton.h>
 #include <samara/states/skeleton.h>
@@ -19,7 +19,7 @@
 
 namespace samara
 {
-  /** This is all a new kind needs to be known: the line that would stand in source/catalogue.cc. */
+  /** This is all a new kind needs to be known: the line that would stand in source/input/catalogue.cc. */
   inline Catalogue
   catalogue_with_skeletons()
   {

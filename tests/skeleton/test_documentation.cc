@@ -1,7 +1,7 @@
 // Pages of the documentation that the program can check itself: the reference of the input language, and the first
 // model of README.md.
 
-#include <samara/program.h>
+#include <samara/program/program.h>
 
 #include "../scene.h"
 #include <gtest/gtest.h>

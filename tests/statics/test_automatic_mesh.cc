@@ -3,9 +3,9 @@
 // References: the clamped rope with bending layers, closed form in prm/benchmarks/automatic_mesh.prm; roll-up and modes
 // as stated at the tests. Mixed degrees themselves: tangents by complex steps.
 
-#include <samara/automatic_mesh.h>
 #include <samara/base/text.h>
 #include <samara/cosserat/beam.h>
+#include <samara/study/automatic_mesh.h>
 
 #include "../complex_step.h"
 #include "../scene.h"
@@ -200,7 +200,8 @@ TEST(AutomaticMesh, LeavesOtherModelsAlone)
 
 
 
-// A narrow load is integrated, wherever nodes are. The peak here is √π 1000 · 0.005 = 8.9 times as large as the load around it.
+// A narrow load is integrated, wherever nodes are. The peak here is √π 1000 · 0.005 = 8.9 times as large as the load
+// around it.
 TEST(AutomaticMesh, SeesANarrowLoadBetweenTheNodesOfTheFirstMesh)
 {
   const std::string model = "prm/benchmarks/uniform_load.prm";

@@ -1,6 +1,6 @@
 // What a study reads from results, and how it measures it.
 
-#include <samara/study_quantity.h>
+#include <samara/study/study_quantity.h>
 
 #include "../output/scratch_folder.h"
 

@@ -2,16 +2,15 @@
 // cheapest level is found. The members run in processes of their own.
 
 #include <samara/base/interrupt.h>
-#include <samara/program.h>
-#include <samara/study.h>
+#include <samara/program/program.h>
+#include <samara/study/study.h>
 
 #include "../output/scratch_folder.h"
+#include <unistd.h>
 
 #include <cmath>
 #include <csignal>
 #include <sstream>
-
-#include <unistd.h>
 
 using namespace samara;
 

@@ -7,7 +7,7 @@
 #include <samara/analysis/dynamic.h>
 #include <samara/analysis/trim.h>
 #include <samara/base/errors.h>
-#include <samara/trim_variants.h>
+#include <samara/study/trim_variants.h>
 
 #include "../debug.h"
 #include "../reference.h"

@@ -1,0 +1,68 @@
+#ifndef samara_recovery_section_report_h
+#define samara_recovery_section_report_h
+
+#include <samara/analysis/analysis.h>
+#include <samara/cosserat/analysed_section.h>
+#include <samara/recovery/largest_stress.h>
+
+namespace samara
+{
+  /**
+   * The analysis `section`: what the sections of the model are, and the stresses in them at places of beams in the
+   * state reached. A model of sections alone needs no body.
+   *
+   * Writes sections.csv and .h5, a line each, section_<name>.txt with all matrices, for people and for sections of type
+   * `file`, and pictures: section_<name>.vtu with materials, fibres and warping, stresses_<beam>_<place>.vtu with
+   * stresses and failure indices, stresses.csv with the largest ones, stresses_of_plies.csv with those of each layer;
+   * <beam>_beamdyn.dat of beams that are named.
+   */
+  class SectionReport : public Analysis
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+    void run(Context &context) override;
+
+    bool
+    needs_bodies() const override
+    {
+      return false;
+    }
+    /** @throws InputError if stresses are wanted, which beams have. */
+    void run_without_bodies(const Model &model, const std::string &folder, bool pictures, Log &log) override;
+
+    /** Before a run: look at the motions among @p analyses that come before this one, if there is something to see. */
+    void watch(const Model &model, const std::vector<std::unique_ptr<Analysis>> &analyses);
+
+  private:
+    std::vector<std::string> names, places, beamdyn_beams, names_of_watched;
+    std::string              criterion = "largest";
+
+    std::vector<std::shared_ptr<LargestStress>> watched;
+    bool                                        sees_motion = false;
+
+    std::vector<const Section *> wanted(const Model &model) const;
+    void                         report(const Model &model, const std::string &folder, bool pictures, Log &log) const;
+    void                         write_beamdyn_files(const Context &context) const;
+    void                         look(const State &state);
+    void                         report_stresses(const Context &context);
+  };
+
+
+
+  /** A name that every file system takes. */
+  std::string file_name_of(const std::string &text);
+
+  /** @name Files for ParaView, in the axes 1, 2, 3 as x, y, z @{ */
+  /** The section with materials, fibres and the warping of unit section forces. */
+  std::string picture_of(const SectionAnalysis &analysis);
+
+  /** Stresses and failure indices, at the place @p x with section axes @p D. */
+  std::string picture_of_stresses(const SectionAnalysis &analysis,
+                                  const Vector6         &forces,
+                                  double                 helix,
+                                  const Vector3         &x,
+                                  const Matrix3         &D);
+  /** @} */
+} // namespace samara
+
+#endif

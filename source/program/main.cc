@@ -1,0 +1,94 @@
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+#include <samara/program/program.h>
+
+#include <CLI/CLI.hpp>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <iostream>
+
+#ifndef SAMARA_VERSION
+#  define SAMARA_VERSION "unknown"
+#endif
+
+namespace
+{
+  /**
+   * More memory than the machine has is refused, with a message, instead of bringing the machine down. The address
+   * sanitizer reserves more than there is and cannot be limited.
+   */
+  void
+  limit_memory()
+  {
+#ifndef __SANITIZE_ADDRESS__
+    rlimit       limit = {};
+    const rlim_t all   = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGE_SIZE));
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur <= all)
+      return;
+    limit.rlim_cur = all;
+    setrlimit(RLIMIT_AS, &limit);
+#endif
+  }
+
+
+
+  /** Memory of large arrays goes back when they are gone, whichever thread had them; small models do not notice. */
+  void
+  return_memory()
+  {
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  samara::Options          options;
+  std::vector<std::string> models;
+  CLI::App                 app{"Samara: flexible multibody dynamics. Usage: samara model.prm"};
+  app.set_help_flag();
+  app.add_option("model", models, "Input file; of several each runs in a process of its own");
+  app.add_option("--set", options.overrides, "Override an entry: \"Bodies/shaft 1/Degree = 4\"")
+    ->allow_extra_args(false);
+  app.add_option("--output",
+                 options.output,
+                 "Folder of the results; default results/<name of the model>; of several models: of their folders");
+  app.add_flag("--check", options.check, "Read and assemble the model, say what it is, and stop");
+  app.add_flag("--restart", options.restart, "Go on from the checkpoint in the folder of the results");
+  app.add_option("-j,--jobs", options.jobs, "Of a study or of several models: how many run side by side")
+    ->check(CLI::Range(1, 1024));
+  app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
+  app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
+  auto *const help = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");
+  help->expected(0, 1);
+  auto *const version = app.add_flag("--version", "Print the version");
+  try
+    {
+      app.parse(argc, argv);
+    }
+  catch (const CLI::ParseError &error)
+    {
+      std::cerr << "samara: " << samara::readable(error.what()) << "; see samara --help\n";
+      return samara::input_error;
+    }
+  if (help->count() > 0 && options.help_about.empty())
+    return std::cout << app.help(), samara::success;
+  if (version->count() > 0)
+    return std::cout << "samara " << SAMARA_VERSION << '\n', samara::success;
+
+  limit_memory();
+  return_memory();
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
+  if (!models.empty())
+    options.model = models[0];
+  if (models.size() < 2)
+    return samara::execute(options);
+  options.several = std::move(models);
+  return samara::execute(options);
+}

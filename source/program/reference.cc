@@ -1,0 +1,198 @@
+#include <samara/base/text.h>
+#include <samara/base/tokens.h>
+#include <samara/base/units.h>
+#include <samara/input/input.h>
+#include <samara/input/subsystems.h>
+#include <samara/program/program.h>
+#include <samara/study/study.h>
+
+#include <cctype>
+#include <map>
+
+namespace samara
+{
+  namespace
+  {
+    const char *const language = R"(# Input reference
+
+Written by `samara --parameters`; `samara --help beam` prints one kind. What the words mean: [notation](notation.md).
+
+## The language
+
+    # a comment
+    set Title = two words, or more          # entries
+    subsection Bodies                       # subsections, which can be nested
+      subsection shaft 1                    # names may have blanks, but no dots
+        set Type   = beam
+        set Points = 0, 0, 0; 6 ft, 0, 0    # a vector is a list with commas; several vectors are separated by ;
+      end
+      subsection shaft 2
+        set Copy of = shaft 1               # all that is not set here is as in shaft 1, nested subsections too
+        set Points  = 6 ft, 0, 0; \
+                      12 ft, 0, 0           # a backslash continues a line
+      end
+    end
+    include sections.prm                    # relative to the file that includes
+
+In one file a subsection is opened once and an entry set once. Several files may open the same subsection; a file may set
+again what a file included before has set. On the command line, `--set "Bodies/shaft 1/Degree = 4"` has the last word.
+
+A body is called by its name, a point of it by `shaft 1.end`, a motion of a joint by `hinge.rotation`; `ground` is the
+inertial frame. What nobody knows is refused, with the nearest word that is known; mistakes are reported together.
+
+### Numbers
+
+A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the constants of the model:
+
+    subsection Constants
+      set L  = 6 m
+      set EI = 2e4 N*m^2                    # later ones may use earlier ones
+    end
+
+- A number without a unit is in the SI unit of the tables below; zero is zero in every unit. Dimensions are checked.
+- A blank multiplies, like `*`: `1/2 m` is half a metre. `(1, 2, 3) ft` is a vector in feet.
+- An angle is a number, `rad` is 1. `deg`, `rev` and `rpm` convert. `Hz` is refused where rad/s are wanted: write `rev/s`.
+- `lb` is a mass, and a force where only a force fits; `lbf` is always a force.
+- A function of time is an expression of `t` in seconds, such as `10*(1 - cos(2*pi*t)) N` or `t < 1 ? 0 : 5`, or a table,
+  linear between its points and constant beyond them: `table: 0 0; 1 5; 2 5`. Other functions are expressions of `s`.
+
+)";
+
+
+
+    void
+    print_language(std::ostream &out)
+    {
+      out << language << "| dimension | units |\n|---|---|\n";
+      std::vector<std::string>           dimensions;
+      std::map<std::string, std::string> names;
+      for (const auto &unit : units())
+        {
+          const std::string dimension = describe(unit.quantity.dimension);
+          if (names[dimension].empty())
+            dimensions.push_back(dimension);
+          names[dimension] += (names[dimension].empty() ? "" : ", ") + unit.name;
+        }
+      for (const auto &dimension : dimensions)
+        out << "| " << dimension << " | " << names[dimension] << " |\n";
+
+      std::vector<std::string> constants;
+      for (const auto &constant : universal_constants())
+        constants.push_back(constant.name);
+      out << "\nConstants: " << join(constants, ", ") << ". Functions: " << join(function_names(), ", ")
+          << ". Operators: + - * / ^, < <= > >= == !=, && ||, and a ? b : c.\n\n";
+    }
+
+
+
+    void
+    print_model(std::ostream &out, const Catalogue &catalogue)
+    {
+      Input      input;
+      Parameters parameters;
+      input.add_parameters(parameters, catalogue);
+      out << "## The model\n\nOutside of all named objects:\n\n";
+      parameters.document(out);
+      out << '\n';
+    }
+
+
+
+    template <typename Interface>
+    void
+    print_kind(std::ostream &out, const Registry<Interface> &kinds, const std::string &kind)
+    {
+      const auto object = kinds.make(kind);
+      Parameters parameters(kind, kind);
+      object->add_parameters(parameters);
+      std::string what = kinds.what_it_is(kind);
+      what[0]          = std::toupper(what[0]);
+      out << "### " << kind << "\n\n" << what << ".\n\n";
+      parameters.document(out);
+      out << '\n';
+    }
+
+
+
+    void
+    print_subsystems(std::ostream &out)
+    {
+      SubsystemEntries entries;
+      Parameters       parameters;
+      entries.add_parameters(parameters);
+      out
+        << "## Subsystems\n\nEach is a subsection with a name of its own in `subsection Subsystems`, with subsections "
+           "`Constants`, `Sections`, `Bodies`, ... as a model has them, often from a file that is included there. Its "
+           "objects are called `name:object`; see the [manual](manual.md#subsystems).\n\n";
+      parameters.document(out);
+      out << '\n';
+    }
+
+
+
+    void
+    print_study(std::ostream &out)
+    {
+      Study       study;
+      StudyMethod method;
+      Parameters  settings, of_method;
+      study.add_parameters(settings);
+      method.add_parameters(of_method);
+      out
+        << "## Studies\n\nA file with `set Analyses = study` has no model of its own but names one, `set Model = FILE`, and "
+           "`subsection Study`:\n\n";
+      settings.document(out);
+      out
+        << "\nIn `subsection Methods`, or `subsection Levels` from the cheapest to the dearest, each is a subsection with a "
+           "name of its own:\n\n";
+      of_method.document(out);
+      out << '\n';
+    }
+
+
+
+    void
+    print_everything(std::ostream &out, const Catalogue &catalogue)
+    {
+      print_language(out);
+      print_model(out, catalogue);
+      for (const auto &group : catalogue.groups)
+        {
+          out << "## " << group.subsection << "\n\nEach " << group.noun << " is a subsection with a name of its own in "
+              << "`subsection " << group.subsection << "`, with `set Type = ` one of the following.\n\n";
+          for (const auto &kind : group.kinds.kinds())
+            print_kind(out, group.kinds, kind);
+        }
+      print_subsystems(out);
+      out
+        << "## Analyses\n\n`set Analyses = static, modal` says what to do, in this order. The entries of each stand in "
+           "`subsection Static`, `subsection Modal`, ...\n\n";
+      for (const auto &kind : catalogue.analyses.kinds())
+        print_kind(out, catalogue.analyses, kind);
+      print_study(out);
+    }
+  } // namespace
+
+
+
+  void
+  print_reference(std::ostream &out, const std::string &about)
+  {
+    const Catalogue catalogue;
+    if (about.empty())
+      return print_everything(out, catalogue);
+
+    if (catalogue.analyses.contains(about))
+      return print_kind(out, catalogue.analyses, about);
+    std::vector<std::string> known = catalogue.analyses.kinds();
+    for (const auto &group : catalogue.groups)
+      {
+        if (group.kinds.contains(about))
+          return print_kind(out, group.kinds, about);
+        for (const auto &kind : group.kinds.kinds())
+          known.push_back(kind);
+      }
+    throw InputError("there is no kind <" + about + ">" + did_you_mean(about, known) +
+                     " All kinds: samara --parameters");
+  }
+} // namespace samara
