@@ -142,6 +142,20 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** A copy of a subsystem has mistakes of its own where its arguments differ. */
+    Outline
+    with_own_mistakes(Outline said)
+    {
+      for (auto &entry : said.entries)
+        entry.inherited = false;
+      return said;
+    }
+  } // namespace
+
+
+
   void
   Subsystems::make_copies(const Scope &around, const Outline &said, Complaints &complaints)
   {
@@ -159,10 +173,7 @@ namespace samara
     entries.add_parameters(parameters);
     for (const auto &name : known_subsections(catalogue))
       parameters.ignore_subsection(name);
-    Outline own = said; // a copy of a subsystem has mistakes of its own where its arguments differ
-    for (auto &entry : own.entries)
-      entry.inherited = false;
-    parameters.parse(own, around.quantities, complaints);
+    parameters.parse(with_own_mistakes(said), around.quantities, complaints);
 
     std::string where = "Copies";
     try
