@@ -24,7 +24,8 @@ namespace samara
     {
       choice();
       if (position != tokens.size())
-        fail("cannot go on at <" + tokens[position].text + ">");
+        fail(tokens[position].text == "," ? "one number is wanted here" :
+                                            "cannot go on at <" + tokens[position].text + ">");
       return program;
     }
 
@@ -74,7 +75,7 @@ namespace samara
         {
           ++position;
           operations(op->precedence + 1);
-          append(op->apply, op->piece, 2);
+          append(*op, 2);
         }
     }
 
@@ -85,7 +86,7 @@ namespace samara
       if (accept("-"))
         {
           signed_operand();
-          append(jet_negative, nullptr, 1);
+          append(jet_negative(), 1);
         }
       else if (accept("+"))
         signed_operand();
@@ -103,7 +104,7 @@ namespace samara
         {
           ++position;
           signed_operand();
-          append(op->apply, op->piece, 2);
+          append(*op, 2);
         }
     }
 
@@ -153,7 +154,7 @@ namespace samara
         fail("the lower limit of <saturate> is above the upper one");
       if (name == "deadband" && is_number(1) && program.back().value < 0)
         fail("the width of <deadband> is negative");
-      append(f->apply, f->piece, n);
+      append(*f, n);
     }
 
     /** Its name has been read. */
@@ -216,7 +217,7 @@ namespace samara
     {
       const auto found = std::find(variables.begin(), variables.end(), name);
       if (found == variables.end())
-        fail("<" + name + "> is not known; the variable is <" + variables[0] + ">");
+        fail("<" + name + "> is not known" + (variables.empty() ? "" : "; the variable is <" + variables[0] + ">"));
       grow();
       program.push_back({Instruction::variable});
       program.back().index = found - variables.begin();
@@ -253,9 +254,9 @@ namespace samara
     }
 
     void
-    append(const JetOperation::Function apply, const JetOperation::Piece piece, const unsigned int n_arguments)
+    append(const JetOperation &operation, const unsigned int n_arguments)
     {
-      append({Instruction::operation, 0, apply, piece, n_arguments});
+      append({Instruction::operation, 0, &operation, n_arguments});
     }
 
     void
@@ -285,7 +286,7 @@ namespace samara
 
 
   Formula::Formula(const double constant)
-    : program{{Instruction::number, constant, nullptr, 0}}
+    : program{{Instruction::number, constant}}
   {}
 
 

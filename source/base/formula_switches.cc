@@ -167,11 +167,7 @@ namespace samara
       static std::string
       name_of(const Instruction &i)
       {
-        for (const auto *list : {&jet_operators(), &jet_functions()})
-          for (const auto &operation : *list)
-            if (operation.apply == i.apply && operation.piece == i.piece)
-              return operation.name;
-        return i.apply == jet_negative ? "negative" : "";
+        return i.op != nullptr ? i.op->name : "";
       }
 
       void
@@ -202,7 +198,7 @@ namespace samara
           }
         if (name == "negative")
           return opposite(arguments[0]);
-        if (instruction.piece == nullptr)
+        if (!instruction.has_pieces())
           return smooth_result(name, arguments);
         add_places_of_pieces(name, arguments);
         return result_by_pieces(name, arguments);

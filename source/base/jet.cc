@@ -15,6 +15,12 @@ namespace samara
     }
 
     Jet
+    negative(const Jet &x)
+    {
+      return {-x.value, -x.first, -x.second};
+    }
+
+    Jet
     multiply(const Jet &x, const Jet &y)
     {
       return {x.value * y.value,
@@ -27,6 +33,15 @@ namespace samara
     {
       const double r = 1 / x.value;
       return chain(x, r, -r * r, 2 * r * r * r);
+    }
+
+    /** Its value is that of the division, not of the product with a rounded reciprocal. */
+    Jet
+    divide(const Jet &x, const Jet &y)
+    {
+      Jet result   = multiply(x, reciprocal(y));
+      result.value = x.value / y.value;
+      return result;
     }
 
     Jet
@@ -98,10 +113,15 @@ namespace samara
       return a[1].value >= 0 ? 0 : a[0].value < 0 ? -1 : 1;
     }
 
+    using Rule = DimensionRule;
+
     JetOperation
-    of_one(const std::string &name, const JetOperation::Function apply, const JetOperation::Piece piece = nullptr)
+    of_one(const std::string           &name,
+           const JetOperation::Function apply,
+           const JetOperation::Piece    piece = nullptr,
+           const Rule                   rule  = Rule::numbers)
     {
-      return {name, 1, 1, apply, 0, piece};
+      return {name, 1, 1, apply, 0, piece, rule};
     }
 
     double
@@ -113,14 +133,15 @@ namespace samara
     /** A function that is constant on each of its pieces, which its values tell from each other. */
     template <double (*f)(double)>
     JetOperation
-    step_function(const std::string &name)
+    step_function(const std::string &name, const Rule rule = Rule::numbers)
     {
       return of_one(
         name,
         [](Arguments a, N) -> Jet {
           return {f(a->value), 0, 0};
         },
-        [](Arguments a, N) { return std::isnan(a->value) ? 0 : f(a->value); });
+        [](Arguments a, N) { return std::isnan(a->value) ? 0 : f(a->value); },
+        rule);
     }
 
     /** Which of many is before all others in an order; what is no number is before all. */
@@ -144,7 +165,8 @@ namespace samara
               1000,
               [](Arguments a, N n) { return a[foremost<Before>(a, n)]; },
               0,
-              [](Arguments a, N n) -> double { return foremost<Before>(a, n); }};
+              [](Arguments a, N n) -> double { return foremost<Before>(a, n); },
+              Rule::alike};
     }
 
     /** x between lo and hi; hi where lo is above it. */
@@ -213,7 +235,7 @@ namespace samara
                        const double x = a->value, r = 1 / (1 + x * x);
                        return chain(*a, std::atan(x), r, -2 * x * r * r);
                      }),
-              {"atan2", 2, 2, [](Arguments a, N) { return arc_tangent_2(a[0], a[1]); }, 0, left_quadrant}};
+              {"atan2", 2, 2, [](Arguments a, N) { return arc_tangent_2(a[0], a[1]); }, 0, left_quadrant, Rule::ratio}};
     }
 
     std::vector<JetOperation>
@@ -259,23 +281,30 @@ namespace samara
               of_one("log", [](Arguments a, N) { return logarithm(*a, std::log(a->value), 1); }),
               of_one("log2", [](Arguments a, N) { return logarithm(*a, std::log2(a->value), 1 / std::log(2.)); }),
               of_one("log10", [](Arguments a, N) { return logarithm(*a, std::log10(a->value), 1 / std::log(10.)); }),
-              of_one("sqrt", [](Arguments a, N) {
-                const double f = sqrt(a->value);
-                return chain(*a, f, 0.5 / f, -0.25 / (f * f * f));
-              })};
+              of_one(
+                "sqrt",
+                [](Arguments a, N) {
+                  const double f = sqrt(a->value);
+                  return chain(*a, f, 0.5 / f, -0.25 / (f * f * f));
+                },
+                nullptr,
+                Rule::square_root)};
     }
 
     std::vector<JetOperation>
     piecewise_functions()
     {
       return {of_one(
-                "abs", [](Arguments a, N) { return chain(*a, std::abs(a->value), sign(a->value), 0); }, side_of_zero),
-              step_function<sign>("sign"),
+                "abs",
+                [](Arguments a, N) { return chain(*a, std::abs(a->value), sign(a->value), 0); },
+                side_of_zero,
+                Rule::alike),
+              step_function<sign>("sign", Rule::any),
               step_function<round_half_up>("rint"),
               step_function<std::floor>("floor"),
               step_function<std::ceil>("ceil"),
-              {"saturate", 3, 3, saturated, 0, side_of_limits},
-              {"deadband", 2, 2, beyond_deadband, 0, side_of_deadband},
+              {"saturate", 3, 3, saturated, 0, side_of_limits, Rule::alike},
+              {"deadband", 2, 2, beyond_deadband, 0, side_of_deadband, Rule::alike},
               selection<std::less<>>("min"),
               selection<std::greater<>>("max")};
     }
@@ -283,10 +312,12 @@ namespace samara
 
 
 
-  Jet
-  jet_negative(const Arguments a, unsigned int)
+  const JetOperation &
+  jet_negative()
   {
-    return {-a->value, -a->first, -a->second};
+    static const JetOperation operation = {
+      "negative", 1, 1, [](Arguments a, N) { return negative(*a); }, 0, nullptr, DimensionRule::alike};
+    return operation;
   }
 
 
@@ -311,17 +342,17 @@ namespace samara
     static const std::vector<JetOperation> all = {
       {"||", 2, 2, [](Arguments a, N) { return logical(a[0].value != 0 || a[1].value != 0); }, 1},
       {"&&", 2, 2, [](Arguments a, N) { return logical(a[0].value != 0 && a[1].value != 0); }, 2},
-      {"<", 2, 2, [](Arguments a, N) { return logical(a[0].value < a[1].value); }, 3, side},
-      {"<=", 2, 2, [](Arguments a, N) { return logical(a[0].value <= a[1].value); }, 3, side},
-      {">", 2, 2, [](Arguments a, N) { return logical(a[0].value > a[1].value); }, 3, side},
-      {">=", 2, 2, [](Arguments a, N) { return logical(a[0].value >= a[1].value); }, 3, side},
-      {"==", 2, 2, [](Arguments a, N) { return logical(a[0].value == a[1].value); }, 3, side},
-      {"!=", 2, 2, [](Arguments a, N) { return logical(a[0].value != a[1].value); }, 3, side},
-      {"+", 2, 2, [](Arguments a, N) { return add(a[0], a[1]); }, 4},
-      {"-", 2, 2, [](Arguments a, N) { return add(a[0], jet_negative(a + 1, 1)); }, 4},
-      {"*", 2, 2, [](Arguments a, N) { return multiply(a[0], a[1]); }, 5},
-      {"/", 2, 2, [](Arguments a, N) { return multiply(a[0], reciprocal(a[1])); }, 5},
-      {"^", 2, 2, [](Arguments a, N) { return power(a[0], a[1]); }, 6}};
+      {"<", 2, 2, [](Arguments a, N) { return logical(a[0].value < a[1].value); }, 3, side, Rule::comparison},
+      {"<=", 2, 2, [](Arguments a, N) { return logical(a[0].value <= a[1].value); }, 3, side, Rule::comparison},
+      {">", 2, 2, [](Arguments a, N) { return logical(a[0].value > a[1].value); }, 3, side, Rule::comparison},
+      {">=", 2, 2, [](Arguments a, N) { return logical(a[0].value >= a[1].value); }, 3, side, Rule::comparison},
+      {"==", 2, 2, [](Arguments a, N) { return logical(a[0].value == a[1].value); }, 3, side, Rule::comparison},
+      {"!=", 2, 2, [](Arguments a, N) { return logical(a[0].value != a[1].value); }, 3, side, Rule::comparison},
+      {"+", 2, 2, [](Arguments a, N) { return add(a[0], a[1]); }, 4, nullptr, Rule::alike},
+      {"-", 2, 2, [](Arguments a, N) { return add(a[0], negative(a[1])); }, 4, nullptr, Rule::alike},
+      {"*", 2, 2, [](Arguments a, N) { return multiply(a[0], a[1]); }, 5, nullptr, Rule::product},
+      {"/", 2, 2, [](Arguments a, N) { return divide(a[0], a[1]); }, 5, nullptr, Rule::quotient},
+      {"^", 2, 2, [](Arguments a, N) { return power(a[0], a[1]); }, 6, nullptr, Rule::power}};
     return all;
   }
 } // namespace samara

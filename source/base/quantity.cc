@@ -101,21 +101,13 @@ namespace samara
       return 0;
     }
 
-    /** Of an expression without variables. */
-    double
-    value_of(const Evaluation &evaluation, const unsigned int reading)
-    {
-      return evaluation.has_stand_ins() ? Formula(evaluation.si_text(reading), "t")(0).value :
-                                          evaluation.measure(reading).value;
-    }
-
     double
     checked_value(const std::string &text, const Evaluation &evaluation, const std::string &unit)
     {
       for (const unsigned int reading : {0, 1})
-        if (!std::isfinite(value_of(evaluation, reading)))
+        if (!std::isfinite(evaluation.measure(reading).value))
           throw std::invalid_argument("<" + text + "> is not a finite number.");
-      return value_of(evaluation, fitting_reading(text, evaluation, unit));
+      return evaluation.measure(fitting_reading(text, evaluation, unit)).value;
     }
   } // namespace
 
@@ -155,8 +147,6 @@ namespace samara
 
         // What contradicts itself in one reading is meant in the other one.
         std::array<Evaluation::Measure, 2> m{{evaluation.measure(0), evaluation.measure(1)}};
-        for (const unsigned int i : {0, 1})
-          m[i].value = value_of(evaluation, i);
         for (const unsigned int i : {0, 1})
           if (!m[i].is_consistent)
             m[i] = m[1 - i];

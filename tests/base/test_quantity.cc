@@ -81,13 +81,24 @@ namespace
   TEST(Quantity, RefusesMixedDimensions)
   {
     const Quantities q;
-    for (const char *text : {"1 m + 1 kg", "1 + 1 m", "exp(1 m)", "1 m + 1 m^2", "sin(2 s)"})
+    for (const char *text : {"1 m + 1 kg",
+                             "1 + 1 m",
+                             "exp(1 m)",
+                             "1 m + 1 m^2",
+                             "sin(2 s)",
+                             "min(1 m, 2 s)",
+                             "1 m < 2 s ? 3 m : 4 m",
+                             "2 m > 1 m ? 1 m : 1 s",
+                             "atan2(1 m, 1 s) * 1 m",
+                             "2^(1 m) * 1 m"})
       {
         EXPECT_TRUE(contains(fault_of_number(q, text, "m"), "mixes dimensions"))
           << text << ": " << fault_of_number(q, text, "m");
         EXPECT_TRUE(contains(fault_of_number(q, text, ""), "mixes dimensions")) << text;
       }
     EXPECT_EQ(q.number("6.0 ft - 6.0 ft", "m"), 0);
+    EXPECT_EQ(q.number("2 > 1 ? 0 : 1 m", "m"), 0) << "a zero has any dimension";
+    EXPECT_EQ(q.number("sqrt(4 m^2) + saturate(3 m, 0, 1 m)", "m"), 3);
     EXPECT_NEAR(q.number("6.0 ft - 1.8288 m", "m"), 0, 1e-15) << "what rounding leaves has a dimension, too";
   }
 

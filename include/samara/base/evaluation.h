@@ -1,19 +1,13 @@
 #ifndef samara_base_evaluation_h
 #define samara_base_evaluation_h
 
+#include <samara/base/formula.h>
 #include <samara/base/tokens.h>
-#include <samara/base/units.h>
 
 #include <array>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
-
-namespace mu
-{
-  class Parser;
-}
 
 namespace samara
 {
@@ -28,17 +22,7 @@ namespace samara
 
 
 
-  /**
-   * One expression with units, ready to be evaluated and measured by muParser.
-   *
-   * The dimension is found by evaluating with rescaled base units: if metres count double and the result becomes four
-   * times itself, it is an area; if the factors for twice and eight times are not powers that agree, lengths were added
-   * to something else. Powers of two scale without any rounding, so that the finding does not depend on the numbers.
-   *
-   * Functions that choose among their arguments, min(), max(), saturate(), deadband(), would hide what they do not
-   * choose. They are measured as sums of their arguments with some factors, and tables as functions that are no power
-   * of theirs: such numbers have dimensions, but values of their own (has_stand_ins()).
-   */
+  /** One expression with units, ready to be evaluated and measured: a Formula whose variables are its words. */
   class Evaluation
   {
   public:
@@ -46,8 +30,6 @@ namespace samara
     Evaluation(const std::string                      &text,
                const std::map<std::string, Meaning>   &words,
                const std::map<std::string, Dimension> &variables = {});
-
-    ~Evaluation();
 
     struct Measure
     {
@@ -69,9 +51,6 @@ namespace samara
 
     bool has_units() const;
 
-    /** Whether what is measured has another value than the text: that of a Formula of si_text() is the right one. */
-    bool has_stand_ins() const;
-
     /** Whether @p word, which is no variable, is used. */
     bool uses(const std::string &word) const;
 
@@ -79,39 +58,21 @@ namespace samara
     std::string si_text(unsigned int reading) const;
 
   private:
-    /** A word, or a variable, and the number that muParser sees. */
+    /** A word or a variable. */
     struct Used
     {
       std::string name;
       Meaning     meaning;
       bool        is_variable;
       Dimension   natural; ///< of a variable
-      double      seen = 0;
     };
-
-    /** Append the tokens from @p begin to @p end to what is measured. */
-    void replace_tables(std::size_t begin, std::size_t end);
-
-    /** A word for a unit of a table. */
-    Token word_of_table(const Dimension &unit);
 
     void collect_words(const std::map<std::string, Meaning> &words, const std::map<std::string, Dimension> &variables);
 
-    void prepare_parser();
-
-    /** Which variables have their dimensions. */
-    struct Natural
-    {
-      bool units, time;
-    };
-    double value(unsigned int reading, Natural natural, double variable, unsigned int base, double scale) const;
-
-    const std::string              text;
-    std::vector<Token>             tokens;
-    std::vector<Token>             measured;        ///< the same without tables
-    std::map<std::string, Meaning> units_of_tables; ///< by words that stand in what is measured
-    mutable std::vector<Used>      used;            ///< muParser points into it
-    std::unique_ptr<mu::Parser>    parser;
+    const std::string  text;
+    std::vector<Token> tokens;
+    std::vector<Used>  used; ///< in the order of the formula's variables
+    Formula            formula;
   };
 } // namespace samara
 

@@ -11,10 +11,10 @@ namespace samara
   /**
    * An expression of one or several variables, compiled, and differentiated exactly while it is evaluated.
    *
-   * muParser, which reads all other numbers (see Quantities), evaluates but cannot differentiate; differences would
-   * make noise of the accelerations of a prescribed motion, and nonsense of them at a switch such as "t < 1 ? 0 : t -
-   * 1". The language is that of muParser: + - * / ^, comparisons, && ||, ?:, and functions; and saturate(x, lo, hi),
-   * deadband(x, width), and table("file.csv", x), see LookUp.
+   * Differences would make noise of the accelerations of a prescribed motion, and nonsense of them at a switch such as
+   * "t < 1 ? 0 : t - 1". The language is that of muParser, which knows neither derivatives nor dimensions: + - * / ^,
+   * comparisons, && ||, ?:, and functions; and saturate(x, lo, hi), deadband(x, width), and table("file.csv", x), see
+   * LookUp.
    *
    * The program is a list of instructions for a stack, with jumps around the branch of ?: that is not taken. Evaluation
    * allocates nothing and may be done by several threads at once.
@@ -40,6 +40,23 @@ namespace samara
 
     /** With its derivatives by variable @p i. */
     Jet at(const double *variables, unsigned int i) const;
+
+    struct Dimensions
+    {
+      Dimension result        = {{0, 0, 0, 0, 0}};
+      bool      is_consistent = true; ///< nothing is added to, or compared with, what has another dimension
+    };
+
+    /**
+     * The dimension of the result for variables of the given ones, from all branches of ?:. Angles are numbers: where
+     * one meets a number, none is left. A zero that does not depend on @p free variables has any dimension, and a
+     * number may be compared with anything.
+     *
+     * @param values of the variables, which matter where one is a power
+     */
+    Dimensions dimensions(const std::vector<double>    &values,
+                          const std::vector<Dimension> &of_variables,
+                          const std::vector<bool>      &free) const;
 
     /** Whether no variable occurs. */
     bool is_constant() const;
@@ -86,13 +103,12 @@ namespace samara
         skip,
         skip_if_zero
       };
-      Kind                   kind;
-      double                 value       = 0;
-      JetOperation::Function apply       = nullptr;
-      JetOperation::Piece    piece       = nullptr;
-      unsigned int           n_arguments = 0;
-      unsigned int           n_skipped   = 0;
-      unsigned int           index       = 0; ///< of the variable
+      Kind                kind;
+      double              value       = 0;
+      const JetOperation *op          = nullptr;
+      unsigned int        n_arguments = 0;
+      unsigned int        n_skipped   = 0;
+      unsigned int        index       = 0; ///< of the variable
 
       std::shared_ptr<const LookUp> table = nullptr;
 
@@ -100,17 +116,17 @@ namespace samara
       Jet
       result(const Jet *arguments) const
       {
-        return table ? (*table)(arguments) : apply(arguments, n_arguments);
+        return table ? (*table)(arguments) : op->apply(arguments, n_arguments);
       }
       bool
       has_pieces() const
       {
-        return piece != nullptr || table;
+        return table || (op != nullptr && op->piece != nullptr);
       }
       double
       piece_at(const Jet *arguments) const
       {
-        return table ? table->piece(arguments) : piece(arguments, n_arguments);
+        return table ? table->piece(arguments) : op->piece(arguments, n_arguments);
       }
     };
 

@@ -23,7 +23,7 @@ namespace samara
    *   rpm for Hz is refused, because nobody can tell whether a factor of 2 pi is meant.
    * - `lb` is a mass. If that contradicts the declared unit and a force agrees with it, it is a force.
    *
-   * muParser does all of the parsing; how dimensions are found is told at Evaluation.
+   * How dimensions are found is told at Formula::dimensions().
    *
    * Faults of the text are thrown as std::invalid_argument with a message for the user, without a place.
    */
