@@ -178,6 +178,7 @@ namespace samara
       set_velocities(s, u);
       return measure.largest(s.y, s.rates);
     };
+    // a step that does not resolve the change of accelerations (doc/theory/rivals.md): the start stays as it is
     if (!(h * h * size(jerk) <= 0.5 * size(v) + h * size(now.y_dot)))
       return;
 
@@ -328,6 +329,7 @@ namespace samara
       set_velocities(iterate.state, v);
     // forces across the constraints leave the velocities as they are: multipliers have to converge, too
     const double of_multipliers = largest > 0 ? std::sqrt(settings.newton_tolerance) * largest_change / largest : 0.;
+    // velocities that turn or move by less than a thousandth in a step are too small to be a measure
     return std::max(size / std::max(1e-3 / h, measure.largest(iterate.state.y, iterate.state.rates)), of_multipliers);
   }
 
@@ -342,6 +344,7 @@ namespace samara
     const double tiny = 1e-6 * h, end = state.time + h;
     State        begin = state;
     begin.held         = false;
+    // accelerations of another step or of before a corner: the recursion of a begins anew
     if (!(std::abs(now.h / h - 1) < 1e-6) || rivals::is_corner(system, state.time, tiny))
       start(begin, h);
     const double evaluation_time = rivals::is_corner(system, end, tiny) ? end - tiny : end;
@@ -380,6 +383,8 @@ namespace samara
   StepResult
   GeneralisedAlpha::find_end(const State &begin, const double h, const double evaluation_time, Iterate &iterate)
   {
+    // corrections that shrink by less than this want new factors; those of another step, but for round-off, are not
+    // used
     constexpr double    slow = 0.2;
     StepResult          result;
     rivals::Corrections corrections(factored_step > 0 && std::abs(factored_step / h - 1) < 1e-6,

@@ -345,6 +345,7 @@ namespace samara
       changes.y[6 + i] = zeta[i] / h;
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
       changes.rates[i] = zeta[system.layout.of_coordinate(i)] / h;
+    // velocities that turn or move by less than a thousandth in a step are too small to be a measure
     return measure.largest(changes.y, changes.rates) / std::max(1e-3 / h, measure.largest(f.mean.y, f.mean.rates));
   }
 
