@@ -38,6 +38,7 @@ namespace samara
     std::string
     text_of_steps(const FloquetMode &m, const double h, const double T)
     {
+      // 1 % of the exponent is worth a warning (doc/theory/floquet.md); exponents below a thousandth a period are zero
       if (std::abs(m.scheme_error) > 0.01 * std::max(std::abs(m.exponent), 1e-3 / T))
         return " is not resolved: there are " + number_to_text("%.2g", 2 * M_PI / (m.rate * h)) +
                " steps a cycle; take more <Steps>";

@@ -328,6 +328,7 @@ namespace samara
     {
       unsigned int n = 0, most = 0;
       for (unsigned int i = 0; i < modes.size(); ++i)
+        // what the estimate of the error allows is no change (doc/theory/modes.md, parts that turn against each other)
         if (!(changes[i] <= 1e-5 + 10 * modes[i].error))
           {
             ++n;
@@ -378,6 +379,7 @@ namespace samara
       {
         const std::string text = "mode " + std::to_string(i + 1) + " at " + short_text(modes[i].frequency()) +
                                  " rad/s has an estimated error of " + short_text(100 * modes[i].error) + " %";
+        // beyond 1 % a mode is no result; above 1e-6, where 1e-14 is usual, the model is worth a look
         if (!(modes[i].error < 1e-2))
           throw NotConverged(
             "modal analysis: " + text +

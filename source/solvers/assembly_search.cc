@@ -94,6 +94,7 @@ namespace samara
           }
         catch (const SingularMatrix &)
           {
+            // Levenberg and Marquardt: with more damping the matrix is regular
             damping = std::max(10 * damping, 1e-10 / (size * size));
             continue;
           }
@@ -103,6 +104,7 @@ namespace samara
         const Place           next   = moved(at, step);
         const Eigen::VectorXd g_next = gaps_at(state_at(next));
         const double promised = size * size - (g + G * step).squaredNorm(), gained = size * size - g_next.squaredNorm();
+        // Armijo's condition: a step must gain a part of what the linear model promises
         if (!(gained > 1e-4 * promised))
           {
             // below round-off nothing becomes better; elsewhere shorter steps do

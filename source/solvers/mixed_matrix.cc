@@ -136,6 +136,7 @@ namespace samara
     Point                             result;
     Eigen::MatrixXd                   V = Eigen::MatrixXd::Identity(m, m);
     const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled);
+    // the inverse keeps its digits; else combinations without stiffness are taken out
     if (cholesky.info() == Eigen::Success && (cholesky.matrixLLT().diagonal().array() > 1e-6).all())
       result.F = cholesky.solve(V);
     else

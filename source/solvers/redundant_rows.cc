@@ -270,6 +270,7 @@ namespace samara
     try
       {
         factorize({});
+        // a dependent row, 1e-5 of its length away from the others at most, would make it smaller
         return std::all_of(scale.begin(), scale.end(), [](const double s) { return s > 0; }) &&
                solver->reciprocal_condition() > 1e-8;
       }

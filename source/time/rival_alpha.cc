@@ -8,6 +8,7 @@ namespace samara
   GeneralisedAlpha::Coefficients
   GeneralisedAlpha::of_spectral_radius(const double rho)
   {
+    // Chung & Hulbert 1993: second order, and the least dissipation at low frequencies for this radius
     Coefficients c;
     c.alpha_m = (2 * rho - 1) / (rho + 1);
     c.alpha_f = rho / (rho + 1);
@@ -170,6 +171,7 @@ namespace samara
     const double              dt  = 0.1 * h;
     const std::vector<double> one = accelerations_after(state, dt), two = accelerations_after(state, 2 * dt);
     std::vector<double>       jerk(n), error(n);
+    // one-sided difference of second order: there is no motion before the start
     for (unsigned int i = 0; i < n; ++i)
       jerk[i] = (4 * one[i] - 3 * now.y_dot[i] - two[i]) / (2 * dt);
 
@@ -182,6 +184,7 @@ namespace samara
     if (!(h * h * size(jerk) <= 0.5 * size(v) + h * size(now.y_dot)))
       return;
 
+    // Arnold, Brüls & Cardona 2015: a = ẏ + (α_m − α_f) h ÿ, and δy = h² (C_q ÿ + ad_y ẏ/12) across the constraints
     const double shift = c.alpha_m - c.alpha_f, C_q = 1. / 6 - c.beta - 0.5 * shift;
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -269,6 +272,7 @@ namespace samara
   void
   GeneralisedAlpha::factorize(const double h, const Iterate &iterate)
   {
+    // in increments Δ: ẏ' changes by b Δ and y' by g Δ, so that M b + C g + K is the matrix; divided by b
     system.damping(iterate.state, C);
     system.tangent(iterate.state, K);
     const double b = (1 - c.alpha_m) / (h * h * c.beta * (1 - c.alpha_f)), g = c.gamma / (h * c.beta);
