@@ -34,6 +34,7 @@ namespace samara
   std::array<double, 2>
   HarmonicsAnalysis::Series::harmonic(const unsigned int n, const double start) const
   {
+    // sums over the ends of the steps: exact for periodic functions whose harmonics the steps can tell apart
     std::array<double, 2> result = {0., 0.};
     for (unsigned int i = 0; i < values.size(); ++i)
       {

@@ -168,6 +168,7 @@ namespace samara
     auto &own = six_a_point<double, 0>(beam.points.size());
     beam.strains(point, own.data());
     beam.for_strain_matrices(point, [&](const unsigned int g, const Block &block, const auto &B) {
+      // ∂²(½ q f²) by κ and γ
       const unsigned int first = first_strain + n * g;
       const double       q = trapeze(g).stiffness, twist = own[6 * g + 3];
       Eigen::Matrix2d    C;

@@ -107,7 +107,7 @@ namespace samara
       const Eigen::VectorXd                                lambda = eigen.eigenvalues();
       std::vector<int>                                     kept;
       for (int i = 0; i < lambda.size(); ++i)
-        if (std::abs(lambda(i)) > 1e-12 * lambda.cwiseAbs().maxCoeff())
+        if (std::abs(lambda(i)) > 1e-12 * lambda.cwiseAbs().maxCoeff()) // scaled to a diagonal of about one before
           kept.push_back(i);
       inverse = lambda(kept).cwiseInverse().asDiagonal();
       return eigen.eigenvectors()(Eigen::all, kept);

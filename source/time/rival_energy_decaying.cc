@@ -279,6 +279,8 @@ namespace samara
           return row == column ? K.values[position] : 0.;
         });
       };
+    // by means(), V_j = (2 u_f + 6 u_j)/(h (1 + α)) and V_f = 2 u_f/h − V_j, behind the factors −6/h and 1/h of both
+    // rows
     matrix.clear();
     blocks(1, 1, 2 * alpha * a, 1 / h, 0.5);
     blocks(1, 0, -6 * a, 0, 0.5);
