@@ -25,6 +25,7 @@ namespace samara
            << number_to_text("%.6g", m.frequency()) << " rad/s  (";
       if (!m.content.family.empty())
         line << m.content.family << ", " << m.content.pattern << "; ";
+      // the first, and up to two others with 2 % and more
       if (!m.shares.empty() && m.shares[0].second > 0)
         for (unsigned int k = 0; k < std::min<std::size_t>(3, m.shares.size()); ++k)
           if (k == 0 || m.shares[k].second > 0.02)

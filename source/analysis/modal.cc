@@ -476,6 +476,7 @@ namespace samara
                << short_text(std::abs(m.damping_ratio()) < 10 * m.error + 1e-10 ? 0. : m.damping_ratio()) << "  (";
         if (!content.family.empty())
           line << content.family << (content.pattern.empty() ? "" : ", ") << content.pattern << "; ";
+        // the first, and up to two others with 2 % and more
         const auto shares = participation(context.system, m);
         for (unsigned int k = 0; k < std::min<unsigned int>(3, shares.size()) && (k == 0 || shares[k].second > 0.02);
              ++k)

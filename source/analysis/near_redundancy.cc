@@ -183,6 +183,7 @@ namespace samara
           std::vector<double> z(system.size(), 0.);
           for (int i = 0; i < x.size(); ++i)
             z[rows.unknowns[i]] = x(i) / rows.unit[i];
+          // a structure, of which round-off is left; or back on the constraints, to round-off
           const double size = size_of_step(system, z, rows.length);
           if (iteration == 0 ? !(size > 1e-9) : size < 1e-12)
             break;

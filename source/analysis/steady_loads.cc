@@ -196,7 +196,7 @@ namespace samara
           RedundantRows(system).choose(turned);
         keep_larger(system, turned, result.imbalance);
         turned.held = state.held;
-        if (!turned.held && result.imbalance.step <= 1e-7)
+        if (!turned.held && result.imbalance.step <= 1e-7) // steady for statics: is it so without the drives' moments?
           keep_larger(system, turned, result.drives);
       }
     return result;
@@ -211,6 +211,7 @@ namespace samara
                                ", as <" + load + "> changes by up to " + short_text(force) +
                                  (is_moment ? " N m" : " N") + " on <" + body + ">, seen in its own axes" :
                                "; a rotor is out of balance, or a support is not the same in all directions";
+    // the limits of statics (doc/theory/steady_rotation.md): what is left below them is the drives' alone
     if (imbalance.step <= 1e-7 && imbalance.stress <= 1e-8)
       return "the moment of a drive would have to change with the azimuth" + what;
     return "the equilibrium changes as parts turn" +

@@ -138,6 +138,7 @@ namespace samara
         const Eigen::VectorXd step =
           solve(weights_at(at), rows_at(state), smallest_mu, -gradient, Eigen::VectorXd::Zero(target.size()));
         const double slope = gradient.dot(step), largest = step.lpNorm<Eigen::Infinity>();
+        // at the minimum, or as near as rotations are known; else backtracking with Armijo's condition
         if (!(slope < 0) || largest < 1e-11)
           return;
         const double before   = distance_at(at);

@@ -359,6 +359,7 @@ namespace samara
       }
     State result    = state;
     result.left_out = {};
+    // below is what round-off leaves of a random velocity
     if (!(size > 1e-9))
       return result; // a structure
     for (auto &value : z)

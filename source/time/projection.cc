@@ -123,6 +123,7 @@ namespace samara
   Projection::factorize(const State &state, const double least_condition)
   {
     left_out = state.left_out;
+    // below the least condition asked for a few digits of the solution are left: the state is taken for singular
     try
       {
         factorize_rows(state);
