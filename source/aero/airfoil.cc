@@ -122,6 +122,7 @@ namespace samara
     const bool   is_linear = form == "linear";
     const double u = is_linear ? x : s, du = is_linear ? 1 : c;
 
+    // Prandtl & Glauert, up to a Mach number behind which their factor is no longer of this flow
     constexpr double highest = 0.9;
     const double     M       = std::min(mach, highest);
     const double     growth  = is_compressible ? 1 / std::sqrt(1 - M * M) : 1;
@@ -138,6 +139,8 @@ namespace samara
     if (stall_angle == 0)
       return k;
 
+    // beyond the stall a flat plate: a normal force of 2 sin α in the middle of the chord; both are blended by logistic
+    // functions of the width of the stall
     const WithSlope s1 = logistic((x - stall_angle) / stall_width), s2 = logistic((-x - stall_angle) / stall_width);
     const double    share  = s1.value + s2.value - s1.value * s2.value;
     const double    dshare = (s1.slope * (1 - s2.value) - s2.slope * (1 - s1.value)) / stall_width;

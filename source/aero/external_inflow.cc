@@ -77,6 +77,7 @@ namespace samara
   ExternalInflow::Derivatives
   ExternalInflow::derivatives(const Vector3 &x, const Flow<double> &flow, const std::vector<double> &z) const
   {
+    // complex steps: exact, since nothing is subtracted
     constexpr double   step = 1e-30;
     const unsigned int n    = states.size();
     AssertDimension(z.size(), n);
@@ -104,6 +105,7 @@ namespace samara
 
 
 
+  // T ż = b − z: stations of surfaces add their drives b, with the weights 1/T
   template <typename Number>
   void
   ExternalInflow::residual_at(const Point<Number> &point, Number *r) const

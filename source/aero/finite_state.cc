@@ -19,6 +19,7 @@ namespace samara
       return product;
     }
 
+    /** H_n^m of Peters, Boyd & He, J. AHS 34 (1989), whose notation these formulas have. */
     double
     H(const int n, const int m)
     {
@@ -349,6 +350,7 @@ namespace samara
   FiniteStateInflow::Flow<Number>
   FiniteStateInflow::at_mean_flow(const Number &nu, const Flight<Number> &flight, const double least) const
   {
+    // V_T, the total flow; V_m, which carries harmonics away; X = tan(χ/2) of the skew of the wake
     using std::sqrt;
     Flow<Number> f;
     const Number mu2    = flight.mu_x * flight.mu_x + flight.mu_y * flight.mu_y;
@@ -465,10 +467,12 @@ namespace samara
         const Number found = k * loads_of(z, f, mean)(0);
         f                  = at_mean_flow(Number(f.nu - (f.nu - found) / mean.slope), flight, least);
       }
+    // R M ż = −V L⁻¹ z, V_T for the part of a uniform load u and V_m for the rest; stations add their loads
     f.y = loads_of(z, f, mean);
     f.rate.resize(size());
     for (unsigned int j = 0; j < size(); ++j)
       f.rate(j) = -(f.V_m * f.y(j) + (f.V_T - f.V_m) * u[j] * f.y(0)) / (radius * apparent_mass[j]);
+    // axes that turn with the hub: a harmonic m that stands in space goes back by m ψ in them
     for (unsigned int j = 0; j < sine_of.size(); ++j)
       if (sine_of[j] >= 0)
         {
@@ -476,6 +480,7 @@ namespace samara
           f.rate(j) += m * flight.spin * z(sine_of[j]);
           f.rate(sine_of[j]) -= m * flight.spin * z(j);
         }
+    // shapes are functions of r/R: where R grows the flow that stands in the air has other amplitudes
     if (flight.growth != 0)
       f.rate += flight.growth * (stretch.template cast<Number>() * z);
     return f;

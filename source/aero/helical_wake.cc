@@ -84,6 +84,7 @@ namespace samara
                 line.x[i] = a * cosine[i] + flow(0) * (i * dt);
                 line.y[i] = a * sine[i] + flow(1) * (i * dt);
               }
+            // a trailing vortex has the difference of the circulations on both sides of it
             const Vec3<Number> v = sense * induced_velocity(x, line, core);
             for (unsigned int i = 0; i < 3; ++i)
               {
@@ -116,6 +117,7 @@ namespace samara
   HelicalWake::circulation(const Vec3<Number> &x, Number *b) const
   {
     using std::sqrt;
+    // Kutta & Joukowski: lift per length over ρ |Ω| r, shared between the two nodes beside the station
     const Number r = sqrt(x(0) * x(0) + x(1) * x(1)), unit = 1. / (air->density * std::abs(speed) * r);
     std::fill(b, b + n_nodes, Number(0));
     const auto [k, share] = node_of(r);

@@ -158,7 +158,7 @@ namespace samara
         azimuth_zero             = triad_about(e3, e1).col(0);
         axis_zero                = e3.normalized();
         corrections.has_tip_loss = tip_loss == "Prandtl";
-        corrections.least_speed  = 1e-7 * air->speed_of_sound;
+        corrections.least_speed  = 1e-7 * air->speed_of_sound; // keeps quotients smooth where air is at rest
       }
     catch (const std::invalid_argument &problem)
       {

@@ -117,6 +117,7 @@ namespace samara
   double
   MomentumInflow::least_speed() const
   {
+    // some centimetres a second: it rounds |λ| off, and is far below the flow of any rotor that carries something
     return 1e-4 * air->speed_of_sound;
   }
 

@@ -62,6 +62,7 @@ namespace samara
     const auto walk = [&](int i, const int step) {
       for (bool is_separated = false; i >= 0 && i <= static_cast<int>(n); i += step)
         {
+          // Kirchhoff: lift is ¼ (1 + √f)² of the attached one, a quarter where all is separated
           const double x = angles[i] - zero, attached = 0.5 * slope * std::sin(2 * x), l = lift(angles[i]),
                        ratio = std::abs(x) < 1e-6 ? 1. : l / attached;
           is_separated       = is_separated || std::abs(x) > M_PI / 2 || ratio < 0.25;

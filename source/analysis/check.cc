@@ -16,6 +16,7 @@ namespace samara
     std::string
     place_of_prescribed(const System &system, const Eigen::VectorXd &combination)
     {
+      // below is round-off of the elimination that found the combination
       for (const auto &[coordinate, row] : system.model.prescribed)
         if (std::abs(combination(row)) > 1e-6 * combination.cwiseAbs().maxCoeff())
           for (const auto *c : system.layout.joints)
@@ -221,6 +222,7 @@ namespace samara
               without.multipliers[i] = 0;
               with.multipliers[i]    = combinations(i, j);
             }
+          // combinations have entries of about one: a probe that sees them changes by as much
           if (std::abs(probe.value(with) - probe.value(without)) > 1e-6)
             {
               probe.unit += ", not unique";

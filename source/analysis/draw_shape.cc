@@ -21,6 +21,7 @@ namespace samara
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       for (unsigned int i = 0; i < 6; ++i)
         {
+          // a rotation counts by what it moves at a tenth of the model's length
           const auto   z    = shape(system.layout.of_node(node) + i);
           const double size = std::abs(z) * (i < 3 ? 1. : 0.1 * model_length(system.model));
           if (size > largest)

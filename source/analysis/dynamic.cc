@@ -11,6 +11,7 @@ namespace samara
   bool
   DynamicAnalysis::is_end(const double time) const
   {
+    // times are sums of steps, with their round-off
     return !(time < end_time - 1e-12 * (end_time - start_time));
   }
 
@@ -180,6 +181,7 @@ namespace samara
     if (report.n_exchanges > 0)
       context.log.line("  redundant constraints: other rows were chosen to be left out " +
                        std::to_string(report.n_exchanges) + " times");
+    // of exact geometry gaps of rows left out are round-off, 1e-9 of the size (doc/theory/redundant.md): more is told
     if (report.largest_gap_left_out > 1e-8 * model_length(context.system.model))
       context.log.warning("dynamic",
                           "constraints that are redundant but for rounded places or axes are violated by up to " +

@@ -258,6 +258,7 @@ namespace samara
       context.log.line(text);
     singular.look(state);
     write_step(advance, from, second_estimate(from));
+    // the step was cut short before its goal: it is no point of the grid of fixed steps
     if (!is_adaptive && state.time < goal - 1e-9 * analysis.step)
       return;
     ++analysis.n_grid;
@@ -357,6 +358,7 @@ namespace samara
   void
   DynamicAnalysis::Run::show_progress()
   {
+    // seconds: a line that is written over may change often, a file grows by lines
     if (!(seconds_since(last_progress) > (context.log.is_terminal() ? 0.3 : 10.)))
       return;
     const Report &report  = analysis.report;

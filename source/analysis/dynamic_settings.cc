@@ -149,6 +149,7 @@ namespace samara
                  integrator + ">");
     if (!(tolerance > 0 && tolerance < 1))
       complain("Tolerance", "the <Tolerance> of adaptive steps lies between 0 and 1");
+    // limits by what was measured: doc/theory/step_control.md, the controller, and doc/benchmarks/tolerance.md
     if (n_stages == 1 && spectral_radius < 1 && tolerance < 1e-2)
       complain(
         "Stages",

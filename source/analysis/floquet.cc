@@ -202,6 +202,7 @@ namespace samara
     for (unsigned int i = 0; i < names.size(); ++i)
       if (!names[i].empty())
         most = std::max(most, std::abs(state.rates[i]));
+    // what does not turn has a rate of round-off of those that do
     if (!(rate > 1e-9 * most))
       throw InputError(parameters.where("Turns of") + ": <" + turns_of + "> does not turn at the start");
     return turns * 2 * M_PI / rate;
@@ -352,6 +353,7 @@ namespace samara
   void
   FloquetAnalysis::check_behind(const SectionMap &map, const double difference) const
   {
+    // where the orbit has a gap the map behind it is another one by about as much, times the curvature of the motion
     if (difference <= allowed_difference + 100 * map.gap.size)
       return;
     const std::string by = number_to_text("%.1e", difference) + " of its size";

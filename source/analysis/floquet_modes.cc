@@ -193,6 +193,7 @@ namespace samara
   {
     auto &found = modes.found;
     std::stable_sort(found.begin(), found.end(), [](const FloquetMode &a, const FloquetMode &b) {
+      // equal to round-off: pairs, and modes of equal parts, stay in the order in which they were found
       return std::abs(a.of_section) > std::abs(b.of_section) * (1 + 1e-12);
     });
     while (!found.empty() && std::abs(found.back().of_section) <= round_off * size)

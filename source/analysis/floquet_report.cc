@@ -25,6 +25,7 @@ namespace samara
            << number_to_text("%.6g", m.frequency()) << " rad/s  (";
       if (!m.content.family.empty())
         line << m.content.family << ", " << m.content.pattern << "; ";
+      // the first, and up to two others with 2 % and more
       if (!m.shares.empty() && m.shares[0].second > 0)
         for (unsigned int k = 0; k < std::min<std::size_t>(3, m.shares.size()); ++k)
           if (k == 0 || m.shares[k].second > 0.02)
@@ -38,6 +39,7 @@ namespace samara
     std::string
     text_of_steps(const FloquetMode &m, const double h, const double T)
     {
+      // 1 % of the exponent is worth a warning (doc/theory/floquet.md); exponents below a thousandth a period are zero
       if (std::abs(m.scheme_error) > 0.01 * std::max(std::abs(m.exponent), 1e-3 / T))
         return " is not resolved: there are " + number_to_text("%.2g", 2 * M_PI / (m.rate * h)) +
                " steps a cycle; take more <Steps>";

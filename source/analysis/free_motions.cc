@@ -194,6 +194,7 @@ namespace samara
               largest = std::max(largest, changes.back());
             }
       std::vector<std::string> moving;
+      // a joint that moves by less than a thousandth of the one that moves most is not what the motion is about
       for (unsigned int i = 0; i < names.size(); ++i)
         if (changes[i] > 1e-3 * std::max(largest, 1e-3 * z.lpNorm<Eigen::Infinity>()))
           moving.push_back(names[i]);
@@ -215,7 +216,7 @@ namespace samara
       std::sort(sorted.rbegin(), sorted.rend());
       std::string text;
       for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
-        if (sorted[k].first > 1e-6 * sorted[0].first)
+        if (sorted[k].first > 1e-6 * sorted[0].first) // squares: a thousandth of the motion
           text += (text.empty() ? "" : ", ") + sorted[k].second;
       const auto joints = moving_joints(system, 1e-3 * z / z.lpNorm<Eigen::Infinity>());
       return text + (joints.empty() ? "" : " at " + join_some(joints));
@@ -327,6 +328,7 @@ namespace samara
         return std::sin(1. + 1.3 * i + 2.1 * j * i + 0.7 * j);
       });
       const Eigen::VectorXd root = D.cwiseSqrt();
+      // inverse iteration: each makes free motions larger against the softest others by their stiffness over the shift
       for (unsigned int iteration = 0; iteration < 6; ++iteration)
         {
           const Eigen::MatrixXd B = D.asDiagonal() * X;
@@ -366,6 +368,7 @@ namespace samara
       const Eigen::MatrixXd                                Z = X * ritz.eigenvectors();
       std::vector<int>                                     zero;
       for (int j = 0; j < block; ++j)
+        // relative to D: K has round-off of its stiff parts, and strains that are computed from the motion have less
         if (std::abs(ritz.eigenvalues()(j)) < 1e-8 && pieces.strain_energy(Z.col(j)) < 1e-14)
           zero.push_back(j);
       return Z(Eigen::all, zero);

@@ -34,6 +34,7 @@ namespace samara
   std::array<double, 2>
   HarmonicsAnalysis::Series::harmonic(const unsigned int n, const double start) const
   {
+    // sums over the ends of the steps: exact for periodic functions whose harmonics the steps can tell apart
     std::array<double, 2> result = {0., 0.};
     for (unsigned int i = 0; i < values.size(); ++i)
       {
@@ -179,6 +180,7 @@ namespace samara
       averages.push_back({PeriodAverage::mean, 0, probe});
     const auto loads = find_loads(context.system.model, averages);
 
+    // the fourth is for BDF alone
     const IntegratorSettings         settings{spectral_radius, newton_tolerance, max_iterations, 1e-4, n_stages};
     PeriodicMotion                   motion(context, period, n_steps, settings, averages);
     State                            start = motion_or_start(context, {parameters.where(), 0.}), end = start;

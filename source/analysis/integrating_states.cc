@@ -22,7 +22,7 @@ namespace samara
       if (const double size = rates.row(i).cwiseAbs().maxCoeff(); size > 0)
         rates.row(i) /= size;
     Eigen::FullPivLU<Eigen::MatrixXd> factors(rates);
-    factors.setThreshold(1e-10);
+    factors.setThreshold(1e-10); // entries are of the size of one: what elimination leaves below is round-off
     if (factors.rank() == n)
       return {};
     const Eigen::MatrixXd    kernel = factors.kernel();

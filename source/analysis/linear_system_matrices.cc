@@ -97,6 +97,7 @@ namespace samara
           rows.row(i) /= norm;
       if (rows.rows() == 0)
         return MatrixXd::Identity(n, n);
+      // rows have length one: a pivot below is a row that the others imply
       Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
       qr.setThreshold(1e-10);
       return MatrixXd(qr.householderQ()).rightCols(n - qr.rank());

@@ -208,6 +208,7 @@ namespace samara
                          " +- " + number_to_text("%.2g", error) + " 1/s");
       }
     context.log.line("lyapunov: over " + number_to_text("%.6g", interval * growth.size()) + " s; " +
+                     // three standard errors
                      (exponents[0] > 3 * scatter[0] && exponents[0] > 0 ? "small changes grow" :
                       exponents[0] < -3 * scatter[0]                    ? "small changes die away" :
                                                                           "the largest exponent is not told from zero"));

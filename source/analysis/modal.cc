@@ -328,6 +328,7 @@ namespace samara
     {
       unsigned int n = 0, most = 0;
       for (unsigned int i = 0; i < modes.size(); ++i)
+        // what the estimate of the error allows is no change (doc/theory/modes.md, parts that turn against each other)
         if (!(changes[i] <= 1e-5 + 10 * modes[i].error))
           {
             ++n;
@@ -378,6 +379,7 @@ namespace samara
       {
         const std::string text = "mode " + std::to_string(i + 1) + " at " + short_text(modes[i].frequency()) +
                                  " rad/s has an estimated error of " + short_text(100 * modes[i].error) + " %";
+        // beyond 1 % a mode is no result; above 1e-6, where 1e-14 is usual, the model is worth a look
         if (!(modes[i].error < 1e-2))
           throw NotConverged(
             "modal analysis: " + text +
@@ -474,6 +476,7 @@ namespace samara
                << short_text(std::abs(m.damping_ratio()) < 10 * m.error + 1e-10 ? 0. : m.damping_ratio()) << "  (";
         if (!content.family.empty())
           line << content.family << (content.pattern.empty() ? "" : ", ") << content.pattern << "; ";
+        // the first, and up to two others with 2 % and more
         const auto shares = participation(context.system, m);
         for (unsigned int k = 0; k < std::min<unsigned int>(3, shares.size()) && (k == 0 || shares[k].second > 0.02);
              ++k)

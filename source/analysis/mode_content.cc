@@ -71,6 +71,7 @@ namespace samara
       turning += axis.dot(across.cross(state.triad(node) * Eigen::Map<const Vector3>(&state.y[6 * node])));
       size += across.squaredNorm();
     });
+    // parts go round together: the mean spin is not small beside the largest, and points move as it says, to a tenth
     if (!(speed > 0.1 * fastest) || !(std::abs(turning - speed * size) < 0.1 * speed * size))
       chains.clear();
   }

@@ -94,6 +94,7 @@ namespace samara
       }
     others.insert(others.end(), nodes.begin(), nodes.end());
     const double speed = spin.norm();
+    // the mean of the spins is small where nodes stand still or turn about other axes: that is no blade
     if (nodes.size() < 2 || !(speed > 0.5 * fastest))
       return;
     Blade                blade;
@@ -110,6 +111,7 @@ namespace samara
     blade.along         = mean.normalized();
     blade.circle        = blade.axis.cross(blade.along);
     const double length = range_of(arms, blade.along);
+    // long, and on one side of the axis: what the axis passes through in the middle is a bar, not a blade
     if (!(length > least_slenderness * std::max(range_of(arms, blade.circle), range_of(arms, blade.axis))) ||
         !(mean.norm() > 0.25 * length))
       return;

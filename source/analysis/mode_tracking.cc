@@ -35,6 +35,7 @@ namespace samara
   {
     for (unsigned int first = 0, end = 1; first < modes.size(); first = end++)
       {
+        // equal to what eigenvalues are known to at worst without a warning: their shapes are any basis
         while (end < modes.size() &&
                std::abs(modes[end].lambda - modes[first].lambda) <= 1e-6 * std::abs(modes[first].lambda))
           ++end;
@@ -124,7 +125,7 @@ namespace samara
     std::vector<std::tuple<double, unsigned int, unsigned int>> pairs;
     for (unsigned int i = 0; i < mac.rows(); ++i)
       for (unsigned int j = 0; j < mac.cols(); ++j)
-        if (mac(i, j) > 0.3 && may_be(i, j))
+        if (mac(i, j) > 0.3 && may_be(i, j)) // of shapes that mix half and half it is 0.5
           pairs.emplace_back(mac(i, j), i, j);
     std::sort(pairs.rbegin(), pairs.rend());
     for (const auto &[size, i, j] : pairs)

@@ -18,7 +18,7 @@ namespace samara
     bool
     are_parallel(const Vector3 &a, const Vector3 &b)
     {
-      return a.cross(b).norm() <= 1e-9 * a.norm() * b.norm();
+      return a.cross(b).norm() <= 1e-9 * a.norm() * b.norm(); // spins are known to round-off of a steady motion
     }
 
 

@@ -82,6 +82,8 @@ namespace samara
 
 
 
+  // Coleman's transformation, with factors that make it orthonormal: u_0 = Σ u_k/√Q, u_nc = √(2/Q) Σ u_k cos n ψ_k,
+  // ...; all parts are seen in axes of the first, by shifts[k]
   Eigen::MatrixXd
   Multiblade::at(const State &state, const double phase) const
   {

@@ -163,6 +163,7 @@ namespace samara
       Eigen::VectorXd x(rows.unknowns.size()); // scaled velocity
       for (int i = 0; i < x.size(); ++i)
         x(i) = std::sin(1. + 1.7 * i);
+      // first along the constraints, then Newton's method back to them: quadratic, a few steps are enough
       for (unsigned int iteration = 0; iteration < 6; ++iteration)
         {
           const Eigen::MatrixXd Gt        = Eigen::MatrixXd(rows.transposed(result))(Eigen::all, far);
@@ -182,6 +183,7 @@ namespace samara
           std::vector<double> z(system.size(), 0.);
           for (int i = 0; i < x.size(); ++i)
             z[rows.unknowns[i]] = x(i) / rows.unit[i];
+          // a structure, of which round-off is left; or back on the constraints, to round-off
           const double size = size_of_step(system, z, rows.length);
           if (iteration == 0 ? !(size > 1e-9) : size < 1e-12)
             break;
@@ -229,7 +231,7 @@ namespace samara
         ++count;
         largest = std::max(largest, d);
         for (unsigned int i = 0; i < far.size(); ++i)
-          if (std::abs(X(i, j)) > 0.01 * X.col(j).lpNorm<Eigen::Infinity>())
+          if (std::abs(X(i, j)) > 0.01 * X.col(j).lpNorm<Eigen::Infinity>()) // named are those that matter
             add(far[i]);
         add(near[j]);
       }
@@ -394,7 +396,7 @@ namespace samara
         if (!(sum > is_zero)) // a rank that is lost always is none that passes
           continue;
         const double time = last.time + (state.time - last.time) * sigma(before) / sum;
-        // loops that pass together are one position
+        // loops that pass together, to a hundredth of the way since the last look, are one position
         const bool is_same =
           n_passings < passings.size() && std::abs(time - passings.back().time) < 1e-2 * (state.time - last.time);
         together = is_same ? together.cwiseMax(rows->v.col(k).cwiseAbs()).eval() : rows->v.col(k).cwiseAbs().eval();

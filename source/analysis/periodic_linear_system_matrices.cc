@@ -158,6 +158,7 @@ namespace samara
         space.input_units.push_back(system.model.states[i].unit);
         space.input_values.push_back(states[0].states[i]);
       }
+    // the fourth is for BDF alone
     const IntegratorSettings settings{spectral_radius, newton_tolerance, max_iterations, 1e-4, n_stages};
     const PeriodicMotion     motion(context, period, n_samples, settings, probes);
     Projection               projection(system);

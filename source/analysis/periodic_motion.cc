@@ -164,6 +164,7 @@ namespace samara
                       const double               time,
                       const unsigned int         step) const
   {
+    // trapezoidal rule: of periodic functions exact for all harmonics that the steps can tell apart
     const double weight = (step > 0 && step < steps_of_turn() ? 1. : 0.5) / n_steps;
     for (unsigned int k = 0; k < sums.size(); ++k)
       sums[k] += weight * weighted(k, y, time);

@@ -126,6 +126,7 @@ namespace samara
           map.project(trial);
           const State there = map.march(trial);
           parts.align(trial, there);
+          // a tenth of what the linear map promises
           if (gap_between(trial, there).size < (1 - 0.1 * factor) * gap.size)
             {
               is_kept = false; // a step may have a solution and no tangent
@@ -320,6 +321,7 @@ namespace samara
         G.row(i) /= norm;
 
     const auto kernel = [](const Eigen::MatrixXd &A) {
+      // rows have length one: a pivot below is a row that the others imply
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
       qr.setThreshold(1e-10);
       return Eigen::MatrixXd(Eigen::MatrixXd(qr.householderQ()).rightCols(A.cols() - qr.rank()));

@@ -31,6 +31,7 @@ namespace samara
         ++i;
       if (i == rotations.size())
         return;
+      // more than round-off of the velocities that files give with six digits
       std::string where;
       if (change > 1e-6)
         {

@@ -91,7 +91,7 @@ namespace samara
       {
         set_steady_motion(context.system, state, speeds);
         const Eigen::VectorXd seen = steady_motion_vector(context.system, state);
-        if ((seen - motion).norm() <= 1e-10 * seen.norm())
+        if ((seen - motion).norm() <= 1e-10 * seen.norm()) // doc/theory/steady_rotation.md, the equilibrium
           return total;
         motion = anderson.next(motion, seen);
         set_steady_motion_vector(context.system, state, motion);
@@ -130,6 +130,7 @@ namespace samara
       {
         return 0; // free to move: nothing can be said
       }
+    // of a matrix that is singular to round-off the sign is an accident
     return solver->reciprocal_condition() > 1e-18 ? solver->determinant_sign() : 0;
   }
 
@@ -198,6 +199,7 @@ namespace samara
     if (speed_history)
       speed_history->add(values_of(context, reported, context.speeds.empty() ? 0. : context.speeds[0]));
     const double condition = solver->reciprocal_condition();
+    // below round-off: where it is merely small, as of slender beams, nothing is wrong
     if (condition < 1e-17)
       context.log.warning("static",
                           "the tangent matrix is nearly singular (reciprocal condition number " +

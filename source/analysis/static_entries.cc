@@ -57,6 +57,7 @@ namespace samara
     const auto complain = [&](const std::string &text) { complaints.add(parameters.where("Load factor"), text); };
     if (!(std::abs(load_factor(0.)) <= 1e-12))
       complain("the <Load factor> must begin with 0, where nothing is loaded, not with " + short_text(load_factor(0.)));
+    // a corner changes the value by its slope times as little; a jump by more
     constexpr double beside = 1e-9;
     for (double s = load_factor.next_corner(0., 1.); s < 1.; s = load_factor.next_corner(s, 1.))
       if (!(std::abs(load_factor(s + beside) - load_factor(s - beside)) <= 1e-6))

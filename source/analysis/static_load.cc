@@ -284,6 +284,7 @@ namespace samara
     fraction      = next;
     context.state = trial;
     analysis.record(context, trial, fraction, result);
+    // Newton's method has not had to search: it may go twice as far (doc/theory/statics.md, load steps)
     if (result.iterations <= 8)
       step = is_given ? std::min(2 * step, 1. / analysis.initial_steps) : 2 * step;
   }

@@ -175,6 +175,7 @@ namespace samara
     const double before = missing(from), after = missing(to);
     if (after == 0.)
       return s;
+    // near enough for Newton's method at the given factor to find the same point of the path
     const double taken = method.locate(from, s, before, after, 1e-9, missing, to);
     Newton       newton(context.system, *solver, tolerance, max_iterations);
     to.state.factor           = end_factor;
@@ -197,6 +198,8 @@ namespace samara
     const bool is_limit = from.slope * to.slope < 0;
     if (!is_limit && from.sign == to.sign)
       return;
+    // the limit load is of second order in the slope, and so exact to round-off; a bifurcation is known to 1e-5 of the
+    // step
     PathPoint    point;
     const double at = is_limit ?
                         method.locate(

@@ -91,6 +91,7 @@ namespace samara
       result.is_moment              = !system.layout.is_length(row);
       result.force                  = result.is_moment ? size * change.length : size;
       result.body = at_node ? system.model.nodes[row / 6 + 1].name : system.model.coordinates[row - coordinate];
+      // below that no load changes to speak of, and reactions say why the equilibrium does
       double most = 0;
       if (result.share > 1e-6)
         for (unsigned int i = 0; i < system.n_loads(); ++i)
@@ -135,6 +136,8 @@ namespace samara
       try
         {
           const Imbalance here = balance_reactions(system, turned);
+          // limits of an equilibrium are 1e-5 of the size and 1e-4 of the energy: a factor of ten makes them one
+          // measure
           if (std::max(10 * here.step, here.stress) > std::max(10 * largest.step, largest.stress))
             largest = here;
         }
@@ -153,7 +156,7 @@ namespace samara
       fastest = std::max(fastest, m.spin.norm());
     double slowest = fastest;
     for (const auto &m : state.motion)
-      if (m.spin.norm() > 1e-3 * fastest)
+      if (m.spin.norm() > 1e-3 * fastest) // slower is round-off, or so slow that its turn says nothing of the others'
         slowest = std::min(slowest, m.spin.norm());
     std::vector<double> times;
     if (fastest > 0)
@@ -193,7 +196,7 @@ namespace samara
           RedundantRows(system).choose(turned);
         keep_larger(system, turned, result.imbalance);
         turned.held = state.held;
-        if (!turned.held && result.imbalance.step <= 1e-7)
+        if (!turned.held && result.imbalance.step <= 1e-7) // steady for statics: is it so without the drives' moments?
           keep_larger(system, turned, result.drives);
       }
     return result;
@@ -208,6 +211,7 @@ namespace samara
                                ", as <" + load + "> changes by up to " + short_text(force) +
                                  (is_moment ? " N m" : " N") + " on <" + body + ">, seen in its own axes" :
                                "; a rotor is out of balance, or a support is not the same in all directions";
+    // the limits of statics (doc/theory/steady_rotation.md): what is left below them is the drives' alone
     if (imbalance.step <= 1e-7 && imbalance.stress <= 1e-8)
       return "the moment of a drive would have to change with the azimuth" + what;
     return "the equilibrium changes as parts turn" +

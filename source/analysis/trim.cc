@@ -50,6 +50,7 @@ namespace samara
   std::unique_ptr<PeriodicMotion>
   TrimAnalysis::Run::make_motion()
   {
+    // the fourth is for BDF alone
     const IntegratorSettings settings{
       trim.spectral_radius, trim.newton_tolerance, trim.max_iterations, 1e-4, trim.n_stages};
     return std::make_unique<PeriodicMotion>(context, trim.period, trim.n_steps, settings, find_targets());

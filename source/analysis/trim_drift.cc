@@ -56,6 +56,7 @@ namespace samara
             left += behind * behind;
           }
         distance = std::max(distance, largest * std::sqrt(size / std::max(change, std::numeric_limits<double>::min())));
+        // a gap that shrinks, as of a slow memory, changes by less than itself
         if (change > size && left > 0.25 * size)
           return distance; // round-off, or what swings for long: it hides nothing that another turn would show
         gap = next;

@@ -93,7 +93,7 @@ namespace samara
             const double          cosine = svd.singularValues()(i);
             const Eigen::VectorXd across = v.col(i) - cosine * w.col(i);
             const double          sine   = across.norm();
-            if (sine < 1e-8)
+            if (sine < 1e-8) // one direction in both spaces: nothing to turn
               continue;
             from.col(n_planes) = across / sine;
             to.col(n_planes++) = cosine * across / sine - sine * w.col(i);
@@ -305,6 +305,7 @@ namespace samara
                   throw;
                 continue; // no motion goes on from there
               }
+            // a tenth of what the linear model promises
             if (residual(next).norm() < (1 - 0.1 * step) * r.norm() || is_trimmed(next))
               {
                 before = r.norm();
@@ -376,7 +377,7 @@ namespace samara
       {
         if (const std::string fault = fault_of(J); !fault.empty())
           fail(fault);
-        if (now.miss < 0.1 * tolerance)
+        if (now.miss < 0.1 * tolerance) // another step of the controls would only disturb the motion
           {
             // targets are met, the motion is still settling
             now = settled(now.end);
@@ -385,7 +386,7 @@ namespace samara
           }
         const VectorX u = controls_of(now.start), wish = solve(J, wanted() - now.averages),
                       du = within_limits(u, wish) * wish;
-        if (du.norm() < 1e-3 * wish.norm())
+        if (du.norm() < 1e-3 * wish.norm()) // limits leave a thousandth of the way
           fail("controls have come to their limits: targets lie beyond them, or motions take longer to settle than the "
                "<Settle> periods in which they are looked at");
         State from = now.end;

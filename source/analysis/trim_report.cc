@@ -250,6 +250,7 @@ namespace samara
     double     miss          = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
       miss = std::max(miss, std::abs(averages(k) - targets[k].value) / targets[k].scale);
+    // of the turn behind the one that was found: what grows slowly, or is not quite settled, may still be the orbit
     if (!(std::max(largest.size, miss) < 100 * trim.tolerance))
       fail("the motion comes back after " + std::string(parts ? "a section of " : "") + "the period from t = " +
            number_to_text("%.6g", look.start.time) + " s, but not after the next one" + (parts ? " as a whole" : "") +

@@ -115,6 +115,7 @@ namespace samara
       for (int i = 0; i < here.rows(); ++i)
         if (const double size = here.row(i).norm(); size > 0)
           here.row(i) /= size;
+      // rows and columns have length one: a pivot below is a motion without strain
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
       qr.setThreshold(1e-9);
       qr.compute(here);

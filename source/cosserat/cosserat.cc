@@ -218,6 +218,7 @@ namespace samara
   void
   Cosserat<dim>::to_points(const unsigned int element, const Vec6<Number> *tied, Number *e) const
   {
+    // strains by unit coordinates, interpolated from where they are sampled, then turned to axes of length by T
     const ElementTable<dim> &t = *elements[element].table;
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
@@ -244,6 +245,7 @@ namespace samara
   void
   Cosserat<dim>::to_tying(const unsigned int element, const Number *stress, Vec6<Number> *tied) const
   {
+    // the transpose of to_points(), so that forces there do the work of the stresses; weights are in it
     const ElementTable<dim> &t = *elements[element].table;
     if constexpr (dim > 1)
       std::fill_n(tied, dim * t.n_tying, Vec6<Number>::Zero());

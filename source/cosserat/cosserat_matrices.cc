@@ -66,6 +66,8 @@ namespace samara
   void
   Cosserat<dim>::strain_matrix(const unsigned int element, RowMajor &B_element) const
   {
+    // at the points where strains are sampled: beams integrate there, shells interpolate from there and turn components
+    // into the axes of the integration points by T (doc/theory/shell.md)
     const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
     s.B_tied.resize(6 * dim * t.n_tying, 6 * t.n_nodes);
@@ -129,6 +131,7 @@ namespace samara
   void
   Cosserat<dim>::add_geometric(const unsigned int element, const Vec6<double> *tied, Eigen::MatrixXd &K) const
   {
+    // n_ab, m_ab and the forces of nodes: doc/theory/element.md, the tangent
     const ElementTable<dim> &t = *elements[element].table;
     Scratch                 &s = scratch();
     const unsigned int       N = t.n_nodes;

@@ -109,6 +109,7 @@ namespace samara
         J(0, 2) = J(2, 0) = inertia[4];
         J(1, 2) = J(2, 1) = inertia[5];
       }
+    // J₁ + J₂ − J₃ = 2 ∫ y₃² dm, and so on; but for round-off of given numbers
     const Vector3 principal = Eigen::SelfAdjointEigenSolver<Matrix3>(J).eigenvalues();
     if (principal(0) < -1e-12 * J.norm() || principal(2) > (principal(0) + principal(1)) * (1 + 1e-9) + 1e-300)
       model.complaints.add(parameters.where("Inertia"),

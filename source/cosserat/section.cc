@@ -12,6 +12,7 @@ namespace samara
   {
     if (radii.size() == 2)
       return ellipse_outline(radii[0], radii[1]);
+    // of a full ellipse I/A = r²/4
     const auto radius = [&](const double EI) { return C(0, 0) > 0 && EI > 0 ? 2 * std::sqrt(EI / C(0, 0)) : 0.01; };
     return ellipse_outline(radius(C(5, 5)), radius(C(4, 4)));
   }
@@ -125,6 +126,7 @@ namespace samara
     SectionValues v;
     v.stiffness = centres.transpose() * C * centres;
 
+    // about the mass centre; then parallel axes take it to the reference line
     Matrix3 J;
     J << I2 + I3, 0, 0, 0, I2, -I23, 0, -I23, I3;
     v.inertia.topLeftCorner<3, 3>()     = mass * Matrix3::Identity();

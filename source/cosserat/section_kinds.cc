@@ -111,6 +111,7 @@ namespace samara
     c.mass        = density * A;
     c.I2          = density * width_2 * std::pow(width_3, 3) / 12;
     c.I3          = density * width_3 * std::pow(width_2, 3) / 12;
+    // ∫ E r² dA and ∫ E r⁴ dA
     if (has_trapeze)
       {
         c.trapeze_coupling = c.EI2 + c.EI3;
@@ -196,6 +197,7 @@ namespace samara
   {
     const double G = E / (2 * (1 + nu)), A = M_PI * (outer * outer - inner * inner),
                  I = M_PI / 4 * (std::pow(outer, 4) - std::pow(inner, 4));
+    // shear factor of a hollow circle: Cowper, J. Appl. Mech. 33 (1966) 335
     const double m = inner / outer, q = std::pow(1 + m * m, 2);
     const double cowper = 6 * (1 + nu) * q / ((7 + 6 * nu) * q + (20 + 12 * nu) * m * m);
 

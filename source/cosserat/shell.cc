@@ -184,6 +184,8 @@ namespace samara
     const auto gamma = [](const int alpha, const int i) { return 6 * (alpha - 1) + i - 1; };
     const auto K     = [](const int alpha, const int i) { return 6 * (alpha - 1) + 3 + i - 1; };
 
+    // ε₁₁, γ₁₂, ε₂₂, κ₁₁, 2κ₁₂, κ₂₂, γ₁₃, γ₂₃ of the twelve strains, as in doc/theory/shell.md; the other four get β
+    // A₆₆ and β A₆₆ h²/12 with β = 0.1 below, so that rotations about the normal follow those of the surface
     Eigen::Matrix<double, 8, n> plate = Eigen::Matrix<double, 8, n>::Zero();
     plate(0, gamma(1, 1))             = 1;
     plate(1, gamma(1, 2)) = plate(1, gamma(2, 1)) = 1;

@@ -60,6 +60,7 @@ namespace samara
 
 
 
+  // κ, γ and f = ½ κ² + γ, with the energy ½ q f²: doc/theory/cross_section.md, tension and torsion
   template <typename Number>
   void
   TensionTorsion::strains_at(const Point<Number> &point, Number *e) const
@@ -96,6 +97,7 @@ namespace samara
 
 
 
+  // q f on γ, and κ times as much on κ; f itself is no strain of its own, and has none
   template <typename Number>
   void
   TensionTorsion::stresses_of(const Number *e, const Number *, Number *stress) const
@@ -149,6 +151,7 @@ namespace samara
         beam.strains(point, own.data());
         for (unsigned int g = 0; g < beam.points.size(); ++g)
           {
+            // ∂²(½ q f²)/∂e² = q b bᵀ + q f on the twist, b = ∂f/∂e
             const Vector6 b = own[6 * g + 3] * Vector6::Unit(3) + ratio(g);
             C.push_back(trapeze(g).stiffness * b * b.transpose());
             C.back()(3, 3) += point.stress[first_strain + n * g + of_rest];
@@ -165,6 +168,7 @@ namespace samara
     auto &own = six_a_point<double, 0>(beam.points.size());
     beam.strains(point, own.data());
     beam.for_strain_matrices(point, [&](const unsigned int g, const Block &block, const auto &B) {
+      // ∂²(½ q f²) by κ and γ
       const unsigned int first = first_strain + n * g;
       const double       q = trapeze(g).stiffness, twist = own[6 * g + 3];
       Eigen::Matrix2d    C;

@@ -121,6 +121,8 @@ namespace samara
     void
     residual_at(const Point<Number> &point, Number *r) const
     {
+      // A measure u of the distance is an unknown, by a row f − u (− another) = 0, or (f + Σ w v² − u²)/(2 u_0) = 0
+      // where it is a root, which keeps rows quadratic; a rate that is resisted is one, too, by b·y − u̇ = 0.
       const PairValues<Number> pair   = values(point.q);
       const Block             &block  = contact.own_block;
       const Number *const      lambda = point.multipliers + contact.first_multiplier;

@@ -62,6 +62,8 @@ namespace samara
       void
       complete(Values<Number> &v) const
       {
+        // ż = w − σ₀ |w| z/G and f = σ₀ z + σ₁(w) ż with the largest friction G; the bounded σ₁(w) = 4 G σ₁/(4 G + σ₁
+        // |w|) makes the power that is lost not negative (doc/theory/contact.md)
         const FrictionLaw &law = friction.law;
         Number             square(0);
         for (unsigned int i = 0; i < n; ++i)

@@ -107,6 +107,7 @@ namespace samara
 
 
 
+  // the gap is a coordinate of its own, tied to the two abscissae by a linear constraint: the stop acts on it alone
   template <typename Number>
   void
   Buffer::residual_at(const Point<Number> &point, Number *const r) const

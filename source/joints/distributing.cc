@@ -122,6 +122,8 @@ namespace samara
 
 
 
+  // s = Σ w x Xᵀ and a part of the thickness, X the place in the reference configuration: B has the mean rotation of
+  // the nodes where Eᵀs is symmetric, E its axes (polar decomposition)
   template <typename Number>
   Mat3<Number>
   Distributing::moments(const Number *q) const
@@ -138,6 +140,7 @@ namespace samara
   void
   Distributing::residual_at(const Point<Number> &point, Number *r) const
   {
+    // rows: Σ w x − x_B = 0, and E_j·s_k − E_k·s_j = 0 for (i, j, k) cyclic
     using Local                 = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
     const Number *const lambdas = point.multipliers + first_multiplier;
     const Vec3<Number>  lambda(lambdas[0], lambdas[1], lambdas[2]);

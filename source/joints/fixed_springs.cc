@@ -75,6 +75,7 @@ namespace samara
   void
   FixedSprings::strains_at(const Point<Number> &point, Number *e) const
   {
+    // E_i·(Δ − Δ₀)
     const Vec3<Number> change = frame_b.position(point.q) - frame_a.position(point.q) - reference.cast<Number>();
     for (unsigned int i = 0; i < 3; ++i)
       e[i] = E(0, i) * change(0) + E(1, i) * change(1) + E(2, i) * change(2);

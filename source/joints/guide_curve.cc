@@ -18,6 +18,7 @@ namespace samara
     : expressions(expressions)
     , arc_lengths(1, 0.)
   {
+    // a formula may switch without a corner, as |s|³ does: what counts is the slope on both sides
     for (const auto &f : expressions)
       for (double s = f.next_corner(0., 1.); s < 1.; s = f.next_corner(s, 1.))
         {
@@ -89,6 +90,7 @@ namespace samara
     const auto   i    = next - arc_lengths.begin() - 1;
     const double a    = double(i) / n_pieces;
     double       s    = a + (sigma - arc_lengths[i]) / (arc_lengths[i + 1] - arc_lengths[i]) / n_pieces;
+    // Newton's method from linear interpolation in one of a thousand pieces: quadratic from there, four are enough
     for (unsigned int iteration = 0; iteration < 4; ++iteration)
       s -= (arc_lengths[i] + distance(a, s) - sigma) / derivative(s).norm();
     return s;
@@ -103,6 +105,7 @@ namespace samara
     const double  within = closed ? sigma - L * std::floor(sigma / L) : std::min(L, std::max(0., sigma));
     const double  s      = parameter(within);
     const Vector3 d = derivative(s), t = d / d.norm(), dd = second_derivative(s);
+    // straight on beyond the ends; else the curvature d²x/dσ², what x'' has across the tangent over |x'|²
     if (within != sigma && !closed)
       return {position(s) + (sigma - within) * t, t, Vector3::Zero()};
     return {position(s), t, (dd - dd.dot(t) * t) / d.squaredNorm()};

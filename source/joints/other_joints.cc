@@ -162,7 +162,7 @@ namespace samara
     if (motion.reference == 0)
       model.complaints.add(parameters.where("Position"),
                            "the two points of a spring must not coincide: it would have no direction");
-    // what users say of the length is the length itself, the coordinate is its change
+    // what users say of the length is the length itself, the coordinate is its change since the reference
     motion.rest = parameters.subsection("length").is_set("Rest") ? motion.rest - motion.reference : 0.;
     motion.lower_stop -= motion.reference;
     motion.upper_stop -= motion.reference;
@@ -333,6 +333,7 @@ namespace samara
 
 
 
+  // g = θ_B − n θ_A, with backlash less the play: the play is a coordinate between the stops of the two flanks
   template <typename Number>
   void
   Gear::residual_at(const Point<Number> &point, Number *r) const

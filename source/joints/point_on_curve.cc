@@ -19,6 +19,7 @@ namespace samara
     void
     residual_at(const Point<Number> &point, Number *r) const
     {
+      // rows E_iᴬ·Δ − c_i(σ); the equation of σ, −Σ λ_i t_i: no force along the curve
       const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, false);
       PairForces<Number>       forces;
       const Number *const      lambda = point.multipliers + joint.first_multiplier;

@@ -120,6 +120,8 @@ namespace samara
     void
     residual_at(const Point<Number> &point, Number *r) const
     {
+      // rows of tilt, height and angle, and equations of c and s: doc/theory/joints.md, rolling disc; rows of
+      // velocities have no residual
       const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q);
       const auto               at     = disc_at(pair, point);
       const Number *const      lambda = point.multipliers + joint.first_multiplier;

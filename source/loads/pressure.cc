@@ -65,6 +65,7 @@ namespace samara
         local.setZero(6 * frames.size());
         for (unsigned int g = 0; g < rule.weights.size(); ++g)
           {
+            // p x,₁ × x,₂: the normal times the deformed area, so that thinner or longer shells need no factor
             const Vec3<Number> f = rule.weights(g) * p * cell.surface.area_vector(g, x);
             for (unsigned int a = 0; a < frames.size(); ++a)
               local.template segment<3>(6 * a) -= rule.N(g, a) * f;

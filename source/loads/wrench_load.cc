@@ -142,6 +142,7 @@ namespace samara
   void
   WrenchLoad::local_residual(const AlongSpan &span, const Vec6<Number> &wrench, const Number *q, Local<Number> &r) const
   {
+    // D_aᵀ Σ_b W_ab D_b f, with the constant W_ab = ∫ N_a N_b p ds (doc/theory/element.md, line loads)
     r.resize(6 * span.frames.size());
     for (unsigned int a = 0; a < span.frames.size(); ++a)
       {

@@ -185,6 +185,8 @@ namespace samara
         at_kappa = std::make_unique<BorderedWarping<Complex>>(*turning, pinned, R, L, A, Complex(0, kappa));
       }
 
+    // In the eigenvectors of T the equations of X and Y (doc/theory/cross_section.md) fall apart: moments are its
+    // eigenvectors, forces depend on them by e₁~, here W.
     const Eigen::Matrix3cd U        = eigenvectors_of_skew(k);
     const Complex          theta[3] = {0., Complex(0, kappa), Complex(0, -kappa)};
     const Eigen::Matrix3cd W        = U.adjoint() * skew(Vector3(1, 0, 0)).cast<Complex>() * U;

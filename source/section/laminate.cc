@@ -107,6 +107,7 @@ namespace samara
   void
   Laminate::find_shear()
   {
+    // stresses f Q by equilibrium, σ_a3,3 = −σ_ab,b; the flexibility is that of their energy, ∫ fᵀ G⁻¹ f dz
     // f is quadratic in z, the integrand of fourth order: three Gauss points are exact
     const double    point[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weight[3] = {5. / 18, 8. / 18, 5. / 18};
     Eigen::Matrix2d compliance = Eigen::Matrix2d::Zero(), f = Eigen::Matrix2d::Zero();

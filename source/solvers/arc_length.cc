@@ -176,6 +176,7 @@ namespace samara
         ++result.iterations;
         ++n_iterations;
         result.last_step = size_of_step(system, increment, length);
+        // ten radians or sizes of the model, or a thousand times the smallest after some: it leads nowhere
         if (!std::isfinite(result.last_step) || result.last_step > 10. ||
             (result.iterations > 8 && result.last_step > 1e3 * smallest))
           {
@@ -246,7 +247,7 @@ namespace samara
         const double f_c = function(found);
         if (std::abs(f_c) <= small || std::abs(b - a) < 1e-12 * std::abs(s))
           return c;
-        // the end that stays twice counts half
+        // the end that stays twice counts half (Illinois rule): both ends come near, and faster than by halves
         if (f_c * f_b < 0)
           {
             a   = b;

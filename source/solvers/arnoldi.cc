@@ -40,7 +40,7 @@ namespace samara
           const double before = x.norm();
           orthogonalize(j, x, unused);
           V.col(j) = x / std::max(x.norm(), std::numeric_limits<double>::min());
-          if (x.norm() > 1e-8 * before)
+          if (x.norm() > 1e-8 * before) // more than what orthogonalisation leaves of a vector in the space: a new one
             break;
         }
   }
@@ -62,7 +62,7 @@ namespace samara
         x.noalias() -= V.leftCols(column) * c;
         coefficients += c;
       }
-    return x.norm() > 1e-15 * before;
+    return x.norm() > 1e-15 * before; // else the space is invariant
   }
 
 

@@ -332,7 +332,7 @@ namespace samara
   Assembly::fits() const
   {
     const auto g = gaps_at(state_at(drawing()));
-    return g.size() == 0 || g.lpNorm<Eigen::Infinity>() <= 1e-12;
+    return g.size() == 0 || g.lpNorm<Eigen::Infinity>() <= 1e-12; // of the model's size: no gap but round-off
   }
 
 

@@ -94,6 +94,7 @@ namespace samara
           }
         catch (const SingularMatrix &)
           {
+            // Levenberg and Marquardt: with more damping the matrix is regular
             damping = std::max(10 * damping, 1e-10 / (size * size));
             continue;
           }
@@ -103,6 +104,7 @@ namespace samara
         const Place           next   = moved(at, step);
         const Eigen::VectorXd g_next = gaps_at(state_at(next));
         const double promised = size * size - (g + G * step).squaredNorm(), gained = size * size - g_next.squaredNorm();
+        // Armijo's condition: a step must gain a part of what the linear model promises
         if (!(gained > 1e-4 * promised))
           {
             // below round-off nothing becomes better; elsewhere shorter steps do
@@ -136,6 +138,7 @@ namespace samara
         const Eigen::VectorXd step =
           solve(weights_at(at), rows_at(state), smallest_mu, -gradient, Eigen::VectorXd::Zero(target.size()));
         const double slope = gradient.dot(step), largest = step.lpNorm<Eigen::Infinity>();
+        // at the minimum, or as near as rotations are known; else backtracking with Armijo's condition
         if (!(slope < 0) || largest < 1e-11)
           return;
         const double before   = distance_at(at);

@@ -38,6 +38,7 @@ namespace samara
       for (int j = 0; j < Gt.cols(); ++j)
         if (Gt.col(j).norm() > 0)
           Gt.col(j).normalize();
+      // columns have length one: a pivot below is a constraint that the others imply
       Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
       qr.setThreshold(1e-12);
       return Eigen::MatrixXd(qr.householderQ()).rightCols(n - qr.rank());
@@ -100,6 +101,7 @@ namespace samara
       // Free motions are there twice at zero, all at the same place: computed eigenvectors need not span them.
       if (op.shift() != 0.)
         {
+          // λ = 0 is ν = −1/σ: vectors of the kernel of A + I/σ
           Eigen::FullPivLU<Eigen::MatrixXd> lu(A + Eigen::MatrixXd::Identity(size, size) / op.shift());
           lu.setThreshold(1e-10);
           const Eigen::MatrixXd kernel = lu.kernel(); // a column of zeros if there is none

@@ -307,6 +307,7 @@ namespace samara
         }
 
     std::vector<double> weight(rates.size(), 1.);
+    // weights follow from the motion and the motion from them: one to three rounds (doc/theory/steady_rotation.md)
     for (unsigned int round = 0; round < 50; ++round)
       {
         LevelByLevel levels = strict;

@@ -42,6 +42,7 @@ namespace samara
   JointMotion::move_nodes()
   {
     std::vector<double> weight(rates.size(), 1.);
+    // weights follow from the motion and the motion from them: one to three rounds (doc/theory/steady_rotation.md)
     for (unsigned int round = 0; round < 5; ++round)
       {
         solve_by_weights(weight);

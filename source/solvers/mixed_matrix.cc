@@ -107,7 +107,7 @@ namespace samara
       const Eigen::VectorXd                                lambda = eigen.eigenvalues();
       std::vector<int>                                     kept;
       for (int i = 0; i < lambda.size(); ++i)
-        if (std::abs(lambda(i)) > 1e-12 * lambda.cwiseAbs().maxCoeff())
+        if (std::abs(lambda(i)) > 1e-12 * lambda.cwiseAbs().maxCoeff()) // scaled to a diagonal of about one before
           kept.push_back(i);
       inverse = lambda(kept).cwiseInverse().asDiagonal();
       return eigen.eigenvectors()(Eigen::all, kept);
@@ -136,6 +136,7 @@ namespace samara
     Point                             result;
     Eigen::MatrixXd                   V = Eigen::MatrixXd::Identity(m, m);
     const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled);
+    // the inverse keeps its digits; else combinations without stiffness are taken out
     if (cholesky.info() == Eigen::Success && (cholesky.matrixLLT().diagonal().array() > 1e-6).all())
       result.F = cholesky.solve(V);
     else

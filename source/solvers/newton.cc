@@ -188,6 +188,7 @@ namespace samara
         ++n_iterations;
 
         result.last_step = size_of_step(system, step, length);
+        // a hundred radians or sizes of the model (later, a thousand times the smallest correction): it leads nowhere
         if (!std::isfinite(result.last_step) || result.last_step > 100.)
           {
             result.fail(Failure::no_convergence, "the iterations diverge");

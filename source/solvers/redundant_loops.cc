@@ -19,7 +19,7 @@ namespace samara
       system.add_gaps(at.point(), r.data());
       return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(r.data() + n, m));
     };
-    // as long as prescribed motions are small, X is that of the start
+    // as long as prescribed motions are small, below a hundredth, X is that of the start: shorter and shorter times
     const Eigen::VectorXd start  = values_at(state.time);
     Eigen::VectorXd       change = start;
     double                dt     = 1;
@@ -32,7 +32,8 @@ namespace samara
     std::vector<int> result;
     for (int j = 0; j < X.cols(); ++j)
       {
-        // entries that are round-off are none
+        // entries that are round-off are none; terms that cancel but for a tenth of their sizes agree, as those of X
+        // that has turned a little since the start
         const double terms = change.cwiseProduct(X.col(j)).cwiseAbs().sum(),
                      noise = 1e-6 * X.col(j).lpNorm<Eigen::Infinity>() * change.lpNorm<Eigen::Infinity>();
         if (terms > noise && std::abs(change.dot(X.col(j))) > 0.1 * terms)

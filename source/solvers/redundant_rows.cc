@@ -270,6 +270,7 @@ namespace samara
     try
       {
         factorize({});
+        // a dependent row, 1e-5 of its length away from the others at most, would make it smaller
         return std::all_of(scale.begin(), scale.end(), [](const double s) { return s > 0; }) &&
                solver->reciprocal_condition() > 1e-8;
       }
@@ -358,6 +359,7 @@ namespace samara
       }
     State result    = state;
     result.left_out = {};
+    // below is what round-off leaves of a random velocity
     if (!(size > 1e-9))
       return result; // a structure
     for (auto &value : z)

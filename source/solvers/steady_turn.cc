@@ -20,6 +20,7 @@ namespace samara
       const Matrix3       s     = skew(r);
       Eigen::Map<Vector3> x(&state.q[12 * node]);
       Eigen::Map<Matrix3> D(&state.q[12 * node + 3]);
+      // exponential of a screw motion; below the limit the quotients have lost more digits than their limits lack
       const double        a = angle > 1e-4 ? (1 - std::cos(angle)) / (angle * angle) : 0.5,
                    b        = angle > 1e-4 ? (angle - std::sin(angle)) / std::pow(angle, 3) : 1. / 6;
       x += D * (Matrix3::Identity() + a * s + b * s * s) * (t * twist.head<3>());

@@ -88,6 +88,7 @@ namespace samara
 
 
 
+  // E ż = g with E = 1, which the integrators and C_zz add: the residual has −g
   template <typename Number>
   void
   Controller::residual_at(const Point<Number> &point, Number *r) const
@@ -161,6 +162,7 @@ namespace samara
       throw std::invalid_argument("the output of <" + name +
                                   "> depends on itself at the same moment, through what it " +
                                   "is made of; put a state of first order, or a delay, in between.");
+    // an output that is asked for while it is made needs itself: an algebraic loop
     struct Asked
     {
       bool &flag;

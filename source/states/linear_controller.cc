@@ -185,6 +185,8 @@ namespace samara
       }
     if (!a.allFinite() || !b.allFinite())
       return complain("Denominator", "these coefficients are too different to compute with");
+    // controllable form in σ: x_i' = ω x_{i+1}, the last x' = ω (u − Σ a x), and y = Σ (b − a b_n) x + b_n u, b_n =
+    // b(0)
     A = Eigen::MatrixXd::Zero(n, n);
     B = Eigen::MatrixXd::Zero(n, 1);
     C = Eigen::MatrixXd::Zero(1, n);
@@ -244,6 +246,9 @@ namespace samara
       model.complaints.add(parameters.where("Time"), "the <Time> of a delay must be above zero");
     if (!has_input || !(time > 0))
       return;
+    // Padé's approximant of degree n − 1 over n. States are the coefficients of the last T seconds in shifted Legendre
+    // polynomials (Voelker & Eliasmith, Neural Computation 30 (2018) 569); these are 1 at the far end, so that the
+    // delayed value is the sum of the states
     const unsigned int n = order;
     A                    = Eigen::MatrixXd(n, n);
     B                    = Eigen::MatrixXd(n, 1);

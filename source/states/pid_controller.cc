@@ -84,6 +84,7 @@ namespace samara
       complain("Proportional gain", "all gains of <" + name + "> are zero");
     if (derivative != 0 && !has_signal_rate && filter_time == 0)
       complain("Filter time", "the derivative part needs a <Filter time> above zero, or the <Signal rate>");
+    // T_t = √(T_i T_d), or T_i without derivative part: Åström & Hägglund, PID Controllers, 1995
     if (is_limited && integral != 0 && tracking_time == 0)
       {
         tracking_time = derivative / integral > 0 ? std::sqrt(derivative / integral) : proportional / integral;
@@ -123,6 +124,7 @@ namespace samara
   SignalPointer
   PidController::unlimited(Model &model) const
   {
+    // v = K_p e + I + K_d (e − f)/T_f, or − K_d times the rate of the signal
     const double         per_lag  = filter_state < 0 ? 0. : derivative / filter_time;
     std::vector<Summand> summands = {{proportional + per_lag, error(model)}};
     if (integral_state >= 0)
@@ -149,6 +151,7 @@ namespace samara
   {
     Assert(static_cast<int>(i) == filter_state || static_cast<int>(i) == integral_state,
            dealii::ExcMessage("A state is that of the filter or of the integral."));
+    // ḟ = (e − f)/T_f; İ = K_i e + (u − v)/T_t, which leads I back while u is at a limit
     if (static_cast<int>(i) == filter_state)
       return sum_of_signals({{1 / filter_time, error(model)}, {-1 / filter_time, state(i)}});
     std::vector<Summand> summands = {{integral, error(model)}};

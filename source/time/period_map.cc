@@ -164,6 +164,7 @@ namespace samara
       motion = std::max(motion, std::abs(x[i]) / scales[i]);
     if (!(motion > 0))
       return;
+    // central differences of sixth order, (3/4, −3/20, 1/60)
     const double        weights[] = {0.75, -0.15, 1. / 60}, step = step_of_projection / motion;
     std::vector<double> change(layout.n_kinematic(), 0.);
     for (int j = 1; j <= 3; ++j)

@@ -59,7 +59,7 @@ namespace samara
       {
         const Matrix6             &mass = system.model.nodes[node].inertia;
         const Eigen::LDLT<Matrix6> of_mass(mass);
-        // where there is none, elimination shall say so
+        // where there is none, to round-off, elimination shall say so
         if (is_bound[node] || !(of_mass.rcond() > 1e-14))
           bound.push_back(node);
         else
@@ -123,6 +123,7 @@ namespace samara
   Projection::factorize(const State &state, const double least_condition)
   {
     left_out = state.left_out;
+    // below the least condition asked for a few digits of the solution are left: the state is taken for singular
     try
       {
         factorize_rows(state);
@@ -408,6 +409,8 @@ namespace samara
   void
   Projection::subtract_rates_of_rows(const State &state)
   {
+    // nothing turns by more than a thousandth in the time of the differences; what is slower than 1e-3 1/s counts as
+    // such
     double fastest = 1e-3;
     for (const auto node : bound)
       fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[6 * node + 3]).norm());

@@ -8,6 +8,7 @@ namespace samara
   GeneralisedAlpha::Coefficients
   GeneralisedAlpha::of_spectral_radius(const double rho)
   {
+    // Chung & Hulbert 1993: second order, and the least dissipation at low frequencies for this radius
     Coefficients c;
     c.alpha_m = (2 * rho - 1) / (rho + 1);
     c.alpha_f = rho / (rho + 1);
@@ -170,6 +171,7 @@ namespace samara
     const double              dt  = 0.1 * h;
     const std::vector<double> one = accelerations_after(state, dt), two = accelerations_after(state, 2 * dt);
     std::vector<double>       jerk(n), error(n);
+    // one-sided difference of second order: there is no motion before the start
     for (unsigned int i = 0; i < n; ++i)
       jerk[i] = (4 * one[i] - 3 * now.y_dot[i] - two[i]) / (2 * dt);
 
@@ -178,9 +180,11 @@ namespace samara
       set_velocities(s, u);
       return measure.largest(s.y, s.rates);
     };
+    // a step that does not resolve the change of accelerations (doc/theory/rivals.md): the start stays as it is
     if (!(h * h * size(jerk) <= 0.5 * size(v) + h * size(now.y_dot)))
       return;
 
+    // Arnold, Brüls & Cardona 2015: a = ẏ + (α_m − α_f) h ÿ, and δy = h² (C_q ÿ + ad_y ẏ/12) across the constraints
     const double shift = c.alpha_m - c.alpha_f, C_q = 1. / 6 - c.beta - 0.5 * shift;
     for (unsigned int i = 0; i < n; ++i)
       {
@@ -268,6 +272,7 @@ namespace samara
   void
   GeneralisedAlpha::factorize(const double h, const Iterate &iterate)
   {
+    // in increments Δ: ẏ' changes by b Δ and y' by g Δ, so that M b + C g + K is the matrix; divided by b
     system.damping(iterate.state, C);
     system.tangent(iterate.state, K);
     const double b = (1 - c.alpha_m) / (h * h * c.beta * (1 - c.alpha_f)), g = c.gamma / (h * c.beta);
@@ -328,6 +333,7 @@ namespace samara
       set_velocities(iterate.state, v);
     // forces across the constraints leave the velocities as they are: multipliers have to converge, too
     const double of_multipliers = largest > 0 ? std::sqrt(settings.newton_tolerance) * largest_change / largest : 0.;
+    // velocities that turn or move by less than a thousandth in a step are too small to be a measure
     return std::max(size / std::max(1e-3 / h, measure.largest(iterate.state.y, iterate.state.rates)), of_multipliers);
   }
 
@@ -342,6 +348,7 @@ namespace samara
     const double tiny = 1e-6 * h, end = state.time + h;
     State        begin = state;
     begin.held         = false;
+    // accelerations of another step or of before a corner: the recursion of a begins anew
     if (!(std::abs(now.h / h - 1) < 1e-6) || rivals::is_corner(system, state.time, tiny))
       start(begin, h);
     const double evaluation_time = rivals::is_corner(system, end, tiny) ? end - tiny : end;
@@ -380,6 +387,8 @@ namespace samara
   StepResult
   GeneralisedAlpha::find_end(const State &begin, const double h, const double evaluation_time, Iterate &iterate)
   {
+    // corrections that shrink by less than this want new factors; those of another step, but for round-off, are not
+    // used
     constexpr double    slow = 0.2;
     StepResult          result;
     rivals::Corrections corrections(factored_step > 0 && std::abs(factored_step / h - 1) < 1e-6,

@@ -187,7 +187,7 @@ namespace samara
     Ida                      &i             = *ida;
     pack(state, accelerations, N_VGetArrayPointer(i.z), N_VGetArrayPointer(i.z_dot));
 
-    // absolute: a length, and velocities of the size they have
+    // absolute: a length, and velocities of the size they have, or that move by a thousandth of it in a step
     const double  scale = std::max(1e-3 / h, measure.largest(state.y, state.rates)), rtol = settings.tolerance;
     double *const tolerance = N_VGetArrayPointer(i.tolerances);
     std::fill(tolerance, tolerance + size, 1e20); // multipliers do not count

@@ -279,6 +279,8 @@ namespace samara
           return row == column ? K.values[position] : 0.;
         });
       };
+    // by means(), V_j = (2 u_f + 6 u_j)/(h (1 + α)) and V_f = 2 u_f/h − V_j, behind the factors −6/h and 1/h of both
+    // rows
     matrix.clear();
     blocks(1, 1, 2 * alpha * a, 1 / h, 0.5);
     blocks(1, 0, -6 * a, 0, 0.5);
@@ -345,6 +347,7 @@ namespace samara
       changes.y[6 + i] = zeta[i] / h;
     for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
       changes.rates[i] = zeta[system.layout.of_coordinate(i)] / h;
+    // velocities that turn or move by less than a thousandth in a step are too small to be a measure
     return measure.largest(changes.y, changes.rates) / std::max(1e-3 / h, measure.largest(f.mean.y, f.mean.rates));
   }
 

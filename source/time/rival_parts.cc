@@ -13,6 +13,7 @@ namespace samara
     void
     move(State &state, const unsigned int node, const Vector6 &z)
     {
+      // exponential of a screw motion; series where the quotients lose digits, exact to 1e-14 below the limit
       const Vector3 v = z.head<3>(), w = z.tail<3>();
       const double  angle = w.norm(), square = angle * angle;
       const double  a = angle > 1e-3 ? (1 - std::cos(angle)) / square : 0.5 - square / 24,
@@ -126,6 +127,7 @@ namespace samara
     Corrections::Verdict
     Corrections::judge(const double size)
     {
+      // ten times the largest velocity: the iteration leads away. Old factors get a second chance with new ones
       if (!std::isfinite(size) || size > 10)
         {
           if (is_fresh)
@@ -134,6 +136,7 @@ namespace samara
           last                  = 0;
           return Verdict::again;
         }
+      // linear convergence: what is still missing is about size · rate/(1 − rate)
       const double rate = last > 0 ? std::max(size / last, 0.05) : 0.5;       // the first one may be too good
       if ((rate < 1 && size * rate / (1 - rate) < tolerance) || size < 1e-13) // the latter is round-off
         return Verdict::converged;

@@ -168,7 +168,10 @@ namespace samara
       work_left    = bound;
     }
 
-    /** Whether corrections shrink by less than the factor @p slow, and more than a few are missing. */
+    /**
+     * Whether corrections shrink by less than the factor @p slow, and more than a few are missing: log(tolerance/last)
+     * / log(rate) of them, at a rate below one so that this is a number.
+     */
     bool
     is_too_slow(const double slow, const double tolerance) const
     {

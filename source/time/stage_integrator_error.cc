@@ -210,6 +210,7 @@ namespace samara
       }
     move_stages(state, h);
     measure_neighbour(h, epsilon, base, base_q, u, difference);
+    // sweeps whose last correction is more than half of their sum do not converge
     return size <= 0.5 * total;
   }
 
@@ -413,6 +414,7 @@ namespace samara
         largest = std::max(largest, load_sum[i]);
         defect  = std::max(defect, std::abs(load_defect[i]));
       }
+    // round-off of the quadratures, as of loads that do not change within the step
     if (!(defect > 1e-12 * largest))
       return false;
     for (Stage &stage : stages)

@@ -31,7 +31,7 @@ namespace samara
     bool converged = false;
     try
       {
-        converged = iterate(state, h, 0.95, result);
+        converged = iterate(state, h, 0.95, result); // the last means: whatever shrinks is welcome
       }
     catch (const SingularMatrix &)
       {

@@ -39,7 +39,7 @@ namespace samara
 
 
 
-    /** Whether to make matrices anew costs little beside the factors, and their memory counts. */
+    /** Whether to make matrices anew costs little beside the factors, and their memory counts: 2.4 MB each and more. */
     bool
     are_large(const SparseMatrix &K)
     {
@@ -311,7 +311,9 @@ namespace samara
   double
   StageIntegrator::correct_velocities(const double h, const Twist &twist)
   {
-    // corrections are measured against the largest velocity, or one that would matter over the step
+    // corrections are measured against the largest velocity, or one that would matter over the step, a thousandth of a
+    // radian or of the length; those of multipliers against the largest, or a force whose work over the length is 1e-8
+    // of the energy
     const Layout &layout = system.layout;
     double        size = 0, size_of_states = 0, scale = 1e-3 / h,
            largest_force     = 1e-8 * std::max(energy_scale, kinetic_energy) / length;

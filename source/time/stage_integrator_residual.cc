@@ -72,6 +72,7 @@ namespace samara
   double
   StageIntegrator::energy_that_counts() const
   {
+    // a prestressed model has energy that takes no part in the motion: a thousandth of it counts, or what has moved
     return std::max(kinetic_energy, std::clamp(moved_energy, 1e-3 * energy_scale, energy_scale));
   }
 

@@ -26,6 +26,7 @@ namespace samara
 #pragma GCC unroll 9
       for (int i = 0; i < n; ++i)
         {
+          // without pivoting the matrix must be near the identity, as for small turns; else the caller takes Eigen's LU
           if (!(A[i][i].smallest() > 0.1))
             return false;
           const Lane inverse = Lane(1) / A[i][i];

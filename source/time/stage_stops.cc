@@ -83,6 +83,8 @@ namespace samara
       if (gaps.by_rates && law.exponent == 1 && !law.expression && gaps.is_touched_all_the_time(t))
         return;
 
+      // τ = Σ b (U'_m − U'_k) ġ_k / Σ b ġ_k² along the rates makes the work that of the potential, whatever the step
+      // (doc/theory/joints.md, stops); below, its derivatives by the rates, on which gaps depend, too
       const ContactLaw::Mean mean    = law.mean(gaps.start, gaps.end);
       double                 squares = 0, power = 0, rate = 0;
       for (unsigned int k = 0; k < t.s; ++k)
@@ -119,6 +121,7 @@ namespace samara
                const double        h,
                StopForces         &result)
     {
+      // c_s ġ_k min(1, g_k/|g_f − g_i|), and the part that grows with the force of the spring
       const double way = std::abs(gaps.change), direction = gaps.change > 0 ? 1. : -1.;
       for (unsigned int k = 0; k < t.s; ++k)
         {

@@ -143,13 +143,14 @@ namespace samara
   double
   StepController::by_error(const double error, const double h, double &c) const
   {
+    // half of the share of this step is aimed at: c = 1, and c = 2 is what it may have
     c            = std::max(2 * error * settings.duration / (settings.tolerance * size * h), 1e-12);
     double ratio = std::pow(c, -1. / order);
     if (c <= 2 && ratio > 0.97 && ratio < settings.worth_a_change)
       return 1; // the factorisation can be kept
     if (c <= 2 && last_c > 0)
-      ratio = std::pow(c * last_c, -0.25 / order) * std::pow(last_ratio, -0.25);
-    return std::max(1 + std::atan(ratio - 1), 0.2);
+      ratio = std::pow(c * last_c, -0.25 / order) * std::pow(last_ratio, -0.25); // H211b, b = 4
+    return std::max(1 + std::atan(ratio - 1), 0.2); // a smooth limit above; one estimate alone never asks for less
   }
 
 
@@ -161,11 +162,13 @@ namespace samara
     const double of_errors = by_error(step.error, h, c);
     last_share             = c / 2;
 
-    // nothing dissipated: nothing to resolve, whatever the reference
+    // nothing dissipated: nothing to resolve, whatever the reference. h ~ √Y, and 0.9 of it so that the next step is
+    // not refused for a little more; where Y is large the relation says little, so that the change is limited
     const double zeta     = step.indicator == 0 ? 0. : step.indicator / E_ref;
     const double of_guard = std::clamp(0.9 * std::sqrt(Y_guard / relation.inverse(zeta)), 0.3, 2.);
 
-    // contact: N/E ~ h^2.5 where a stop is touched or left within the step
+    // contact: N/E ~ h^2.5 where a stop is touched or left within the step, so h ~ defect^−0.4; rejected from three
+    // times what is aimed at
     const double defect    = step.work_defect == 0 ? 0. : step.work_defect / E_ref / settings.tolerance;
     const bool   resolves  = defect <= 3;
     const double of_defect = std::max(0.2, (resolves ? 0.9 : 0.8) * std::pow(defect, -0.4));
@@ -174,7 +177,7 @@ namespace samara
     const bool   good  = c <= 2 && resolves && zeta <= 2 * zeta_guard;
     Decision     decision;
     decision.accept = good || h <= settings.smallest_step;
-    cap *= 1.05;
+    cap *= 1.05; // a length that failed is approached again in about five steps
     decision.next_h = std::clamp(std::min(ratio * h, cap), settings.smallest_step, settings.largest_step);
     last_c          = good ? c : 0;
     last_ratio      = good ? decision.next_h / h : 1;
@@ -191,7 +194,7 @@ namespace samara
   StepController::after_failure(const double h)
   {
     ++n_failures;
-    cap    = 0.8 * h;
+    cap    = 0.8 * h; // for some steps: what has failed would fail again
     last_c = 0;
     if (h <= settings.smallest_step)
       {

@@ -356,6 +356,7 @@ namespace samara
     if (!(motion > 0))
       return;
 
+    // central differences of sixth order, (3/4, −3/20, 1/60), with two steps that must agree
     static const std::array<double, 3> weights = {{0.75, -0.15, 1. / 60}};
     Vector                             values, finer(layout.n_multipliers, 0.);
     for (const bool is_finer : {false, true})

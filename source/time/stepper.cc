@@ -104,7 +104,7 @@ namespace samara
   std::string
   Stepper::about_reactions(const State &state) const
   {
-    // of each joint the largest; those a thousandth of it only carry what the others do
+    // of each joint the largest; joints with less than a thousandth of the largest of all are not worth a word
     std::vector<std::pair<double, unsigned int>> reactions;
     for (unsigned int i = 0; i < state.multipliers.size(); ++i)
       {
@@ -156,6 +156,7 @@ namespace samara
   void
   Stepper::require_progress(const State &before)
   {
+    // some halvings are no reason to give up; 2000 steps that together are less than a tenth of the given one are
     constexpr unsigned int most_in_window = 2000;
     constexpr double       window         = 0.1;
     if (steps.add(before.time, window * fixed_step) <= most_in_window)
@@ -342,6 +343,7 @@ namespace samara
     trial = state;
     system.update_twists(trial);
     steady_twists = trial.y;
+    // the least energy that matters: else round-off of a steady rotation would be resolved
     if (controller)
       controller->update(std::max(energy_of_change(state), 1e-10 * system.energy(state).kinetic), 0);
   }
@@ -379,6 +381,7 @@ namespace samara
   {
     if (!controller)
       {
+        // back to the given step, by doubling, unless this one was cut short
         if (result.n_failed == 0 && h > 0.99 * next_step)
           next_step = std::min(fixed_step, 2 * next_step);
         return true;

@@ -39,19 +39,19 @@ namespace samara
     double second_derivative(double x) const;
 
     /**
-     * The first x in (from, to) where the function or its derivative may have a jump: a point of a table; where a
-     * formula switches, by a comparison, abs(), sign(), min(), max(), floor(), ceil(), rint() or atan2(). Infinity if
-     * there is none. What lies within 1e-12 max(1, |x|) of an end of the interval counts as lying at that end and is
-     * not found: one can ask again from the corner that was found last, and steps that end at corners do not get that
-     * short.
+     * The first corner x in (from, to): a place where the function or its derivative may jump. Corners are the points
+     * of a table, and the places where a formula switches by a comparison, abs(), sign(), min(), max(), floor(),
+     * ceil(), rint() or atan2(). Infinity if there is none. A corner within 1e-12 max(1, |x|) of an end of the interval
+     * counts as lying at that end and is not found. So one can ask again from the last corner, and steps that end at
+     * corners do not get that short.
      *
-     * Exact to round-off, and certain where what is compared is linear in the variable, also by parts: t < 1, or min(1,
-     * max(0, t/2)). Other formulas are looked at in 64 places of the interval, which must be finite: found for certain
-     * is a switch that leaves the formula on other pieces at @p to than at @p from. Of what switches forth and back,
-     * what comes twice between neighbouring places is missed. Missed is, too, what is true at single points only (t ==
-     * 1 is seen, as a change of sides). Not seen are poles (1/t, tan(t), ln(t)), ends of the domain (sqrt(t) at 0), and
-     * jumps of second and higher derivatives unless they are where something switches. A switch that changes neither
-     * value nor slope, as in t < 1 ? 0 : (t - 1)^2, is found like any other.
+     * Corners are exact to round-off. None is missed where the compared expressions are linear in the variable, also by
+     * parts: t < 1, or min(1, max(0, t/2)). Other formulas are sampled at 64 points of the interval, which must be
+     * finite. Then a switch is found for certain if the formula is on another piece at @p to than at @p from. Two
+     * switches, forth and back, are missed if they lie between neighbouring samples. A condition that holds at single
+     * points only is missed, too; but t == 1 is found, as a change of sides. Poles (1/t, tan(t), ln(t)) and ends of the
+     * domain (sqrt(t) at 0) are not corners. Jumps of second and higher derivatives are found only where something
+     * switches: t < 1 ? 0 : (t - 1)^2 has a corner at 1, though value and slope do not jump there.
      */
     double next_corner(double from, double to) const;
 

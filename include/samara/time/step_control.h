@@ -13,8 +13,9 @@ namespace samara
   /**
    * What a step of the integrator family does to a linear oscillator of frequency ω, as a function of Y = (ω h)²:
    *
-   *     ζ(Y) = D/(α E) = κ Yˢ/(1 + d₁ Y + … + d_s Yˢ),     D = h² α/(2(2s−1)) |Σ b_k p_k F_k|²,  E at the start of the
-   * step
+   *     ζ(Y) = D/(α E) = κ Yˢ/(1 + d₁ Y + … + d_s Yˢ),     D = h² α/(2(2s−1)) |Σ b_k p_k F_k|²
+   *
+   * with the energy E at the start of the step, and
    *
    *     s   κ         d₁             d₂                d₃
    *     1   1         (1 + α)²/4
@@ -73,13 +74,16 @@ namespace samara
    * half of it is aimed at, c = 2 e duration/(tolerance length h) = 1, by a controller with memory (H211b of Söderlind
    * 2003, b = 4), k the order of e/h:
    *
-   *     ratio_n = (c_n c_{n−1})^{−1/4k} ratio_{n−1}^{−1/4},     after a rejection c^{−1/k};     h ← h (1 + atan(ratio − 1))
+   *     ratio_n = (c_n c_{n−1})^{−1/4k} ratio_{n−1}^{−1/4},     after a rejection c^{−1/k}
+   *     h ← h (1 + atan(ratio − 1))
    *
-   * A guard for what moves little but fast, velocities and forces: by the energy that a step dissipates, or would with
-   * α = 1, over a reference energy, an oscillator's relative error in a period is `guard`, at most. And the work defect
-   * of stops may be `tolerance` times the reference energy.
+   * Errors of positions do not see small fast oscillations, which matter for velocities and forces. A guard does: the
+   * energy that a step dissipates, or would dissipate with α = 1, over a reference energy tells how well the step
+   * resolves an oscillator. Its relative error in a period is at most `guard`. The work defect of stops is at most
+   * `tolerance` times the reference energy.
    *
-   * What has no solution is tried with half the step; longer than 0.8 of what failed no step is soon after that.
+   * A step without solution is tried again with half its length. Later steps are at most 0.8 times as long as the one
+   * that failed; this limit grows by 5 % in each step.
    */
   class StepController
   {
@@ -90,7 +94,7 @@ namespace samara
       double duration       = 1;    ///< over which errors add up to the tolerance [s]
       double length         = 1;    ///< displacements count at least as this [m]
       double end            = std::numeric_limits<double>::infinity(); ///< of the run [s]
-      double smallest_step  = 1e-9; ///< s
+      double smallest_step  = 1e-9;                                    ///< s
       double largest_step   = std::numeric_limits<double>::infinity();
       double guard          = 0.1;  ///< relative error of an oscillation in a period
       double worth_a_change = 1.15; ///< growth below which a step stays as it is, and factorisations can be kept
@@ -110,7 +114,8 @@ namespace samara
       double next_h; ///< of the next step, or of the same step again
     };
 
-    /** @throws std::invalid_argument unless 0 < tolerance < 1, 0 < smallest ≤ largest step, and the others are positive. */
+    /** @throws std::invalid_argument unless 0 < tolerance < 1, 0 < smallest ≤ largest step, and the others are
+     * positive. */
     StepController(const Tableau &tableau, const Settings &settings);
 
     /**
@@ -169,11 +174,11 @@ namespace samara
     unsigned int n_forced = 0; ///< accepted only because the step was the smallest: there the tolerance is not met
 
   private:
-    const Settings settings;
-    const unsigned int order; ///< of the error of a step over its length
-    double last_c = 0, last_ratio = 1; ///< of the last step if it was accepted; 0 otherwise
-    double last_share = 0;
-    double cap = std::numeric_limits<double>::infinity(); ///< no longer steps, after a failure [s]
+    const Settings     settings;
+    const unsigned int order;                      ///< of the error of a step over its length
+    double             last_c = 0, last_ratio = 1; ///< of the last step if it was accepted; 0 otherwise
+    double             last_share = 0;
+    double             cap        = std::numeric_limits<double>::infinity(); ///< no longer steps, after a failure [s]
 
     double by_error(double error, double h, double &c) const;
   };
