@@ -42,8 +42,7 @@ namespace samara
     {
     public:
       View(const std::vector<Vector3> &places, const double pixels, const double margin)
-        : pixels(pixels)
-        , margin(margin)
+        : margin(margin)
       {
         for (const auto &x : places)
           middle += x / places.size();
@@ -85,7 +84,7 @@ namespace samara
       }
 
     private:
-      double                      pixels, margin, scale = 1;
+      double                      margin, scale = 1;
       Vector3                     middle = Vector3::Zero();
       Eigen::Matrix<double, 2, 3> axes;
       Eigen::Vector2d             low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();

@@ -43,8 +43,10 @@ namespace samara
   void
   Distributing::initialize(Model &model)
   {
-    const bool are_given = parameters.require("Along", model.complaints) & parameters.require("Body", model.complaints);
-    if (!are_given)
+    // both are asked for, so that both are complained about
+    const bool has_along = parameters.require("Along", model.complaints),
+               has_body  = parameters.require("Body", model.complaints);
+    if (!has_along || !has_body)
       return;
     std::string where = "Along";
     try

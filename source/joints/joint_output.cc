@@ -59,7 +59,7 @@ namespace samara
         };
     for (unsigned int i = 0; i < no_slip.size(); ++i)
       if (!is_moment && no_slip[i].axis == axis)
-        return [this, k = first_multiplier + rows.size() - no_slip.size() + i](const State &state) {
+        return [k = first_multiplier + rows.size() - no_slip.size() + i](const State &state) {
           return -state.multipliers[k];
         };
     const auto is_rotation = [](const Locked &l) { return l.function.kind == PairFunction::cosine; };

@@ -22,8 +22,7 @@ namespace samara
 
 
   StateError::StateError(const System &system, const Tableau &tableau)
-    : system(system)
-    , alpha(tableau.alpha)
+    : alpha(tableau.alpha)
     , order(2 * tableau.s)
     , phase(DissipationRelation(tableau).phase())
     , groups(counted_states(system.model))

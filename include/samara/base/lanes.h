@@ -15,8 +15,13 @@ namespace samara
    */
   struct FourDoubles
   {
+#ifdef __clang__
+    // Eigen asks for 16 bytes (EIGEN_MAX_ALIGN_BYTES), and Clang takes no request below what a type has by itself.
+    typedef double Vector __attribute__((vector_size(32), aligned(16)));
+#else
     typedef double Vector __attribute__((vector_size(32)));
-    Vector         values;
+#endif
+    Vector values;
 
     FourDoubles() = default;
     FourDoubles(const double a)

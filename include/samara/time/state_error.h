@@ -42,7 +42,6 @@ namespace samara
       double              tau = 0, largest = 0;
     };
 
-    const System                    &system;
     const double                     alpha;
     const unsigned int               order; ///< 2s
     const double                     phase;
