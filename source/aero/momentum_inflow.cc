@@ -266,7 +266,13 @@ namespace samara
     if (const double thrust = f.lambda_f < 0 && !surfaces.empty() ? e3.dot(loads(state).force) : 0.; thrust > 0)
       {
         const double hover = std::sqrt(thrust / (2 * air->density * M_PI)) / R, ratio = f.lambda_f / hover;
-        if (ratio > -2 && ratio < -0.3 && std::hypot(f.mu_x, f.mu_y) < hover)
+        const bool   is_axial = std::hypot(f.mu_x, f.mu_y) < hover;
+        if (is_axial && ratio <= -2 && f.lambda_f + mean(state) > 0)
+          result.push_back({"flow of hover",
+                            "the rotor of <" + name + "> descends with " + text(-f.lambda_f) + " m/s, " + text(-ratio) +
+                              " of its flow in hover, and air still flows down through it: this is the continuation of "
+                              "hover, and the flow of a windmill is another solution. Results may be wrong there"});
+        if (is_axial && ratio > -2 && ratio < -0.3)
           result.push_back({"vortex rings",
                             "the rotor of <" + name + "> descends with " + text(-f.lambda_f) +
                               " m/s into its own wake, " + text(-ratio) +

@@ -3,6 +3,8 @@
 // References: T = 2ρA V_T ν with V_T² = μ² + (λ_f + ν)²; orders of the family; the limit of small masses, which is of
 // first order in them; derivatives against differences.
 
+#include <samara/analysis/linear_system.h>
+#include <samara/model/doubts.h>
 #include <samara/time/increment.h>
 #include <samara/time/period_map.h>
 #include <samara/time/projection.h>
@@ -209,8 +211,11 @@ TEST(InflowWithoutMass, HoverAndItsModes)
     std::string text = one_bladed_rotor(inflow, "0, 0, 0");
     const auto  at   = text.find("    subsection rotation\n      set Prescribed");
     text.erase(at, text.find("  end\n  subsection hinge") - at);
-    return text + "subsection Loads\n  subsection turning\n    set Type = steady rotation\n    set Joint = shaft\n"
-                  "    set Speed = 30\n  end\nend\n";
+    return text +
+           "subsection Loads\n  subsection turning\n    set Type = steady rotation\n    set Joint = shaft\n"
+           "    set Speed = 30\n  end\n  subsection push\n    set Type = point load\n    set At = blade.centre\n"
+           "    set Force = 0, 0, u*(1 N)\n  end\nend\nsubsection States\n  subsection u\n    set Type = control\n"
+           "  end\nend\n";
   };
   Scene none(hover(at_once)), some(hover(with_mass(1e-8))), disk(hover("uniform inflow"));
   for (Scene *const scene : {&none, &some, &disk})
@@ -230,6 +235,13 @@ TEST(InflowWithoutMass, HoverAndItsModes)
       furthest = std::max(furthest, nearest);
     }
   EXPECT_GT(furthest, 0.1); // and the time constant matters
+
+  none.analysis<LinearSystemAnalysis>().run(none.context);
+  const auto &space = none.analysis<LinearSystemAnalysis>().space;
+  ASSERT_EQ(space.A.rows(), 4); // angles of shaft and hinge, and their rates
+  const Eigen::VectorXcd poles = space.A.eigenvalues();
+  for (const auto &mode : without)
+    EXPECT_NEAR((poles.array() - mode.lambda).abs().minCoeff(), 0, 1e-5) << mode.lambda;
 }
 
 
@@ -267,4 +279,30 @@ TEST(InflowWithoutMass, ForgetsItsStart)
       EXPECT_GT(std::abs(slope), 1e-3);
       EXPECT_NEAR(x[z], slope, 1e-5 * std::abs(slope) + 1e-7) << s;
     }
+}
+
+
+
+// In a descent that becomes steeper the flow goes on as that of hover, with Glauert's equation, beyond vortex rings,
+// where a windmill's is another solution: both are told of.
+TEST(InflowWithoutMass, TellsThatItIsStillThatOfHover)
+{
+  const Scene scene(one_bladed_rotor(at_once, "0, 0, 20*t"));
+  const auto *inflow = dynamic_cast<const Doubtful *>(&scene.input.model.find<Item>("flow", "inflow"));
+  ASSERT_NE(inflow, nullptr);
+  StageIntegrator          integrator(scene.system, Tableau(2, 0.5), 1e-11);
+  State                    state = start_of(scene);
+  std::vector<std::string> told;
+  for (unsigned int i = 0; i < 40; ++i)
+    {
+      ASSERT_TRUE(integrator.step(state, 0.02).converged);
+      State reported = state;
+      Projection(scene.system).report(reported);
+      EXPECT_LT(miss_of_glauert(scene, reported, 0, -20 * state.time), 1e-10) << i;
+      EXPECT_GT(value_of(scene, "flow.mean", reported), 20 * state.time);
+      for (const auto &doubt : inflow->doubts(reported))
+        if (told.empty() || told.back() != doubt.about)
+          told.push_back(doubt.about);
+    }
+  EXPECT_EQ(told, std::vector<std::string>({"vortex rings", "flow of hover"}));
 }
