@@ -26,11 +26,14 @@ namespace samara
   MomentumInflow::add_apparent_mass(Parameters &prm)
   {
     apparent_mass = 8 / (3 * M_PI);
-    prm.add("Apparent mass",
-            apparent_mass,
-            "Of the mean flow, divided by density, area and radius of the disk: 8/(3 pi) is that of a rigid disk, "
-            "128/(75 pi) the other one of Pitt and Peters; the less, the sooner inflow follows thrust [1].",
-            dealii::Patterns::Double(1e-12));
+    gives_mass    = true;
+    prm.add(
+      "Apparent mass",
+      apparent_mass,
+      "Of the mean flow, divided by density, area and radius of the disk: 8/(3 pi) is that of a rigid disk, "
+      "128/(75 pi) the other one of Pitt and Peters; the less, the sooner inflow follows thrust: at once if it is "
+      "zero [1].",
+      dealii::Patterns::Double(0));
   }
 
 
@@ -68,7 +71,10 @@ namespace samara
         model.complaints.add(parameters.where("Power"), problem.what());
         return;
       }
-    if (apparent_mass > 0)
+    is_algebraic = gives_mass && apparent_mass == 0;
+    if (is_algebraic) // of 0 = g the mass is a mere factor; air that grows with its disk is a part of it
+      theory.stretch.row(0).setZero();
+    else if (gives_mass)
       theory.apparent_mass[0] = apparent_mass;
     disk = theory.disk;
     if (air == nullptr)
@@ -194,8 +200,8 @@ namespace samara
     unsigned int column = 6 + n;
     for_states_of_neighbours([&](const double c) { K.col(column++).segment(6, n) = -c * d.by_flight.col(2); });
     // in air at rest the equations are of second order in z, which statics would not leave: Newton's first step is one
-    // through air that moves
-    if (flow.V_T < 0.1 * least_speed())
+    // through air that moves. In motions a flow without mass has nothing but its own slope
+    if (flow.V_T < 0.1 * least_speed() && (point.held || !is_algebraic))
       {
         const Eigen::MatrixXd inverse = theory.influence(flow.X_x, flow.X_y).inverse();
         for (unsigned int k = 0; k < n; ++k)
@@ -261,7 +267,13 @@ namespace samara
     if (const double thrust = f.lambda_f < 0 && !surfaces.empty() ? e3.dot(loads(state).force) : 0.; thrust > 0)
       {
         const double hover = std::sqrt(thrust / (2 * air->density * M_PI)) / R, ratio = f.lambda_f / hover;
-        if (ratio > -2 && ratio < -0.3 && std::hypot(f.mu_x, f.mu_y) < hover)
+        const bool   is_axial = std::hypot(f.mu_x, f.mu_y) < hover;
+        if (is_axial && ratio <= -2 && f.lambda_f + mean(state) > 0)
+          result.push_back({"flow of hover",
+                            "the rotor of <" + name + "> descends with " + text(-f.lambda_f) + " m/s, " + text(-ratio) +
+                              " of its flow in hover, and air still flows down through it: this is the continuation of "
+                              "hover, and the flow of a windmill is another solution. Results may be wrong there"});
+        if (is_axial && ratio > -2 && ratio < -0.3)
           result.push_back({"vortex rings",
                             "the rotor of <" + name + "> descends with " + text(-f.lambda_f) +
                               " m/s into its own wake, " + text(-ratio) +
@@ -289,10 +301,20 @@ namespace samara
   MomentumInflow::counted_states() const
   {
     CountedStates group;
-    group.states = states;
-    for (unsigned int k = 0; k < states.size(); ++k)
-      group.metric.push_back(theory.apparent_mass[k] / theory.load_weights[k]);
+    for (unsigned int k = is_algebraic ? 1 : 0; k < states.size(); ++k)
+      {
+        group.states.push_back(states[k]);
+        group.metric.push_back(theory.apparent_mass[k] / theory.load_weights[k]);
+      }
     return {group};
+  }
+
+
+
+  std::vector<unsigned int>
+  MomentumInflow::algebraic_states() const
+  {
+    return is_algebraic && !states.empty() ? std::vector<unsigned int>{states[0]} : std::vector<unsigned int>();
   }
 
 

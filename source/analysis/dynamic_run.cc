@@ -6,6 +6,7 @@
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
 #include <samara/base/text.h>
+#include <samara/model/algebraic_states.h>
 #include <samara/model/contact_group.h>
 
 #include <algorithm>
@@ -52,6 +53,8 @@ namespace samara
       std::unordered_set<unsigned int> known;
       for (const CountedStates &group : counted_states(model))
         known.insert(group.states.begin(), group.states.end());
+      for (const unsigned int i : algebraic_states(model)) // what they follow counts
+        known.insert(i);
       const unsigned int others = model.states.size() - known.size();
       if (others == 0)
         return;

@@ -10,11 +10,17 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <unordered_set>
 
 namespace samara
 {
   namespace
   {
+    /** In a period, of a rotation that is free in motion and was held in statics. */
+    constexpr double speed_that_may_change = 1e-2;
+
+
+
     /** Gaps below which a motion is not let settle further, and above which one is warned about. @{ */
     constexpr double settled_gap = 1e-10, doubtful_gap = 1e-6;
     /** @} */
@@ -51,6 +57,64 @@ namespace samara
                        (map.n_corrections > 1 ? "s have" : " has") + " moved the start by up to " +
                        number_to_text("%.1e", size(most)) + " of the scales (" +
                        context.system.layout.name_of(most < n_positions ? most : most - n_positions) + ")");
+    }
+
+
+
+    /** Whether something in the model may bring a speed back to what it was: a state that laws name. */
+    bool
+    has_controllers(const Model &model)
+    {
+      static const std::unordered_set<std::string> kinds = {
+        "first order", "PID", "transfer function", "state space", "delay"};
+      return std::any_of(model.items.begin(), model.items.end(), [](const auto &item) {
+        return kinds.count(item->kind) > 0;
+      });
+    }
+
+
+
+    /**
+     * A rotation that statics held and nothing holds in motion is told of before periods are run that lead nowhere.
+     * @throws InputError if its speed changes and nothing can bring it back
+     */
+    void
+    check_rotations_let_go(const Context &context, const std::string &where, const State &first, const double T)
+    {
+      const System &system = context.system;
+      if (!context.is_equilibrium || system.released_multipliers().empty())
+        return;
+      std::vector<double> rates;
+      try
+        {
+          State state = first;
+          rates       = Projection(system).accelerations(state);
+        }
+      catch (const SingularMatrix &)
+        {
+          return; // steps say where
+        }
+      double      most = speed_that_may_change;
+      std::string worst;
+      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+        {
+          const int    row    = system.layout.of_coordinate(i);
+          const double change = std::abs(rates[row]) * T;
+          if (system.layout.is_length(row) || !(change > most * std::abs(first.rates[i])) || first.rates[i] == 0)
+            continue;
+          most  = change / std::abs(first.rates[i]);
+          worst = system.model.coordinates[i];
+        }
+      if (worst.empty())
+        return;
+      const std::string text =
+        "nothing holds the speed of <" + worst + "> as statics did: it changes by " +
+        number_to_text("%.2g", 100 * most) +
+        " % in the first period, and a motion that gets slower or faster does not repeat itself; "
+        "let the rotation be <Prescribed>";
+      if (!has_controllers(context.system.model))
+        throw InputError(where + ": " + text);
+      context.log.warning("floquet", text + ", unless a controller brings it back");
     }
   } // namespace
 
@@ -235,9 +299,10 @@ namespace samara
     Complaints complaints;
     check(context.sweep, complaints);
     complaints.throw_if_any();
-    const System       &system = context.system;
-    const State         first  = first_state(context);
-    const double        T      = period_at(context, first);
+    const System &system = context.system;
+    const State   first  = first_state(context);
+    const double  T      = period_at(context, first);
+    check_rotations_let_go(context, parameters.where(), first, T);
     const RepeatedParts named = repeated_parts(system), parts = is_by_sections() ? named : RepeatedParts(system);
     SectionMap          map(system,
                    {T / parts.n(), n_steps / parts.n(), n_stages, spectral_radius, newton_tolerance, max_iterations},
@@ -303,8 +368,7 @@ namespace samara
         bool is_known = true;
         try
           {
-            if (needs.velocities || needs.forces)
-              projection.report(state, needs.forces);
+            projection.report(state, needs.forces); // algebraic states, too
           }
         catch (const SingularMatrix &)
           {

@@ -1,6 +1,7 @@
 #include <samara/analysis/linear_system_matrices.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/algebraic_states.h>
 #include <samara/model/probe_needs.h>
 #include <samara/time/increment.h>
 #include <samara/time/projection.h>
@@ -105,13 +106,36 @@ namespace samara
 
 
 
-    /** Numbers of states of first order that move. */
+    /** Take out algebraic states: what they follow stands in their place. */
+    void
+    eliminate_algebraic(const System &system, MatrixXd &K, MatrixXd &damping)
+    {
+      std::vector<int> rows;
+      for (const unsigned int i : algebraic_states(system.model))
+        rows.push_back(system.layout.of_state(i));
+      if (rows.empty())
+        return;
+      const MatrixXd                   K_rows = K(rows, Eigen::all), C_rows = damping(rows, Eigen::all);
+      const Eigen::FullPivLU<MatrixXd> of_rows(K_rows(Eigen::all, rows));
+      const MatrixXd                   factors = K(Eigen::all, rows);
+      if (!of_rows.isInvertible())
+        throw NotConverged("linear system: what the state <" + system.layout.name_of(rows.front()) +
+                           "> follows at once does not determine it");
+      K -= factors * of_rows.solve(K_rows);
+      damping -= factors * of_rows.solve(C_rows);
+    }
+
+
+
+    /** Numbers of states of first order that move, with rates of their own. */
     std::vector<unsigned int>
     moving_states(const LinearSystemSource &source)
     {
+      const auto                algebraic = algebraic_states(source.system.model);
       std::vector<unsigned int> result;
       for (unsigned int i = 0; i < source.system.layout.n_states; ++i)
-        if (std::find(source.controls.begin(), source.controls.end(), i) == source.controls.end())
+        if (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end() &&
+            std::find(source.controls.begin(), source.controls.end(), i) == source.controls.end())
           result.push_back(i);
       return result;
     }
@@ -133,12 +157,13 @@ namespace samara
   void
   find_dynamics(const LinearSystemSource &source, LinearSystem &space, MatrixXd &basis)
   {
-    const System     &system = source.system;
-    const Layout     &layout = system.layout;
-    const DenseMotion motion(source.linearization);
-    const int         n = layout.n_kinematic();
-    basis               = positions_allowed(motion.G, n);
-    const auto moving   = moving_states(source);
+    const System &system = source.system;
+    const Layout &layout = system.layout;
+    DenseMotion   motion(source.linearization);
+    const int     n = layout.n_kinematic();
+    eliminate_algebraic(system, motion.K, motion.damping);
+    basis             = positions_allowed(motion.G, n);
+    const auto moving = moving_states(source);
     const int  m = basis.cols(), n_moving = moving.size(), size = 2 * m + n_moving, n_inputs = source.inputs.size();
     if (size > int(source.most_states))
       throw NotConverged("linear system: there are " + std::to_string(size) +

@@ -5,6 +5,7 @@
 #include <samara/analysis/trim_run.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/algebraic_states.h>
 #include <samara/solvers/newton.h>
 
 #include <algorithm>
@@ -230,6 +231,8 @@ namespace samara
     Context             from   = context;
     std::vector<double> values = begin.states, rates(values.size());
     system.state_rates(begin.point(), rates.data());
+    for (const unsigned int i : algebraic_states(system.model))
+      rates[i] = 1; // none of those that stay
     if (grows)
       for (unsigned int i = 0; i < rates.size(); ++i)
         if (rates[i] == 0)

@@ -1,5 +1,6 @@
 // The loops over the terms of the equations.
 
+#include <samara/model/algebraic_states.h>
 #include <samara/model/drawing.h>
 #include <samara/model/initial_motion.h>
 #include <samara/model/system.h>
@@ -194,6 +195,8 @@ namespace samara
   {
     for (unsigned int i = 0; i < layout.n_states; ++i)
       C.values[C.pattern->position(layout.of_state(i), layout.of_state(i))] += 1.;
+    for (const unsigned int i : algebraic_states(model))
+      C.values[C.pattern->position(layout.of_state(i), layout.of_state(i))] -= 1.;
   }
 
 

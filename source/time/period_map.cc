@@ -1,5 +1,6 @@
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/algebraic_states.h>
 #include <samara/time/period_map.h>
 
 #include <algorithm>
@@ -134,18 +135,21 @@ namespace samara
 
 
 
+  // and of algebraic states, behind the velocities
   std::vector<double>
   PeriodMap::correction_of_velocities(const State &state, const double *x, const double factor)
   {
     const Layout       &layout = system.layout;
     State               there  = moved(system, state, x, factor);
     const State         before = there;
-    std::vector<double> result(layout.n_kinematic());
+    std::vector<double> result(layout.n_kinematic() + layout.n_states);
     projection.velocities(there);
     for (int i = 0; i < layout.of_coordinate(0); ++i)
       result[i] = there.y[6 + i] - before.y[6 + i];
     for (unsigned int i = 0; i < layout.n_coordinates; ++i)
       result[layout.of_coordinate(i)] = there.rates[i] - before.rates[i];
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      result[layout.n_kinematic() + i] = there.states[i] - before.states[i];
     return result;
   }
 
@@ -155,7 +159,7 @@ namespace samara
   PeriodMap::project_increment(const State &state, double *x)
   {
     const Layout &layout = system.layout;
-    if (layout.n_multipliers == 0)
+    if (layout.n_multipliers == 0 && algebraic_states(system.model).empty())
       return;
     // positions move by as much as does not matter, velocities by as much in a part of the period
     const std::vector<double> scales = scales_of_increment(system, settings.period);
@@ -166,7 +170,7 @@ namespace samara
       return;
     // central differences of sixth order, (3/4, −3/20, 1/60)
     const double        weights[] = {0.75, -0.15, 1. / 60}, step = step_of_projection / motion;
-    std::vector<double> change(layout.n_kinematic(), 0.);
+    std::vector<double> change(layout.n_kinematic() + layout.n_states, 0.);
     for (int j = 1; j <= 3; ++j)
       for (const int side : {1, -1})
         {
@@ -174,8 +178,10 @@ namespace samara
           for (unsigned int i = 0; i < change.size(); ++i)
             change[i] += side * weights[j - 1] / step * correction[i];
         }
-    for (unsigned int i = 0; i < change.size(); ++i)
+    for (int i = 0; i < layout.n_kinematic(); ++i)
       x[first_velocity() + i] += change[i];
+    for (unsigned int i = 0; i < layout.n_states; ++i)
+      x[layout.of_state(i)] += change[layout.n_kinematic() + i];
   }
 
 

@@ -2,6 +2,7 @@
 #include <samara/base/text.h>
 #include <samara/solvers/anderson.h>
 #include <samara/solvers/redundant_rows.h>
+#include <samara/time/algebraic_states.h>
 #include <samara/time/differences.h>
 #include <samara/time/projection.h>
 
@@ -210,11 +211,15 @@ namespace samara
   Projection::velocities(State &state)
   {
     AssertDimension(state.y.size(), 6 * system.layout.n_nodes);
-    if (system.layout.n_multipliers == 0)
-      return 0;
-    system.find_state_rates(state);
-    factorize(state, 1e-14);
-    return project(state);
+    double change = 0;
+    if (system.layout.n_multipliers > 0)
+      {
+        system.find_state_rates(state);
+        factorize(state, 1e-14);
+        change = project(state);
+      }
+    find_algebraic_states(system, state);
+    return change;
   }
 
 
@@ -318,6 +323,7 @@ namespace samara
         system.find_state_rates(state);
         project(state);
       }
+    find_algebraic_states(system, state);
     if (system.is_viscous())
       system.stresses(state, state.stress);
     if (!with_forces)

@@ -1,5 +1,6 @@
 #include <samara/base/errors.h>
 #include <samara/solvers/newton.h>
+#include <samara/time/algebraic_states.h>
 #include <samara/time/stage_integrator.h>
 
 #include <deal.II/base/exceptions.h>
@@ -324,6 +325,13 @@ namespace samara
     advance(state.y, &Stage::y);
     advance(state.rates, &Stage::rates);
     advance(state.states, &Stage::states);
+    for (const unsigned int i : algebraic_states(system.model))
+      {
+        const Eigen::VectorXd weights = values_at_end(tableau);
+        state.states[i]               = 0;
+        for (unsigned int k = 0; k < s; ++k)
+          state.states[i] += weights(k) * stages[k].states[i];
+      }
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         Eigen::Map<Matrix3> D(&final_q[12 * node + 3]);

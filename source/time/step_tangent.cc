@@ -1,6 +1,7 @@
 // What a change at the start of a step, and of its stages, changes in the equations of the stages.
 
 #include <samara/base/errors.h>
+#include <samara/time/algebraic_states.h>
 #include <samara/time/step_tangent.h>
 
 #include <algorithm>
@@ -436,8 +437,10 @@ namespace samara
           acceleration += tableau.w(k, l) / h * (of_node(X, l, node) - from);
         Eigen::Map<Vector6>(r + at) += M * acceleration - ad_star<double>(dy, M * y) - ad_star<double>(y, M * dy);
       }
+    const auto algebraic = algebraic_states(system.model);
     for (unsigned int i = 0; i < layout.n_states; ++i)
-      r[layout.of_state(i)] += change.state_rates[k][i];
+      if (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end())
+        r[layout.of_state(i)] += change.state_rates[k][i];
   }
 
 

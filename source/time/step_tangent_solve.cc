@@ -1,6 +1,7 @@
 // The equations of the stages, solved for what a change at the start of a step changes at its end.
 
 #include <samara/base/errors.h>
+#include <samara/time/algebraic_states.h>
 #include <samara/time/step_tangent.h>
 
 #include <deal.II/lac/precondition.h>
@@ -168,6 +169,13 @@ namespace samara
       }
     std::copy(change.end_coordinates.begin(), change.end_coordinates.end(), x + layout.of_coordinate(0));
     std::copy(change.end_states.begin(), change.end_states.end(), x + layout.of_state(0));
+    for (const unsigned int i : algebraic_states(system.model))
+      {
+        const Eigen::VectorXd weights = values_at_end(tableau);
+        x[layout.of_state(i)]         = 0;
+        for (unsigned int k = 0; k < s; ++k)
+          x[layout.of_state(i)] += weights(k) * X[k * n + layout.of_state(i)];
+      }
     double *const velocities = x + n_positions;
     for (unsigned int i = 0; i < n_velocities; ++i)
       {

@@ -3,6 +3,7 @@
 
 #include <samara/aero/finite_state.h>
 #include <samara/aero/inflow.h>
+#include <samara/model/algebraic_states.h>
 #include <samara/model/counted_states.h>
 #include <samara/model/doubts.h>
 
@@ -20,7 +21,8 @@ namespace samara
   class MomentumInflow : public Inflow,
                          public Evaluated<MomentumInflow, StateEquation>,
                          public Doubtful,
-                         public HasCountedStates
+                         public HasCountedStates,
+                         public HasAlgebraicStates
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -34,8 +36,10 @@ namespace samara
 
     std::vector<Doubt> doubts(const State &state) const override;
 
-    /** By the energy of the air, ½ρR³ Σ M_k z_k²/load_weights[k]. */
+    /** By the energy of the air, ½ρR³ Σ M_k z_k²/load_weights[k]; a flow without mass has none. */
     std::vector<CountedStates> counted_states() const override;
+
+    std::vector<unsigned int> algebraic_states() const override;
 
   protected:
     virtual FiniteStateInflow make() const = 0;
@@ -48,7 +52,9 @@ namespace samara
   private:
     FiniteStateInflow theory;
     double            initial       = 0;
-    double            apparent_mass = 0; ///< M of the mean flow, if it is given
+    double            apparent_mass = 0;
+    bool              gives_mass    = false; ///< whether there is the entry for it
+    bool              is_algebraic  = false; ///< the mean flow, without mass
     std::string       ground_effect = "none";
     Block             block; ///< hub, states
 
@@ -74,7 +80,7 @@ namespace samara
 
   /**
    * The mean flow alone, of H. Glauert. It follows the thrust with the time constant M R/(2 V_T), M its apparent mass:
-   * that of a rigid disk, or so small that momentum theory holds at once.
+   * that of a rigid disk, or zero, where momentum theory holds at once: T = 2ρA V_T ν, an algebraic state.
    */
   class UniformInflow : public MomentumInflow
   {

@@ -31,20 +31,6 @@ namespace samara
 
 
 
-  /** Roots of each, by a vector instruction: std::sqrt of one number at a time has to look after errno. */
-  inline FourDoubles
-  sqrt(const FourDoubles &a)
-  {
-    FourDoubles                result;
-    Eigen::Array<double, 4, 1> roots;
-    std::memcpy(roots.data(), &a.values, sizeof(a.values));
-    roots = roots.sqrt();
-    std::memcpy(&result.values, roots.data(), sizeof(a.values));
-    return result;
-  }
-
-
-
   /** Four complex numbers that are computed with at once. */
   struct FourComplexes
   {

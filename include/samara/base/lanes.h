@@ -84,6 +84,20 @@ namespace samara
 
 
 
+  /** Roots of each, by a vector instruction: std::sqrt of one number at a time has to look after errno. */
+  inline FourDoubles
+  sqrt(const FourDoubles &a)
+  {
+    FourDoubles                result;
+    Eigen::Array<double, 4, 1> roots;
+    std::memcpy(roots.data(), &a.values, sizeof(a.values));
+    roots = roots.sqrt();
+    std::memcpy(&result.values, roots.data(), sizeof(a.values));
+    return result;
+  }
+
+
+
   /** Formulas written for a number are valid for lanes of it: four doubles, one of any other kind. */
   template <typename Number>
   struct Lanes
