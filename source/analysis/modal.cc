@@ -1,9 +1,11 @@
+#include <samara/analysis/check.h>
 #include <samara/analysis/draw_shape.h>
 #include <samara/analysis/finite_matrix.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/mode_families.h>
 #include <samara/analysis/mode_names.h>
 #include <samara/analysis/moving_axes.h>
+#include <samara/analysis/negative_directions.h>
 #include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/errors.h>
@@ -111,6 +113,7 @@ namespace samara
     name(context, steady);
     report(context);
     check_errors(context);
+    tell_instability(context, steady);
     if (!context.sweep.empty())
       add_to_fan(context);
     if (context.pictures && context.is_shown() && !context.folder.empty())
@@ -388,6 +391,57 @@ namespace samara
         if (modes[i].error > 1e-6)
           context.log.warning("modal", text + "; set the <Shift> to about its frequency, or ask for fewer modes");
       }
+  }
+
+
+
+  namespace
+  {
+    /** "modes 1, 2 grow, the fastest by 2.7 in 0.4 s", far above round-off; empty if none does. */
+    std::string
+    text_of_growth(const std::vector<Mode> &modes)
+    {
+      std::vector<std::string> numbers;
+      double                   fastest = 0;
+      for (unsigned int i = 0; i < modes.size(); ++i)
+        if (const double size = std::abs(modes[i].lambda);
+            modes[i].lambda.real() > std::max(1e-7, 100 * modes[i].error) * size)
+          {
+            numbers.push_back(std::to_string(i + 1));
+            fastest = std::max(fastest, modes[i].lambda.real());
+          }
+      if (numbers.empty())
+        return "";
+      return (numbers.size() > 1 ? "modes " + join_some(numbers) + " grow" : "mode " + numbers[0] + " grows") +
+             " by a factor of 2.718 in " + short_text(1 / fastest) + " s";
+    }
+  } // namespace
+
+
+
+  void
+  ModalAnalysis::tell_instability(const Context &context, const Steady &steady) const
+  {
+    State held                        = steady.state;
+    held.held                         = true;
+    const NegativeDirections negative = negative_directions(context.system, held);
+    const std::string        growth   = text_of_growth(modes),
+                      at              = context.sweep.empty() ? "" : "at " + short_text(context.speeds[0]) + " rad/s ";
+    if (negative.number == 0 && growth.empty())
+      return;
+    if (negative.number == 0)
+      return context.log.warning("modal", at + "the state is unstable, though not by its stiffness: " + growth);
+    const std::string text = at + negative.text(context.system);
+    if (!growth.empty())
+      context.log.warning("modal", text + "; " + growth);
+    else if (negative.are_unstable())
+      context.log.warning("modal",
+                          text + "; the motion that grows is not among these modes: ask for more, or set the <Shift>");
+    else
+      context.log.line("  modal: " + text + "; none of these modes grows" +
+                       (negative.turning == NegativeDirections::Turning::as_one ?
+                          ": gyroscopic forces hold those in which it is negative" :
+                          ""));
   }
 
 

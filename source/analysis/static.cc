@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/integrating_states.h>
+#include <samara/analysis/negative_directions.h>
 #include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
@@ -41,6 +42,7 @@ namespace samara
   {
     processor_start = std::clock();
     has_told_motion = false;
+    n_negative_told = 0;
     solver          = make_solver(context.system.layout.pattern);
     for (auto *const old : {&history, &speed_history, &path_history, &limits_history})
       old->reset(); // of a sweep before
@@ -111,8 +113,44 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Unknowns from which on a factorisation costs as much as all else, as in Newton's method. */
+    constexpr unsigned int of_large_models = 20000;
+
+    /**
+     * Whether the tangent @p K differs so little from the matrix K₀ whose factors the @p solver has that their
+     * determinants have the same sign: det K = det K₀ Π (1 − ν), and |ν| < 1 for all eigenvalues of 1 − K₀⁻¹ K. The
+     * largest one is estimated by the power method, from below, but not by a factor of ten.
+     */
+    bool
+    has_sign_of_factors(const SparseMatrix &K, const LinearSolver &solver)
+    {
+      constexpr double       little = 0.05;
+      constexpr unsigned int passes = 5;
+      const unsigned int     n      = K.pattern->size();
+      Eigen::VectorXd        x(n), y(n);
+      for (unsigned int i = 0; i < n; ++i)
+        x(i) = std::sin(1. + 1.3 * i);
+      double ratio = 0;
+      for (unsigned int pass = 0; pass < passes; ++pass)
+        {
+          x.normalize();
+          K.multiply(x.data(), y.data());
+          solver.solve(y.data());
+          x -= y;
+          ratio = x.norm();
+          if (ratio == 0.)
+            return true;
+        }
+      return ratio < little;
+    }
+  } // namespace
+
+
+
   int
-  StaticAnalysis::stability_sign(const Context &context, const State &state) const
+  StaticAnalysis::stability_sign(const Context &context, const State &state, const bool has_factors) const
   {
     for (const double speed : context.speeds)
       if (speed != 0.)
@@ -121,6 +159,9 @@ namespace samara
     State        at = state;
     context.system.stresses(at, at.stress);
     context.system.tangent(at, K);
+    if (has_factors && context.system.size() > of_large_models && solver->n_negative() &&
+        has_sign_of_factors(K, *solver))
+      return solver->determinant_sign();
     equilibrate(K); // else units decide what is singular
     try
       {
@@ -138,18 +179,13 @@ namespace samara
 
   namespace
   {
-    /**
-     * Whether a large model is stable at @p start, or free to move, without a look at its matrix, which costs as much
-     * as all else: free of stress, with nothing but elastic strains and constraints that could push. The sign of the
-     * determinant is then that of as many factors −1 as there are constraints.
-     */
+    /** Whether nothing but elastic strains and constraints could push at @p start, which is free of stress. */
     bool
-    is_stable_as_drawn(const Context &context, const State &start)
+    is_free_of_forces(const Context &context, const State &start)
     {
       const Layout &layout = context.system.layout;
-      return context.system.size() > 20000 && !context.is_equilibrium && layout.n_states == 0 && layout.stops.empty() &&
-             layout.frictions.empty() && layout.nonlinear_springs.empty() && layout.contact_groups.empty() &&
-             layout.nonholonomic.empty() &&
+      return !context.is_equilibrium && layout.n_states == 0 && layout.stops.empty() && layout.frictions.empty() &&
+             layout.nonlinear_springs.empty() && layout.contact_groups.empty() && layout.nonholonomic.empty() &&
              std::all_of(start.stress.begin(), start.stress.end(), [](const double s) { return s == 0.; }) &&
              std::all_of(start.multipliers.begin(), start.multipliers.end(), [](const double l) { return l == 0.; });
     }
@@ -163,18 +199,24 @@ namespace samara
                                   std::optional<int> &sign_at_start,
                                   const State        &found) const
   {
+    const Layout &layout = context.system.layout;
+    // without constraints the unloaded model is stable, all eigenvalues positive, or free to move; of a large one with
+    // constraints, too, this is taken for granted, as a look at its matrix costs as much as all else
+    const bool is_stable_at_start = layout.n_multipliers == 0 ?
+                                      !context.is_equilibrium :
+                                      context.system.size() > of_large_models && is_free_of_forces(context, start);
+    const bool looks_at_start     = !sign_at_start && !is_stable_at_start;
+    if (looks_at_start)
+      sign_at_start = stability_sign(context, start, false);
     // Newton's last tangent will not do: displacements below its tolerance may go with another stress
-    const int sign = stability_sign(context, found);
+    const int sign = stability_sign(context, found, !looks_at_start);
     if (!sign_at_start)
       {
-        // without constraints the unloaded model is stable, all eigenvalues positive, or free to move
-        if (!context.is_equilibrium && context.system.layout.n_multipliers == 0 && sign > 0)
+        const unsigned int n_rows = layout.n_multipliers - found.left_out.size();
+        if (sign == (n_rows % 2 == 0 ? 1 : -1))
           return false;
-        const unsigned int n_rows = context.system.layout.n_multipliers - found.left_out.size();
-        if (sign == (n_rows % 2 == 0 ? 1 : -1) && is_stable_as_drawn(context, start))
-          return false;
-        sign_at_start = stability_sign(context, start);
-        stability_sign(context, found); // the solver keeps the matrix of the equilibrium
+        sign_at_start = stability_sign(context, start, false);
+        stability_sign(context, found, false); // the solver keeps the matrix of the equilibrium
       }
     return *sign_at_start != 0 && sign != *sign_at_start;
   }
@@ -193,6 +235,7 @@ namespace samara
       follow_load(context);
     context.is_equilibrium = true;
     tell_motion(context);
+    tell_instability(context);
     State reported = context.state;
     if (context.least_norm && !reported.left_out.empty())
       RedundantRows(context.system).make_least(reported);
@@ -236,6 +279,31 @@ namespace samara
     if (motion.n_at_rest > 0)
       context.log.line("  static: " + std::to_string(motion.n_at_rest) +
                        " rigid motions that nothing relates to a drive or the ground; they are taken to be at rest");
+  }
+
+
+
+  void
+  StaticAnalysis::tell_instability(const Context &context)
+  {
+    const NegativeDirections negative = negative_directions(context.system, context.state, solver.get());
+    if (negative.number == n_negative_told)
+      return; // of a sweep each number once
+    n_negative_told = negative.number;
+    if (negative.number == 0)
+      return;
+    std::string text = negative.text(context.system);
+    if (!context.sweep.empty())
+      text = "at " + short_text(context.speeds[0]) + " rad/s " + text;
+    if (negative.turning != NegativeDirections::Turning::none)
+      text += negative.turning == NegativeDirections::Turning::in_parts ?
+                ". Analyses = static, modal or floquet tell whether motions grow" :
+                (negative.are_unstable() ? "" : ". Analyses = static, modal tells whether they hold it");
+    if (negative.are_unstable())
+      text +=
+        ". Look for a stable one: less load, a small imperfection that shows the way to it, Path = arc length from the "
+        "load where it is stable; if it moves to and fro from node to node, a finer mesh";
+    context.log.warning("static", text);
   }
 
 

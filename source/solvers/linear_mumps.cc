@@ -38,8 +38,8 @@ namespace samara
 
 
     /**
-     * MUMPS, real and complex, and MPI keep what belongs to one call in variables of their own: calls follow each other,
-     * also those for the real and the complex factors of a step, which two threads make.
+     * MUMPS, real and complex, and MPI keep what belongs to one call in variables of their own: calls follow each
+     * other, also those for the real and the complex factors of a step, which two threads make.
      */
     std::mutex one_at_a_time;
 
@@ -261,6 +261,47 @@ namespace samara
   {
     return std::make_unique<Mumps<Number>>(pattern);
   }
+
+  std::optional<int>
+  mumps_n_negative(const Pattern &pattern, const double *values)
+  {
+    start_mpi();
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    DMUMPS_STRUC_C                    data = {};
+    const auto                        run  = [&](const int job) {
+      data.job = job;
+      dmumps_c(&data);
+      return data.infog[0] >= 0;
+    };
+    data.par          = 1;
+    data.sym          = 2; // symmetric, indefinite
+    data.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
+    run(-1);
+    for (const int stream : {0, 1, 2, 3})
+      data.icntl[stream] = 0; // no output
+    data.icntl[13] = 100;     // per cent of memory more than foreseen
+    std::vector<MUMPS_INT> rows, columns;
+    std::vector<double>    lower;
+    for (int j = 0; j < pattern.size(); ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        if (pattern.rows[k] >= j && values[k] != 0.)
+          {
+            rows.push_back(pattern.rows[k] + 1);
+            columns.push_back(j + 1);
+            lower.push_back(values[k]);
+          }
+    data.n             = pattern.size();
+    data.nnz           = lower.size();
+    data.irn           = rows.data();
+    data.jcn           = columns.data();
+    data.a             = lower.data();
+    const bool has_any = run(1) && run(2);
+    const int  result  = data.infog[11];
+    run(-2);
+    return has_any ? std::optional<int>(result) : std::nullopt;
+  }
+
+
 
   template std::unique_ptr<Factorization<double>>               mumps_factorization(const Pattern &);
   template std::unique_ptr<Factorization<std::complex<double>>> mumps_factorization(const Pattern &);

@@ -75,7 +75,10 @@ namespace samara
     void find(const Context &context, const Linearization &linearization);
     void check_axes(const Context &context, const MovingAxes &seen) const;
     void check_errors(const Context &context) const;
-    /** Number the modes by branches, and name them by what the repeated parts do in them, or by what each blade does. */
+    /** Say whether the stiffness is negative in a direction, and whether modes that were found grow. */
+    void tell_instability(const Context &context, const Steady &steady) const;
+    /** Number the modes by branches, and name them by what the repeated parts do in them, or by what each blade does.
+     */
     void name(const Context &context, const Steady &steady);
     void name_families(const Context &context);
     void add_to_fan(const Context &context);

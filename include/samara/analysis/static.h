@@ -61,6 +61,7 @@ namespace samara
 
     std::clock_t                  processor_start = 0;
     bool                          has_told_motion = false; ///< why it is not steady; once in a sweep
+    unsigned int                  n_negative_told = 0;     ///< directions of negative stiffness; each number once
     std::unique_ptr<LinearSolver> solver;
     std::unique_ptr<History>      history, speed_history, path_history, limits_history;
     std::unique_ptr<Pictures>     pictures;
@@ -73,8 +74,11 @@ namespace samara
     void follow_load(Context &context);
     /** @} */
 
-    /** Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. */
-    int stability_sign(const Context &context, const State &state) const;
+    /**
+     * Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. Of large
+     * models it follows, if that is safe, from factors of Newton's method on the way to the @p state, if there are any.
+     */
+    int stability_sign(const Context &context, const State &state, bool has_factors) const;
     /**
      * Whether the equilibrium @p found is beyond a stability limit, seen from @p start, whose sign is found here if it
      * is needed.
@@ -117,6 +121,7 @@ namespace samara
 
     void              record(Context &context, const State &state, double progress, const NewtonResult &result);
     void              tell_motion(const Context &context);
+    void              tell_instability(const Context &context);
     void              tell_loads(const Context &context);
     void              tell_prescribed(const Context &context, const State &turning);
     [[noreturn]] void give_up(const Context &context, const NewtonResult &result, double fraction) const;

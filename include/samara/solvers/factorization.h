@@ -47,14 +47,18 @@ namespace samara
 
   template <typename Number>
   std::unique_ptr<Factorization<Number>> automatic_factorization(const Pattern &pattern,
-                                                                 Ordering ordering = Ordering::symmetric);
+                                                                 Ordering       ordering = Ordering::symmetric);
   template <typename Number>
   std::unique_ptr<Factorization<Number>> klu_factorization(const Pattern &pattern,
-                                                           Ordering ordering = Ordering::symmetric);
+                                                           Ordering       ordering = Ordering::symmetric);
   template <typename Number>
   std::unique_ptr<Factorization<Number>> umfpack_factorization(const Pattern &pattern);
   template <typename Number>
   std::unique_ptr<Factorization<Number>> mumps_factorization(const Pattern &pattern);
+
+  /** The number of negative eigenvalues of a symmetric matrix, by pivots of one and two rows; nothing if there are no
+   * factors. */
+  std::optional<int> mumps_n_negative(const Pattern &pattern, const double *values);
 } // namespace samara
 
 #endif
