@@ -91,11 +91,9 @@ namespace samara
     with_more_modes(std::vector<std::string> overrides, const unsigned int n_modes)
     {
       constexpr unsigned int more = 4;
-      if (n_modes > 0)
-        for (const std::string entry : {"Analyses = static, modal", "Modal/Animations = 0"})
-          overrides.push_back(entry);
-      if (n_modes > 0)
-        overrides.push_back("Modal/Modes = " + std::to_string(n_modes + more));
+      for (const std::string entry : {"Analyses = static, modal", "Modal/Animations = 0"})
+        overrides.push_back(entry);
+      overrides.push_back("Modal/Modes = " + std::to_string(n_modes + more));
       return overrides;
     }
 
@@ -401,10 +399,12 @@ namespace samara
         try
           {
             const Solution fine(catalogue, file, with_meshes(overrides, meshes, shells, 1), true);
+            const bool     with_modes = fine.n_modes > 0 && !shells.empty();
+            const auto     entries    = with_meshes(overrides, meshes, shells, 0);
             const Solution coarse(catalogue,
                                   file,
-                                  with_more_modes(with_meshes(overrides, meshes, shells, 0), fine.n_modes),
-                                  fine.n_modes > 0 && !shells.empty());
+                                  with_modes ? with_more_modes(entries, fine.n_modes) : entries,
+                                  with_modes);
             const double   estimate = std::sqrt(refine(meshes, shells, fine, coarse));
             if (passes != nullptr)
               passes->push_back({coarse.system.size(), estimate});

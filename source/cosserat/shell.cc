@@ -23,23 +23,19 @@ namespace samara
     prm.add(
       "Elements",
       elements_entry,
-      "Numbers of elements along u and v; one pair for all patches, or a pair for each: 4, 8; 2, 8; or <automatic, 1e-2>, "
-      "<automatic, 1e-2 from 4, 8; 2, 8>: as many, of the <Degree>, beginning with these, that the strains of the "
-      "equilibrium, or of the modes without loads, have this relative error in the energy norm, as estimated.");
-    prm.add(
-      "Mesh",
-      mesh_entries,
-      "Instead of <Elements>: where they end along u, by where they end along v, of each patch: 0.25 0.5 1 by 0.5 1; ...");
+      "Numbers of elements along u and v; one pair for all patches, or a pair for each: 4, 8; 2, 8; or <automatic, "
+      "1e-2>, <automatic, 1e-2 from 4, 8; 2, 8>: as many, beginning with these, that the strains of the equilibrium, "
+      "or of the modes without loads, have this relative error in the energy norm, as estimated.");
+    prm.add("Mesh",
+            mesh_entries,
+            "Instead of <Elements>: where they end along u by along v, of each patch: 0.25 0.5 1 by 0.5 1; ...");
     prm.add("Merge", merges, "Whether nodes of patches at one place are one node; false leaves a slit open.");
     prm.add("Grid",
             grid,
             "Instead of patches: a function of deal.II's GridGenerator that makes a surface in space, hyper_sphere, "
             "torus.");
     prm.add("Grid arguments", grid_arguments, "Its arguments, separated by colons: 0, 0, 0 : 1; plain SI numbers.");
-    prm.add("Refinements",
-            refinements,
-            "How often each cell of the grid or of the mesh file is cut into four.",
-            Integer(0, 10));
+    prm.add("Refinements", refinements, "How often each cell of a grid or mesh file is cut into four.", Integer(0, 10));
     prm.add_file(
       "Mesh file",
       mesh_file,
