@@ -30,9 +30,9 @@ int
 main()
 {
   const std::vector<Problem> problems = {
-    {"roof", "prm/benchmarks/shells/scordelis_lo_roof.prm", "roof", {}, 1e-3},
-    {"tank", "prm/benchmarks/shells/clamped_tank.prm", "tank", {}, 1e-4},
-    {"plate", "prm/verification/plate.prm", "plate", {"Bodies/plate/Degree = 3", "Constants/thickness = 1e-2"}, 1e-3},
+    {"roof", "prm/benchmarks/shells/scordelis_lo_roof.prm", "roof", {}, 3e-3},
+    {"tank", "prm/benchmarks/shells/clamped_tank.prm", "tank", {}, 3e-3},
+    {"plate", "prm/verification/plate.prm", "plate", {"Bodies/plate/Degree = 3", "Constants/thickness = 1e-2"}, 3e-3},
     {"hemisphere",
      "prm/examples/shells/pinched_hemisphere.prm",
      "shell",
@@ -59,7 +59,7 @@ main()
           const FoundMesh found(problem.model, all);
           tell("automatic", wanted, wanted * found.passes.back().estimate, found.overrides);
         }
-      for (const unsigned int n : {2, 4, 8, 12})
+      for (const unsigned int n : {2, 4, 8})
         {
           Words             all  = problem.entries;
           const std::string both = std::to_string(n) + ", " + std::to_string(n);

