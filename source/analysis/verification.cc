@@ -141,6 +141,10 @@ namespace samara
             tolerance,
             "Relative error of derivatives, and change of strains in rigid motions, beyond which an element is wrong.",
             dealii::Patterns::Double(0));
+    prm.add("Studies",
+            studies,
+            "Parameter studies that are run behind it, relative to the model's file: of orders of convergence, of the "
+            "thin limit, of energy in motion; report.md in the folder of the results has the tables of all.");
   }
 
 

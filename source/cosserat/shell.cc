@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace samara
 {
@@ -19,16 +20,22 @@ namespace samara
             patch_entries,
             "x, y, z of each patch of the reference surface as functions of u and v from 0 to 1: x, y, z; x, y, z; ... "
             "[m].");
-    prm.add("Elements",
-            element_counts,
-            "Numbers of elements along u and v; one pair for all patches, or a pair for each: 4, 8; 2, 8.");
+    prm.add(
+      "Elements",
+      elements_entry,
+      "Numbers of elements along u and v; one pair for all patches, or a pair for each: 4, 8; 2, 8; or <automatic, "
+      "1e-2>, <automatic, 1e-2 from 4, 8; 2, 8>: as many, beginning with these, that the strains of the equilibrium, "
+      "or of the modes without loads, have this relative error in the energy norm, as estimated.");
+    prm.add("Mesh",
+            mesh_entries,
+            "Instead of <Elements>: where they end along u by along v, of each patch: 0.25 0.5 1 by 0.5 1; ...");
     prm.add("Merge", merges, "Whether nodes of patches at one place are one node; false leaves a slit open.");
     prm.add("Grid",
             grid,
             "Instead of patches: a function of deal.II's GridGenerator that makes a surface in space, hyper_sphere, "
             "torus.");
     prm.add("Grid arguments", grid_arguments, "Its arguments, separated by colons: 0, 0, 0 : 1; plain SI numbers.");
-    prm.add("Refinements", refinements, "How often each cell of the grid is cut into four.", Integer(0, 10));
+    prm.add("Refinements", refinements, "How often each cell of a grid or mesh file is cut into four.", Integer(0, 10));
     prm.add_file(
       "Mesh file",
       mesh_file,
@@ -109,6 +116,50 @@ namespace samara
 
 
 
+  std::string
+  Shell::complaint_about_elements() const
+  {
+    const std::size_t n_patches = patch_entries.size(), n_counts = elements_entry.counts.size();
+    if (n_patches > 0 && n_counts != 1 && n_counts != n_patches)
+      return "give one pair of numbers of elements, or one for each of the " + std::to_string(n_patches) + " patches";
+    if (!mesh_entries.empty() && mesh_entries.size() != n_patches)
+      return "give a mesh for each of the " + std::to_string(n_patches) + " patches";
+    if (wanted_error() > 0 && takes_any_cell)
+      return "only shells of type <shell> find their elements automatically";
+    if (wanted_error() > 0 && degree > 5)
+      return "automatic elements have degrees up to 5, for they are compared with those of one degree more";
+    return "";
+  }
+
+
+
+  PatchMesh
+  Shell::mesh_of_patch(const unsigned int patch) const
+  {
+    if (!mesh_entries.empty())
+      return mesh_entries[patch];
+    const auto         &counts = elements_entry.counts;
+    const PatchElements n      = counts[counts.size() == 1 ? 0 : patch];
+    PatchMesh           result{Division(n.u), Division(n.v)};
+    // nodes of all degrees at points with names, as far as that is a matter of one patch
+    if (wanted_error() > 0 && patch_entries.size() == 1)
+      for (const auto &text : frame_entries)
+        {
+          std::string        name_of_point, place;
+          double             u = 0, v = 0;
+          std::istringstream words(split_at(text, name_of_point, place) ? place : "");
+          std::string        rest;
+          if (words >> u >> v && !(words >> rest) && std::min(u, v) >= 0 && std::max(u, v) <= 1)
+            {
+              result.u.add(u);
+              result.v.add(v);
+            }
+        }
+    return result;
+  }
+
+
+
   bool
   Shell::make_mesh()
   {
@@ -120,11 +171,9 @@ namespace samara
                               "shell <" + name + "> needs either <Patches>, or a <Grid>, or a <Mesh file>");
         return false;
       }
-    if (has_patches && element_counts.size() != 1 && element_counts.size() != patch_entries.size())
+    if (const std::string problem = complaint_about_elements(); !problem.empty())
       {
-        model->complaints.add(parameters.where("Elements"),
-                              "give one pair of numbers of elements, or one for each of the " +
-                                std::to_string(patch_entries.size()) + " patches");
+        model->complaints.add(parameters.where(mesh_entries.empty() ? "Elements" : "Mesh"), problem);
         return false;
       }
     table                = std::make_shared<ElementTable<2>>(degree);
@@ -133,11 +182,11 @@ namespace samara
     try
       {
         for (unsigned int i = 0; i < patch_entries.size(); ++i)
-          mesh->add_patch({patch_entries[i], element_counts[element_counts.size() == 1 ? 0 : i]});
+          mesh->add_patch({patch_entries[i], mesh_of_patch(i)});
         if (!grid.empty())
           mesh->add_grid(grid, grid_arguments, refinements);
         if (!mesh_file.empty())
-          mesh->add_cells(read_mesh_file(mesh_file), is_curved, crease);
+          mesh->add_cells(read_mesh_file(mesh_file), is_curved, crease, refinements);
         if (has_patches && merges)
           mesh->merge();
         mesh->finish(merges && has_patches);

@@ -115,14 +115,14 @@ namespace samara
     constexpr unsigned int ends[4][2] = {{0, 3}, {1, 2}, {0, 1}, {3, 2}};
 
     /** Where a node of a cell lies: in it, on a side, or at a corner. */
-    struct PlaceInCell
+    struct PlaceOfFile
     {
       double u, v;
       bool   on_u, on_v;
 
-      explicit PlaceInCell(const dealii::Point<2> &at)
-        : u(at[0])
-        , v(at[1])
+      PlaceOfFile(const double u, const double v)
+        : u(u)
+        , v(v)
         , on_u(u < 1e-12 || u > 1 - 1e-12)
         , on_v(v < 1e-12 || v > 1 - 1e-12)
       {}
@@ -141,7 +141,8 @@ namespace samara
 
 
 
-    /** The nodes that are made of a mesh: those at corners and on sides once for all cells that have them. */
+    /** The nodes that are made of a mesh: those at corners and on sides once for all cells that have them, those inside
+     * of a cell of the file once for all that it is cut into. */
     class SharedNodes
     {
     public:
@@ -149,37 +150,44 @@ namespace samara
         : nodes(nodes)
       {}
 
-      /** The node of the cell with the corners @p q at a place, which is at @p x unless it is a corner. */
+      /** The node of the cell @p c of the file at a place, which is at @p x unless it is a corner. */
       unsigned int
-      number(const ImportedMesh &mesh, const std::array<unsigned int, 4> &q, const PlaceInCell &at, const Vector3 &x)
+      number(const ImportedMesh &mesh, const unsigned int c, const PlaceOfFile &at, const Vector3 &x)
       {
+        const auto &q = mesh.quadrilaterals[c];
         if (at.on_u && at.on_v)
           return once(of_vertex, q[at.corner()], mesh.vertices[q[at.corner()]]);
         if (!at.on_u && !at.on_v)
-          return add(x);
+          return once(of_cell[c], {whole(at.u), whole(at.v)}, x);
         const unsigned int i = q[ends[at.side()][0]], j = q[ends[at.side()][1]];
         const double       s = at.on_u ? at.v : at.u;
         // Gauss–Lobatto nodes are symmetric
-        return once(of_side[ends_of(i, j)], std::lround(1e6 * (i < j ? s : 1 - s)), x);
+        return once(of_side[ends_of(i, j)], whole(i < j ? s : 1 - s), x);
       }
 
     private:
-      using Numbers = std::map<unsigned int, unsigned int>;
-      std::vector<Vector3>   &nodes;
-      Numbers                 of_vertex;
-      std::map<Ends, Numbers> of_side; ///< by the place along it, from the smaller end
+      template <typename Key>
+      using Numbers = std::map<Key, unsigned int>;
+      std::vector<Vector3>                                  &nodes;
+      Numbers<unsigned int>                                  of_vertex;
+      std::map<Ends, Numbers<long>>                          of_side; ///< by the place along it
+      std::map<unsigned int, Numbers<std::pair<long, long>>> of_cell;
 
-      unsigned int
-      add(const Vector3 &x)
+      static long
+      whole(const double s)
       {
-        nodes.push_back(x);
-        return nodes.size() - 1;
+        return std::lround(1e8 * s);
       }
+
+      template <typename Key>
       unsigned int
-      once(Numbers &numbers, const unsigned int key, const Vector3 &x)
+      once(Numbers<Key> &numbers, const Key &key, const Vector3 &x)
       {
         const auto found = numbers.find(key);
-        return found != numbers.end() ? found->second : numbers[key] = add(x);
+        if (found != numbers.end())
+          return found->second;
+        nodes.push_back(x);
+        return numbers[key] = nodes.size() - 1;
       }
     };
 
@@ -214,35 +222,47 @@ namespace samara
 
 
   void
-  ShellMesh::add_cells(const ImportedMesh &mesh, const bool curved, const double crease)
+  ShellMesh::add_cells(const ImportedMesh &mesh, const bool curved, const double crease, const unsigned int refinements)
   {
     const std::map<Ends, SideCurve>   curves = curves_of_sides(mesh, crease);
-    std::map<Ends, std::vector<Side>> sides;
+    const unsigned int                n      = 1u << refinements; // cells along each side of one of the file
+    std::map<Ends, std::vector<Side>> sides;                      // n of each cell that has it
     SharedNodes                       shared(nodes);
-    for (const auto &q : mesh.quadrilaterals)
+    for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
       {
-        const auto along = [&](const unsigned int side, const double from_first) {
+        const auto &q     = mesh.quadrilaterals[c];
+        const auto  along = [&](const unsigned int side, const double from_first) {
           const unsigned int i = q[ends[side][0]], j = q[ends[side][1]];
           const SideCurve   &curve = curves.at(ends_of(i, j));
           const double       s     = i < j ? from_first : 1 - from_first;
           return curved ? curve.at(s) : Vector3((1 - s) * curve.x[0] + s * curve.x[1]);
         };
+        // of the four sides (Coons)
+        const auto place = [&](const double u, const double v) {
+          return Vector3((1 - u) * along(0, v) + u * along(1, v) + (1 - v) * along(2, u) + v * along(3, u) -
+                         (1 - u) * (1 - v) * mesh.vertices[q[0]] - u * (1 - v) * mesh.vertices[q[1]] -
+                         u * v * mesh.vertices[q[2]] - (1 - u) * v * mesh.vertices[q[3]]);
+        };
+        const unsigned int first = cells.size();
         for (unsigned int side = 0; side < 4; ++side)
-          sides[ends_of(q[ends[side][0]], q[ends[side][1]])].push_back({static_cast<unsigned int>(cells.size()), side});
-        cells.emplace_back();
-        cells.back().patch = n_patches;
-        for (const auto &unit : table.nodes)
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const unsigned int across = side % 2 == 0 ? 0 : n - 1;
+              sides[ends_of(q[ends[side][0]], q[ends[side][1]])].push_back(
+                {first + (side < 2 ? across + n * k : k + n * across), side});
+            }
+        for (unsigned int k = 0; k < n * n; ++k)
           {
-            const PlaceInCell at(unit);
-            const double      u = at.u, v = at.v;
-            // of the four sides (Coons)
-            const Vector3 x = (1 - u) * along(0, v) + u * along(1, v) + (1 - v) * along(2, u) + v * along(3, u) -
-                              (1 - u) * (1 - v) * mesh.vertices[q[0]] - u * (1 - v) * mesh.vertices[q[1]] -
-                              u * v * mesh.vertices[q[2]] - (1 - u) * v * mesh.vertices[q[3]];
-            cells.back().nodes.push_back(shared.number(mesh, q, at, x));
+            cells.emplace_back();
+            cells.back().patch = n_patches;
+            for (const auto &unit : table.nodes)
+              {
+                const PlaceOfFile at((k % n + unit[0]) / n, (k / n + unit[1]) / n);
+                cells.back().nodes.push_back(shared.number(mesh, c, at, place(at.u, at.v)));
+              }
           }
       }
-    name_edges(mesh, sides);
+    name_edges(mesh, sides, n);
     ++n_patches;
   }
 
@@ -250,22 +270,27 @@ namespace samara
 
   void
   ShellMesh::name_edges(const ImportedMesh                                                       &mesh,
-                        const std::map<std::pair<unsigned int, unsigned int>, std::vector<Side>> &sides)
+                        const std::map<std::pair<unsigned int, unsigned int>, std::vector<Side>> &sides,
+                        const unsigned int                                                        n)
   {
+    const auto add = [&](const std::string &name, const std::vector<Side> &of_first) {
+      auto &edge = edges["edge " + name];
+      edge.insert(edge.end(), of_first.begin(), of_first.begin() + n);
+    };
     for (const auto &[name, lines] : mesh.lines)
       for (const auto &line : lines)
         {
           const auto found = sides.find(std::minmax(line[0], line[1]));
           if (found == sides.end())
             throw std::invalid_argument("a line of <" + name + "> is no side of a quadrilateral");
-          edges["edge " + name].push_back(found->second.front());
+          add(name, found->second);
         }
     for (const auto &[name, vertices] : mesh.sets)
       {
         const std::set<unsigned int> in_set(vertices.begin(), vertices.end());
         for (const auto &[key, of_cells] : sides)
-          if (of_cells.size() == 1 && in_set.count(key.first) > 0 && in_set.count(key.second) > 0)
-            edges["edge " + name].push_back(of_cells.front());
+          if (of_cells.size() == n && in_set.count(key.first) > 0 && in_set.count(key.second) > 0)
+            add(name, of_cells);
       }
   }
 } // namespace samara

@@ -105,15 +105,12 @@ namespace samara
       CurvePart
       part_at(const double s) const
       {
-        const auto number = [](const double x, const unsigned int n) {
-          return static_cast<unsigned int>(std::min(std::max(std::floor(x * n + rounding), 0.), n - 1.));
-        };
-        return {s, s, number(curve.u(s), cells.elements.u), number(curve.v(s), cells.elements.v)};
+        return {s, s, cells.mesh.u.piece(curve.u(s), rounding), cells.mesh.v.piece(curve.v(s), rounding)};
       }
       unsigned int
       cell_of(const CurvePart &part) const
       {
-        return cells.first + part.i + part.j * cells.elements.u;
+        return cells.number(part.i, part.j);
       }
 
       /** Shares of the nodes of the cell in the place at s, and their derivatives by s. At an end of the part the place
@@ -198,8 +195,8 @@ namespace samara
         double way = 0;
         for (const double s : {0.5 * (part.from + part.to), part.to})
           way = std::max({way,
-                          std::abs(curve.u(s) - curve.u(part.from)) * cells.elements.u,
-                          std::abs(curve.v(s) - curve.v(part.from)) * cells.elements.v});
+                          std::abs(curve.u(s) - curve.u(part.from)) / cells.mesh.u.length(part.i),
+                          std::abs(curve.v(s) - curve.v(part.from)) / cells.mesh.v.length(part.j)});
         return way < least;
       };
       for (const CurvePart &part : parts)
@@ -224,9 +221,11 @@ namespace samara
     std::array<Eigen::VectorXd, 2>
     CurveOnCells::shares(const CurvePart &part, const double s, const bool at_end) const
     {
-      constexpr double on_side  = 2e-6;
-      double           at[2]    = {curve.u(s) * cells.elements.u - part.i, curve.v(s) * cells.elements.v - part.j};
-      double           slope[2] = {curve.u.derivative(s) * cells.elements.u, curve.v.derivative(s) * cells.elements.v};
+      constexpr double on_side   = 2e-6;
+      const double     length[2] = {cells.mesh.u.length(part.i), cells.mesh.v.length(part.j)};
+      double           at[2]     = {(curve.u(s) - cells.mesh.u.start(part.i)) / length[0],
+                                    (curve.v(s) - cells.mesh.v.start(part.j)) / length[1]};
+      double           slope[2]  = {curve.u.derivative(s) / length[0], curve.v.derivative(s) / length[1]};
       for (double &x : at)
         if (at_end && std::min(std::abs(x), std::abs(x - 1)) < on_side)
           x = std::round(x);

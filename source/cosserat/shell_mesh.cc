@@ -35,52 +35,21 @@ namespace samara
 
 
 
-  PatchElements
-  Value<PatchElements>::read(const std::string &text, const std::string &, const Quantities &quantities)
-  {
-    const auto words = split_top_level(text, ',');
-    if (words.size() != 2)
-      throw std::invalid_argument("<" + text + ">: write two numbers of elements, along u and along v: 4, 8");
-    const PatchElements result{Value<unsigned int>::read(words[0], "", quantities),
-                               Value<unsigned int>::read(words[1], "", quantities)};
-    for (const unsigned int n : {result.u, result.v})
-      if (n == 0 || n > 2000)
-        throw std::invalid_argument("<" + text + ">: a patch has 1 to 2000 elements along u and along v");
-    return result;
-  }
-
-
-
-  std::string
-  Value<PatchElements>::write(const PatchElements &value)
-  {
-    return std::to_string(value.u) + ", " + std::to_string(value.v);
-  }
-
-
-
-  PatternPointer
-  Value<PatchElements>::pattern()
-  {
-    return std::make_unique<dealii::Patterns::Anything>();
-  }
-
-
-
   void
   ShellMesh::add_patch(const ShellPatch &patch)
   {
-    const std::vector<double> xi = line_nodes(table);
-    const unsigned int        p = table.degree, n_u = patch.elements.u * p + 1, n_v = patch.elements.v * p + 1;
+    const std::vector<double> xi  = line_nodes(table);
+    const PatchMesh          &cut = patch.mesh;
+    const unsigned int        p = table.degree, n_u = cut.u.n() * p + 1, n_v = cut.v.n() * p + 1;
     const unsigned int        number     = n_patches++;
     const unsigned int        first      = nodes.size();
-    const auto                coordinate = [&](const unsigned int i, const unsigned int n) {
-      return i == n * p ? 1. : (i / p + xi[i % p]) / n;
+    const auto                coordinate = [&](const unsigned int i, const Division &division) {
+      return i == division.n() * p ? 1. : division.at(i / p, xi[i % p]);
     };
     for (unsigned int j = 0; j < n_v; ++j)
       for (unsigned int i = 0; i < n_u; ++i)
         {
-          const double  u = coordinate(i, patch.elements.u), v = coordinate(j, patch.elements.v);
+          const double  u = coordinate(i, cut.u), v = coordinate(j, cut.v);
           const Vector3 x(patch.position[0](u, v), patch.position[1](u, v), patch.position[2](u, v));
           if (!x.allFinite())
             throw std::invalid_argument("patch " + std::to_string(number + 1) + " has no place at u = " +
@@ -88,10 +57,10 @@ namespace samara
           origins.push_back({number, u, v, static_cast<unsigned int>(nodes.size())});
           nodes.push_back(x);
         }
-    patch_cells.push_back({static_cast<unsigned int>(cells.size()), patch.elements});
+    patch_cells.push_back({static_cast<unsigned int>(cells.size()), cut});
     const std::string prefix = number == 0 ? "" : "patch " + std::to_string(number + 1) + " ";
-    for (unsigned int j = 0; j < patch.elements.v; ++j)
-      for (unsigned int i = 0; i < patch.elements.u; ++i)
+    for (unsigned int j = 0; j < cut.v.n(); ++j)
+      for (unsigned int i = 0; i < cut.u.n(); ++i)
         {
           const unsigned int index = cells.size();
           cells.emplace_back();
@@ -105,11 +74,11 @@ namespace samara
             }
           if (i == 0)
             edges[prefix + "edge u0"].push_back({index, 0});
-          if (i + 1 == patch.elements.u)
+          if (i + 1 == cut.u.n())
             edges[prefix + "edge u1"].push_back({index, 1});
           if (j == 0)
             edges[prefix + "edge v0"].push_back({index, 2});
-          if (j + 1 == patch.elements.v)
+          if (j + 1 == cut.v.n())
             edges[prefix + "edge v1"].push_back({index, 3});
         }
   }

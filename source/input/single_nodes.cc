@@ -28,15 +28,28 @@ namespace samara
                                                     "ball on cylinder",
                                                     "ellipsoid on plane"};
 
-    /** The points an item gives moments to, as its entries say. */
-    std::vector<std::string>
-    places_of_moments(const Item &item)
+    /** What an item gives to the points of its entries; nothing if it is neither a joint nor a load at a point. */
+    enum class Given
     {
-      const bool is_joint =
-        dynamic_cast<const Joint *>(&item) != nullptr || dynamic_cast<const FlexibleJoint *>(&item) != nullptr;
-      const bool is_load = dynamic_cast<const ConcentratedLoad *>(&item) != nullptr && item.parameters.is_set("Moment");
-      if (!is_load && (!is_joint || joints_of_forces.count(item.kind) > 0))
-        return {};
+      nothing,
+      force,
+      moment
+    };
+
+    Given
+    given_by(const Item &item)
+    {
+      if (dynamic_cast<const ConcentratedLoad *>(&item) != nullptr)
+        return item.parameters.is_set("Moment") ? Given::moment : Given::force;
+      if (dynamic_cast<const Joint *>(&item) == nullptr && dynamic_cast<const FlexibleJoint *>(&item) == nullptr)
+        return Given::nothing;
+      return joints_of_forces.count(item.kind) > 0 ? Given::force : Given::moment;
+    }
+
+    /** The points an item names. */
+    std::vector<std::string>
+    places_of(const Item &item)
+    {
       std::ostringstream said;
       item.parameters.print(said);
       Complaints               none;
@@ -67,7 +80,7 @@ namespace samara
 
 
   std::vector<std::string>
-  moments_at_single_nodes(const Model &model)
+  loads_at_single_nodes(const Model &model)
   {
     std::vector<std::string> warnings;
     if (std::none_of(model.items.begin(), model.items.end(), [](const auto &item) {
@@ -75,18 +88,24 @@ namespace samara
         }))
       return warnings;
     for (const auto &item : model.items)
-      for (const std::string &path : places_of_moments(*item))
-        {
-          const auto         dot = path.find('.');
-          const Shell *const shell =
-            dot == std::string::npos ? nullptr : shell_named(model, item->name, trim(path.substr(0, dot)));
-          if (shell != nullptr && shell->is_single_node(trim(path.substr(dot + 1))))
-            warnings.push_back(item->parameters.where() + ": <" + item->name + "> gives a moment to a single node, <" +
-                               path +
-                               ">: the rotation of a shell there has no limit as its elements get smaller, and results "
-                               "depend on the mesh. Attach it to one of the <Rigid edges> of the shell, or to edges by "
-                               "a joint of type distributing");
-        }
+      if (const Given given = given_by(*item); given != Given::nothing)
+        for (const std::string &path : places_of(*item))
+          {
+            const auto         dot = path.find('.');
+            const Shell *const shell =
+              dot == std::string::npos ? nullptr : shell_named(model, item->name, trim(path.substr(0, dot)));
+            if (shell == nullptr || !shell->is_single_node(trim(path.substr(dot + 1))))
+              continue;
+            const bool is_moment = given == Given::moment;
+            warnings.push_back(
+              item->parameters.where() + ": <" + item->name + "> gives a " + (is_moment ? "moment" : "force") +
+              " to a single node, <" + path + ">: " +
+              (is_moment ? "the rotation of a shell there has no limit as its elements get smaller, and results "
+                           "depend on the mesh. " :
+                           "the deflection of a shell there grows with the logarithm of the number of its elements, "
+                           "which matters where these are smaller than it is thick. ") +
+              "Attach it to one of the <Rigid edges> of the shell, or to edges by a joint of type distributing");
+          }
     return warnings;
   }
 } // namespace samara

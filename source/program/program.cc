@@ -16,6 +16,7 @@
 #include <samara/study/several_models.h>
 #include <samara/study/study.h>
 #include <samara/study/trim_variants.h>
+#include <samara/study/verification_studies.h>
 
 #include <algorithm>
 #include <chrono>
@@ -215,7 +216,8 @@ namespace samara
 
 
 
-    /** Whether a beam may have a mesh that is to be found; then a model is made of the file for each attempt. */
+    /** Whether a beam or a shell may have a mesh that is to be found; then a model is made of the file for each
+     * attempt. */
     bool
     has_automatic_meshes(const Outline &outline, const std::vector<std::string> &overrides)
     {
@@ -256,7 +258,7 @@ namespace samara
         throw InputError(with_place({of_laws}, input.where("Title")));
       if (const std::string near = nearly_redundant_text(system, counts.redundant_multipliers); !near.empty())
         log.warning("", near);
-      for (const auto &text : moments_at_single_nodes(input.model))
+      for (const auto &text : loads_at_single_nodes(input.model))
         log.warning("", text);
       return counts;
     }
@@ -384,7 +386,10 @@ namespace samara
     if (input.assembled)
       log.line(input.assembled->text());
     if (options.check)
-      return tell_check(options, system, counts, log);
+      {
+        run_verification_studies(options, input, "", run, log);
+        return tell_check(options, system, counts, log);
+      }
     system.drop(counts.redundant_multipliers);
     const bool least_norm = counts.mark(probes);
 
@@ -406,6 +411,7 @@ namespace samara
     analyse(input, counts, context);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
+    run_verification_studies(options, input, folder, run, log);
     log.line("done in " + short_text(seconds) + " s; results are in " + folder);
   }
 

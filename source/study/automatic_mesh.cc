@@ -4,6 +4,7 @@
 #include <samara/cosserat/beam.h>
 #include <samara/input/input.h>
 #include <samara/study/automatic_mesh.h>
+#include <samara/study/automatic_shells.h>
 
 #include <deal.II/fe/fe_series.h>
 
@@ -16,7 +17,7 @@ namespace samara
 {
   namespace
   {
-    constexpr unsigned int highest_degree = 4, most_passes = 60, most_elements = 2000;
+    constexpr unsigned int highest_degree = 4, most_passes = 60, most_elements = 2000, most_cells = 10'000;
 
     struct BeamMesh
     {
@@ -67,8 +68,12 @@ namespace samara
 
 
     std::vector<std::string>
-    with_meshes(std::vector<std::string> overrides, const Meshes &meshes, const unsigned int higher)
+    with_meshes(std::vector<std::string> overrides,
+                const Meshes            &meshes,
+                const ShellMeshes       &shells,
+                const unsigned int       higher)
     {
+      shells.add_overrides(higher, overrides);
       for (const auto &[name, mesh] : meshes)
         {
           auto elements = mesh.elements;
@@ -76,6 +81,19 @@ namespace samara
             element.degree += higher;
           overrides.push_back("Bodies/" + name + "/Mesh = " + mesh_to_text(elements));
         }
+      return overrides;
+    }
+
+
+
+    /** So that those of another mesh are among these modes, though their order may differ. */
+    std::vector<std::string>
+    with_more_modes(std::vector<std::string> overrides, const unsigned int n_modes)
+    {
+      constexpr unsigned int more = 4;
+      for (const std::string entry : {"Analyses = static, modal", "Modal/Animations = 0"})
+        overrides.push_back(entry);
+      overrides.push_back("Modal/Modes = " + std::to_string(n_modes + more));
       return overrides;
     }
 
@@ -131,6 +149,7 @@ namespace samara
         if (!is_there || !with_modes)
           return;
         modal.run(context);
+        n_modes = modal.modes.size();
         for (const auto &mode : modal.modes)
           for (const bool imaginary : {false, true})
             strains.push_back(strains_of(mode, imaginary));
@@ -140,6 +159,13 @@ namespace samara
       System                           system;
       std::vector<std::vector<double>> strains;
       bool                             is_static = false; ///< the first of them are those of the equilibrium
+      unsigned int                     n_modes   = 0;
+
+      SolvedStrains
+      solved() const
+      {
+        return {input.model, strains, is_static};
+      }
 
     private:
       std::ostringstream stream;
@@ -209,40 +235,48 @@ namespace samara
 
 
 
-    /** Of each element, errors relative to the energy of the whole model, summed over equilibrium and modes. */
-    Indicators
-    relative_indicators(const Solution &fine, const Solution &coarse)
+    /** Twice the energy of each solution in all bodies; zero where it is round-off: rigid motions have none. */
+    std::vector<double>
+    energies_of(const Solution &solution)
     {
-      Indicators                                             result;
-      const auto                                             beams        = beams_of(fine.input.model);
-      const auto                                             coarse_beams = beams_of(coarse.input.model);
-      std::vector<std::vector<std::vector<Eigen::MatrixXd>>> all; // of each solution, beam, element
-      std::vector<double>                                    energies;
-      for (const auto &e : fine.strains)
+      std::vector<double> energies;
+      for (const auto &e : solution.strains)
         {
-          all.emplace_back();
-          energies.push_back(0.);
-          for (const auto *const beam : beams)
-            {
-              all.back().push_back(beam->legendre_coefficients(e.data() + beam->first_strain));
-              for (const auto &a : all.back().back())
-                energies.back() += a.squaredNorm();
-            }
+          energies.push_back(energy_of_shells(solution.input.model, e));
+          for (const auto *const beam : beams_of(solution.input.model))
+            for (const auto &a : beam->legendre_coefficients(e.data() + beam->first_strain))
+              energies.back() += a.squaredNorm();
         }
       const double largest = energies.empty() ? 0. : *std::max_element(energies.begin(), energies.end());
+      for (unsigned int k = solution.is_static; k < energies.size(); ++k)
+        energies[k] = energies[k] > 1e-10 * largest ? energies[k] : 0.;
+      return energies;
+    }
+
+
+
+    /** Of each element of beams, errors relative to the energies of the whole model, summed over equilibrium and modes.
+     */
+    Indicators
+    relative_indicators(const Solution &fine, const Solution &coarse, const std::vector<double> &energies)
+    {
+      Indicators result;
+      const auto beams        = beams_of(fine.input.model);
+      const auto coarse_beams = beams_of(coarse.input.model);
       for (unsigned int k = 0; k < energies.size(); ++k)
-        if (energies[k] > 1e-10 * largest || (k == 0 && fine.is_static && energies[k] > 0)) // rigid motions have none
+        if (energies[k] > 0)
           for (unsigned int b = 0; b < beams.size(); ++b)
             {
+              const auto own = beams[b]->legendre_coefficients(fine.strains[k].data() + beams[b]->first_strain);
               std::vector<Eigen::MatrixXd> of_mesh;
               if (k == 0 && fine.is_static)
                 of_mesh =
                   coarse_beams[b]->legendre_coefficients(coarse.strains[0].data() + coarse_beams[b]->first_strain);
               auto &sum = result[beams[b]->name];
-              sum.resize(all[k][b].size());
+              sum.resize(own.size());
               for (unsigned int i = 0; i < sum.size(); ++i)
                 {
-                  Indicator here = indicator_of(all[k][b][i], of_mesh.empty() ? nullptr : &of_mesh[i]);
+                  Indicator here = indicator_of(own[i], of_mesh.empty() ? nullptr : &of_mesh[i]);
                   here.error /= energies[k];
                   // the decay of what has the larger part of the error
                   if (here.error > sum[i].error)
@@ -271,11 +305,13 @@ namespace samara
 
     /** Refine where it is worth it; returns the square of the error relative to what is wanted. */
     double
-    refine(Meshes &meshes, const Solution &fine, const Solution &coarse)
+    refine(Meshes &meshes, ShellMeshes &shells, const Solution &fine, const Solution &coarse)
     {
-      const auto indicators = relative_indicators(fine, coarse);
-      double     sum = 0, largest = 0, largest_geometry = 0;
-      Meshes     refined = meshes;
+      const std::vector<double> energies   = energies_of(fine);
+      const auto                indicators = relative_indicators(fine, coarse, energies);
+      const double              of_shells  = shells.measure(fine.solved(), coarse.solved(), energies);
+      double                    of_beams = 0, largest = 0, largest_geometry = 0;
+      Meshes                    refined = meshes;
       for (const bool marking : {false, true})
         for (const auto *const beam : beams_of(fine.input.model))
           {
@@ -293,17 +329,20 @@ namespace samara
                   beam->geometry_error(mesh.start(i), mesh.elements[i].end, mesh.elements[i].degree) / mesh.wanted;
                 if (!marking)
                   {
-                    sum += error;
+                    of_beams += error;
                     largest          = std::max(largest, error);
                     largest_geometry = std::max(largest_geometry, geometry);
                   }
                 else if (geometry > 1)
                   refine(refined[beam->name].elements, i, true);
-                else if (error > 0.25 * largest && sum > 1)
+                else if (error > 0.25 * largest && of_beams + of_shells > 1 && of_beams > 0.1 * of_shells)
                   refine(refined[beam->name].elements, i, found->second[i].decay > std::log(2.));
               }
           }
-      meshes = refined;
+      meshes           = refined;
+      const double sum = of_beams + of_shells;
+      if (sum > 1)
+        shells.refine(sum);
       return std::max(sum, largest_geometry * largest_geometry);
     }
 
@@ -321,8 +360,11 @@ namespace samara
 
 
     void
-    tell(const Meshes &meshes, const double estimate, Log &log)
+    tell(const Meshes &meshes, const ShellMeshes &shells, const double estimate, Log &log)
     {
+      for (const auto &shell : shells.told())
+        log.line("mesh of <" + shell.name + ">: " + shell.elements + ", estimated error " +
+                 short_text(estimate * shell.wanted));
       for (const auto &[name, mesh] : meshes)
         {
           std::string degrees;
@@ -343,23 +385,33 @@ namespace samara
               Log                     &log,
               std::vector<MeshPass>   *passes)
   {
-    Meshes meshes = first_meshes(Input(catalogue, file, overrides).model);
-    if (meshes.empty())
+    const Input first(catalogue, file, overrides);
+    Meshes      meshes = first_meshes(first.model);
+    ShellMeshes shells(first.model);
+    if (meshes.empty() && shells.empty())
       return overrides;
-    for (unsigned int pass = 0; pass < most_passes && n_elements(meshes) <= most_elements; ++pass)
+    for (unsigned int pass = 0;
+         pass < most_passes && n_elements(meshes) <= most_elements && shells.n_cells() <= most_cells;
+         ++pass)
       {
-        const Meshes tried = meshes;
+        const Meshes      tried        = meshes;
+        const ShellMeshes tried_shells = shells;
         try
           {
-            const Solution coarse(catalogue, file, with_meshes(overrides, meshes, 0), false);
-            const Solution fine(catalogue, file, with_meshes(overrides, meshes, 1), true);
-            const double   estimate = std::sqrt(refine(meshes, fine, coarse));
+            const Solution fine(catalogue, file, with_meshes(overrides, meshes, shells, 1), true);
+            const bool     with_modes = fine.n_modes > 0 && !shells.empty();
+            const auto     entries    = with_meshes(overrides, meshes, shells, 0);
+            const Solution coarse(catalogue,
+                                  file,
+                                  with_modes ? with_more_modes(entries, fine.n_modes) : entries,
+                                  with_modes);
+            const double   estimate = std::sqrt(refine(meshes, shells, fine, coarse));
             if (passes != nullptr)
               passes->push_back({coarse.system.size(), estimate});
             if (estimate <= 1)
               {
-                tell(tried, estimate, log);
-                return with_meshes(overrides, tried, 0);
+                tell(tried, tried_shells, estimate, log);
+                return with_meshes(overrides, tried, tried_shells, 0);
               }
           }
         catch (const NotConverged &problem)
@@ -371,6 +423,7 @@ namespace samara
             for (auto &mesh : meshes)
               for (unsigned int i = mesh.second.elements.size(); i-- > 0;)
                 refine(mesh.second.elements, i, false);
+            shells.refine_everywhere();
           }
       }
     throw NotConverged(

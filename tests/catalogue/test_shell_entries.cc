@@ -87,6 +87,7 @@ TEST_F(Catalogued, Shells)
         "Bodies/it",
         {{"Patches", "u, 0.5*v, 0; 1 + u*cos(0.5), 0.5*v, u*sin(0.4)"},
          {"Elements", "3, 1"},
+         {"Mesh", "0.2 1 by 1; 1 by 1"},
          {"Merge", "false"},
          {"Curves", "rail at 2*s, 0.5", {}, true},
          {"Grid", "hyper_cube", joined(places, {"Bodies/it/Grid arguments = 0 : 1 : true"}), false, {no_patches}},

@@ -38,8 +38,9 @@ namespace samara
       double       change_in_motion; ///< relative
       double       third_difference; ///< relative
     };
-    std::vector<Row> rows;
-    double           error_of_tangent = 0, error_of_damping = 0, error_of_rates = 0;
+    std::vector<Row>         rows;
+    std::vector<std::string> studies; ///< entry: files, run behind it by verification_studies.h
+    double                   error_of_tangent = 0, error_of_damping = 0, error_of_rates = 0;
 
   private:
     double tolerance = 1e-9;

@@ -47,8 +47,8 @@ namespace samara
     std::vector<Span>        edge(const std::string &name) const override;
     std::vector<std::string> edges() const override;
     /** Of the entry "Curves", or a straight line in u and v. */
-    std::vector<LinePiece>   curve(const std::string &path) const override;
-    double                   thickness() const override;
+    std::vector<LinePiece> curve(const std::string &path) const override;
+    double                 thickness() const override;
     /** The cell that is longest for its tension, if it is too long. */
     std::string coarse_place(const State &state) const override;
 
@@ -57,6 +57,47 @@ namespace samara
     void                     draw(const State &state, Drawing &drawing) const override;
 
     std::vector<unsigned int> rigid_nodes() const override;
+
+    /** @name Automatic meshes, see automatic_mesh.h @{ */
+    /** The wanted relative error of the strains if the mesh is to be found; 0 if not, or if it has been. */
+    double                 wanted_error() const;
+    std::vector<PatchMesh> patch_meshes() const;
+
+    unsigned int
+    degree_of_elements() const
+    {
+      return degree;
+    }
+    unsigned int
+    n_refinements() const
+    {
+      return refinements;
+    }
+
+    /**
+     * Strains @p e of this shell at the points of integration of another one with the same patches or cells, whose
+     * cells each are part of one of this, times the root of the other's stiffness and weights: of their square half is
+     * the energy.
+     */
+    Eigen::VectorXd energy_samples(const double *e, const Shell &finer) const;
+
+    /** Square of the error of a cell, and what cuts across its first and second unit coordinate take away of it. */
+    struct CellError
+    {
+      double error = 0, across[2] = {0, 0};
+    };
+    /** From the difference of two energy_samples() at the points of this shell. */
+    std::vector<CellError> errors_of_cells(const Eigen::VectorXd &difference) const;
+
+    /** A finer mesh: of patches the one whose strips are cut where errors per cell have this part of the largest; else
+     * each cell cut once more. */
+    struct Refined
+    {
+      std::vector<PatchMesh> patches;
+      unsigned int           refinements;
+    };
+    Refined refined(const std::vector<CellError> &errors, double part) const;
+    /** @} */
 
     /** Whether a point is one node of a flexible shell that is on none of its rigid edges. */
     bool is_single_node(const std::string &point) const;
@@ -69,8 +110,9 @@ namespace samara
   private:
     // entries
     std::vector<std::array<SurfaceFunction, 3>> patch_entries;
-    std::vector<PatchElements>                  element_counts = {PatchElements()};
-    bool                                        merges         = true;
+    ShellElements                               elements_entry;
+    std::vector<PatchMesh>                      mesh_entries;
+    bool                                        merges = true;
     std::string                                 grid, grid_arguments, mesh_file;
     bool                                        is_curved   = true;
     unsigned int                                refinements = 0;
@@ -108,13 +150,16 @@ namespace samara
     std::map<std::string, NamedPoint> named;
     std::vector<Matrix3>              node_axes; ///< of the reference configuration, of the nodes of the mesh
 
-    void    add_material_parameters(Parameters &prm);
-    void    make_laminates();
-    void    add_laminate(const std::string &entry, const std::string &layup);
-    bool    make_mesh();
-    void    make_rule();
-    MatrixN stiffness(const Laminate &laminate) const;
-    Matrix6 inertia(const Laminate &laminate) const; ///< per area, in the axes of the surface
+    void add_material_parameters(Parameters &prm);
+    void make_laminates();
+    void add_laminate(const std::string &entry, const std::string &layup);
+    bool make_mesh();
+    /** Of a patch, as entries say. */
+    PatchMesh   mesh_of_patch(unsigned int patch) const;
+    std::string complaint_about_elements() const;
+    void        make_rule();
+    MatrixN     stiffness(const Laminate &laminate) const;
+    Matrix6     inertia(const Laminate &laminate) const; ///< per area, in the axes of the surface
     /** Number of the laminate of a cell. */
     unsigned int laminate_of(unsigned int cell) const;
     void         make_nodes_and_elements();

@@ -3,6 +3,7 @@
 
 #include <samara/base/surface_function.h>
 #include <samara/cosserat/element_table.h>
+#include <samara/cosserat/patch_mesh.h>
 #include <samara/rotation/rotation.h>
 
 #include <deal.II/grid/tria.h>
@@ -16,30 +17,11 @@ namespace samara
 {
   struct ImportedMesh;
 
-  /** Numbers of elements along the two coordinates of a patch, written "4, 8". */
-  struct PatchElements
-  {
-    unsigned int u = 4, v = 4;
-  };
-
-  template <>
-  struct Value<PatchElements>
-  {
-    static constexpr char separator = ';';
-    static constexpr bool has_unit  = false;
-
-    static PatchElements  read(const std::string &text, const std::string &unit, const Quantities &quantities);
-    static std::string    write(const PatchElements &value);
-    static PatternPointer pattern();
-  };
-
-
-
   /** A patch as users write it: x, y, z [m] as functions of u and v from 0 to 1. */
   struct ShellPatch
   {
     std::array<SurfaceFunction, 3> position;
-    PatchElements                  elements;
+    PatchMesh                      mesh;
   };
 
 
@@ -85,12 +67,17 @@ namespace samara
     };
     std::vector<Origin> origins;
 
-    /** The cells of a patch that has coordinates: first + i + j elements.u is the one from u = i/elements.u, v =
-     * j/elements.v on. */
+    /** The cells of a patch that has coordinates: first + i + j n_u is the one in column i and row j. */
     struct PatchCells
     {
-      unsigned int  first;
-      PatchElements elements;
+      unsigned int first;
+      PatchMesh    mesh;
+
+      unsigned int
+      number(const unsigned int i, const unsigned int j) const
+      {
+        return first + i + j * mesh.u.n();
+      }
     };
     std::vector<PatchCells> patch_cells;
 
@@ -114,9 +101,10 @@ namespace samara
      * those of the averaged normals of the straight cells that differ by less than the angle @p crease [rad]; where
      * planes meet at a crease, sides follow the crease. Edges are "edge NAME" by the names of lines and, of sides that
      * belong to one cell, of sets of nodes.
+     * Each cell is cut into four so many times, on the surface that the cells of the file have.
      * @throws std::invalid_argument for named lines that are no sides.
      */
-    void add_cells(const ImportedMesh &mesh, bool curved, double crease);
+    void add_cells(const ImportedMesh &mesh, bool curved, double crease, unsigned int refinements);
 
     /** Nodes at one place, as near as 1e-6 of the size of all, become one. @throws if a cell would lose a node by it.
      */
@@ -162,6 +150,22 @@ namespace samara
     /** x,₁ and x,₂ of a cell at one of its nodes. */
     std::array<Vector3, 2> tangents(const Cell &cell, unsigned int node) const;
 
+    /** Of each cell the numbers of two strips: all cells that are cut together if its first unit coordinate is to be
+     * halved, for what is cut across a side is cut on both sides of it; and those for the second. */
+    std::vector<std::array<unsigned int, 2>> strips() const;
+
+    /** The meshes of the patches with the strips of these numbers cut in two. */
+    std::vector<PatchMesh> refined(const std::vector<bool> &strips) const;
+
+    /** A cell and unit coordinates in it. */
+    struct PlaceInCell
+    {
+      unsigned int cell;
+      double       xi[2];
+    };
+    /** Where the place of a cell is in another mesh of the same patches, or of the same cells. */
+    PlaceInCell same_place(const PlaceInCell &place, const ShellMesh &other) const;
+
     double size() const; ///< diagonal of the box about all nodes [m]
 
     /** "the cell of patch 2 about (1, 2, 0)", for messages */
@@ -172,7 +176,8 @@ namespace samara
     unsigned int           n_patches = 0;
 
     void name_edges(const ImportedMesh                                                       &mesh,
-                    const std::map<std::pair<unsigned int, unsigned int>, std::vector<Side>> &sides);
+                    const std::map<std::pair<unsigned int, unsigned int>, std::vector<Side>> &sides,
+                    unsigned int                                                              n);
 
     /** The sides of "line u 0.5"; @p nearest becomes the coordinate of the nodes nearest to it. */
     std::vector<Side> sides_of_line(const std::string &line, double &nearest) const;
