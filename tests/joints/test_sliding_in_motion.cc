@@ -329,30 +329,27 @@ TEST(SlidingInMotion, OrdersOfTheAbscissa)
 {
   const auto values = [](const unsigned int s, const double radius, const double h) {
     BeadOnBeam b     = soft_beam();
-    b.inertia        = "0.3"; // slow enough for these steps
-    b.rod            = " set Elements = 1\n set Degree = 3\n set Angular velocity = 0, 0, 2\n";
+    b.inertia        = "0.3"; // nothing faster than these steps
+    b.rod            = " set Elements = 1\n set Degree = 3\n set Angular velocity = 0, 0, 4\n";
+    b.bead           = " set Velocity = 3, 1.804, 0\n";
     b.stages         = s;
     b.radius         = radius;
-    b.end            = 0.16;
+    b.end            = 0.32;
     b.step           = h;
     const auto scene = b.run();
     return std::array<double, 2>{scene->value("slide.arc length"), scene->value("bead.position y")};
   };
-  const auto exact = values(3, 1, 0.001);
+  const auto exact = values(3, 1, 0.0016);
   for (const unsigned int s : {1u, 2u, 3u})
-    for (const double radius : {1., 0.3})
+    for (const double radius : {1., 0.})
       {
-        const double h = s < 3 ? 0.005 : radius < 1 ? 0.004 : 0.01;
+        const double h = s == 3 && radius == 1 ? 0.016 : 0.008; // above round-off
         const auto   a = values(s, radius, h), b = values(s, radius, h / 2);
         for (unsigned int i = 0; i < 2; ++i)
-          {
-            const double order    = std::log2(std::abs(a[i] - exact[i]) / std::abs(b[i] - exact[i])),
-                         expected = 2. * s - (radius < 1 ? 1 : 0);
-            EXPECT_GT(order, expected - 0.6) << "s = " << s << ", rho = " << radius << ", "
-                                             << "Sy"[i];
-            EXPECT_LT(order, expected + 0.9) << "s = " << s << ", rho = " << radius << ", "
-                                             << "Sy"[i];
-          }
+          EXPECT_NEAR(std::log2(std::abs(a[i] - exact[i]) / std::abs(b[i] - exact[i])),
+                      2. * s - (radius < 1 ? 1 : 0),
+                      0.45)
+            << "s = " << s << ", rho = " << radius << (i == 0 ? ", S" : ", y");
       }
 }
 
