@@ -378,6 +378,37 @@ namespace samara
 
 
 
+  template <typename Number>
+  Vec3<Number>
+  SlidingJoint::tangent_in_rows(const Point<Number> &point) const
+  {
+    const Number sigma = point.coordinates[coordinate()];
+    if (!point.held && is_far(std::real(sigma)))
+      return Vec3<Number>::Zero();
+    const Number       S       = start + sigma;
+    const Vec3<Number> tangent = axes_of_rows.transpose() * rail->place(rail->weights(S), point.q).x[1];
+    const Number       square  = tangent.cwiseProduct(tangent).sum();
+    return tangent / std::sqrt(square);
+  }
+
+
+
+  Vector3
+  SlidingJoint::direction_of_slip(const Point<double> &point) const
+  {
+    return tangent_in_rows(point);
+  }
+
+
+
+  Vec3<std::complex<double>>
+  SlidingJoint::direction_of_slip(const Point<std::complex<double>> &point) const
+  {
+    return tangent_in_rows(point);
+  }
+
+
+
   void
   SlidingJoint::connect(Layout &layout)
   {
@@ -426,6 +457,6 @@ namespace samara
     layout.add(*this, *term);
     add_stops(layout);
     add_springs(layout);
-    add_friction(layout); // of a preload alone
+    add_friction(layout);
   }
 } // namespace samara

@@ -115,6 +115,28 @@ TEST(SwashPlate, PitchFollowsFromGeometry)
 
 
 
+// Scissors of three revolutes have parallel axes: the upper plate could slide and tilt about one of them, and a plate that
+// is tilted needs both tilts once a turn. The run says which constraints contradict each other.
+TEST(SwashPlate, LocksWithThreeRevolutes)
+{
+  Scene scene("prm/rotorcraft/swash_plate.prm", {"Joints/ball/Type = revolute", "Joints/ball/Axis = 0, 1, 0"});
+  auto &dynamics = scene.analysis<DynamicAnalysis>();
+  dynamics.start(scene.context);
+  try
+    {
+      dynamics.run(scene.context);
+      FAIL();
+    }
+  catch (const NotConverged &problem)
+    {
+      const std::string text = problem.what();
+      EXPECT_NE(text.find("contradict each other"), std::string::npos) << text;
+      EXPECT_NE(text.find("joint knee"), std::string::npos) << text;
+    }
+}
+
+
+
 // The plates slide along a shaft that bends: the slider is on the polynomials through the shaft's nodes and square to
 // its sections, held by its finger, and the pitch is that of hub and slider where they are.
 TEST(SwashPlate, FollowsAFlexibleShaft)

@@ -26,6 +26,10 @@ MOTIONS = {
     "spring": {"length": (False, None)},
     "rolling ball": {},
     "knife edge": {},
+    "skew universal": {"rotation 1": (True, 0), "rotation 2": (True, 1)},
+    "springs in fixed axes": {},
+    "point on curve": {},
+    "rolling disc": {},
     "sliding point": {"displacement": (False, None)},
     "sliding sleeve": {"displacement": (False, None)},
     "sliding prismatic": {"displacement": (False, None)},
@@ -316,6 +320,11 @@ class Mechanism:
                 yield f"{joint.name}.{motion}"
             if joint.kind.startswith("sliding"):
                 yield f"{joint.name}.arc length"
+                if joint.entries.get("At the ends") == "leave" or getattr(joint, "leaves", False):
+                    yield f"{joint.name}.attached"
+        for gear in self.gears:
+            if getattr(gear, "backlash", 0):
+                yield f"{gear.name}.moment"
         for contact in self.contacts:
             if hasattr(contact, "balls"):
                 yield from contact.probes()

@@ -55,9 +55,15 @@ class Line:
 def slider_rows(model, joint, table, world):
     """As judges.rows."""
     beam = next(body for body in model.bodies if body.name == joint.a)
+    moved = table[joint.name + ".displacement"]
+    yield "displacement", False, np.diff(table[joint.name + ".arc length"] - moved)
+    if not isinstance(beam, Beam):
+        return  # a shell, of which nodes are not written
     unit = world.units[0]
     line = Line(beam, table, unit)
     x, turn, near = line.at(table[joint.name + ".arc length"])
+    if joint.entries.get("At the ends") == "leave":
+        near = near | (table[joint.name + ".attached"] == 0)  # nothing holds it any more
     E0, n = world.turn @ joint.axes, len(x)
     if joint.b == "ground":
         at, E = np.tile(unit * (world.turn @ joint.place + world.shift), (n, 1)), np.tile(E0, (n, 1, 1))
@@ -67,8 +73,6 @@ def slider_rows(model, joint, table, world):
     apart = np.where(near[:, None], 0, at - x)
     for i in range(3):
         yield f"place {'xyz'[i]} on the beam", False, apart[:, i]
-    moved = table[joint.name + ".displacement"]
-    yield "displacement", False, np.diff(table[joint.name + ".arc length"] - moved)
     if len(beam.line) > 2:
         return  # its directors turn along the line
     c = np.where(near[:, None, None], np.eye(3), np.einsum("nki,nkj->nij", E, d))

@@ -9,6 +9,7 @@ import extremes
 import judges
 import mutations
 import relatives
+from further import Further, curved_mechanism, further_mechanism, rough_further
 from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
 from outline import render
@@ -110,6 +111,23 @@ def placed_trials(seed):
     yield RelativeTrial(f"placed-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-5)
 
 
+def further_trial(seed):
+    return MechanismTrial(f"further {seed}", further_mechanism(seed))
+
+
+def curved_trial(seed):
+    return MechanismTrial(f"curved {seed}", curved_mechanism(seed))
+
+
+def further_relatives(seed):
+    """The same kinds turned and in another unit: few steps, as what leaves and rattles amplifies."""
+    for name, model, tolerance in (("further", further_mechanism(seed), 1e-5), ("curved", curved_mechanism(seed), 1e-6)):
+        model = model.with_(steps=5, newton=1e-13)
+        model.radius = 0.5 if model.stages == 1 else model.radius
+        yield ShelledRelativeTrial(f"{name}-turned {seed}", model, relatives.turned(Further(f"turned {seed}")), tolerance)
+        yield ShelledRelativeTrial(f"{name}-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), tolerance)
+
+
 def shelled_trial(seed):
     return MechanismTrial(f"shelled {seed}", shelled_mechanism(seed))
 
@@ -176,6 +194,12 @@ def short(program):
         yield shelled_trial(seed)
     for seed in range(3):
         yield from shelled_relatives(seed)
+    for seed in range(200, 210):
+        yield further_trial(seed)
+    for seed in range(200, 204):
+        yield curved_trial(seed)
+    yield from further_relatives(200)
+    yield RoughTrial("rough-further 200", rough_further(200))
     # chosen by their names, so that an entry more in the catalogue leaves the others as they are
     yield from sorted(extreme_trials(program), key=lambda trial: zlib.crc32(trial.name.encode()))[:14]
 
@@ -191,6 +215,10 @@ def endless(program, start):
         yield from (touching_trial(10 * seed + k) for k in range(10))
         yield from relative_trials(seed)
         yield from placed_trials(seed)
+        yield from (further_trial(10 * seed + k) for k in range(10))
+        yield from (curved_trial(10 * seed + k) for k in range(3))
+        yield from further_relatives(seed)
+        yield from (RoughTrial(f"rough-further {10 * seed + k}", rough_further(10 * seed + k)) for k in range(5))
         yield from (shelled_trial(10 * seed + k) for k in range(5))
         yield from shelled_relatives(seed)
         yield from (RoughTrial(f"rough-touching {10 * seed + k}", rough_touching(10 * seed + k)) for k in range(5))

@@ -1,7 +1,7 @@
 #ifndef samara_joints_normal_force_h
 #define samara_joints_normal_force_h
 
-#include <samara/model/layout.h>
+#include <samara/model/slip_line.h>
 
 #include <cmath>
 
@@ -37,14 +37,16 @@ namespace samara
 
   /**
    * The force that presses where something rubs, at the state as it is (Layout::Friction): N = preload + |reactions| +
-   * force of the stop. Local unknowns of who uses it are the slips, the coordinate of the stop, then others, then the
-   * multipliers.
+   * force of the stop. Of reactions of what has a line of slip, what they have across it; that it turns with places is
+   * left out of the slopes, as nothing slips where those are wanted. Local unknowns of who uses it are the slips, the
+   * coordinate of the stop, then others, then the multipliers.
    */
   class NormalForce
   {
   public:
     NormalForce(const Layout &layout, const Layout::Friction &friction)
       : friction(friction)
+      , line(slip_line_of(layout, friction))
       , has_stop(friction.stop >= 0)
     {
       if (has_stop)
@@ -112,9 +114,10 @@ namespace samara
           slopes.push_back({static_cast<unsigned int>(friction.coordinates.size()),
                             (stop.law.slope(g) + damper(point).by_gap) * stop.side});
         }
-      const double size = reaction(point);
+      const Eigen::VectorXd across = reactions(point);
+      const double          size   = across.norm();
       for (unsigned int j = 0; j < friction.multipliers.size() && size > 0; ++j)
-        slopes.push_back({first_multiplier + j, point.multipliers[friction.multipliers[j]] / size});
+        slopes.push_back({first_multiplier + j, across(j) / size});
       return slopes;
     }
 
@@ -126,9 +129,10 @@ namespace samara
     }
 
   private:
-    const Layout::Friction friction;
-    const bool             has_stop;
-    Layout::Stop           stop{};
+    const Layout::Friction   friction;
+    const HasSlipLine *const line;
+    const bool               has_stop;
+    Layout::Stop             stop{};
 
     ContactLaw::Damper
     damper(const Point<double> &point) const
@@ -136,14 +140,29 @@ namespace samara
       return stop.law.damper(penetration(stop, point), penetration_rate(stop, point));
     }
 
-    /** The size of the reactions. */
+    /** What they have across the line of the slip. */
+    template <typename Number>
+    Eigen::Matrix<Number, Eigen::Dynamic, 1>
+    reactions(const Point<Number> &point) const
+    {
+      Eigen::Matrix<Number, Eigen::Dynamic, 1> result(friction.multipliers.size());
+      for (unsigned int i = 0; i < result.size(); ++i)
+        result(i) = point.multipliers[friction.multipliers[i]];
+      if (line != nullptr)
+        {
+          const Vec3<Number> along = line->direction_of_slip(point);
+          result -= along.cwiseProduct(result).sum() * along;
+        }
+      return result;
+    }
+
+    /** Their size. */
     template <typename Number>
     Number
     reaction(const Point<Number> &point) const
     {
-      Number square = 0;
-      for (const auto i : friction.multipliers)
-        square += point.multipliers[i] * point.multipliers[i];
+      const auto   across = reactions(point);
+      const Number square = across.cwiseProduct(across).sum();
       return std::real(square) > 0 ? std::sqrt(square) : Number(0);
     }
   };

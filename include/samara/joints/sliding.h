@@ -4,6 +4,7 @@
 #include <samara/joints/joint.h>
 #include <samara/joints/rail.h>
 #include <samara/model/bends.h>
+#include <samara/model/slip_line.h>
 
 namespace samara
 {
@@ -23,7 +24,8 @@ namespace samara
    * not, so that all of them together do no work.
    *
    * "displacement" is S − S₀ [m]: its spring, damper, force, ... act along the beam, on B and with their reaction on
-   * the beam. Multipliers of the position are the force of B on A [N].
+   * the beam. What presses for its friction is the force of the position across x'(S), without moments. Multipliers of
+   * the position are the force of B on A [N].
    *
    * Beyond both ends of the beam the line goes on straight for a hundredth of its length, as stops need it; farther out
    * nothing is defined, and no solution is found there. "At the ends = stop" puts stops there.
@@ -31,7 +33,7 @@ namespace samara
    * "At the ends = leave": a step in time ends where S gets to an end, and from there on nothing holds B. That it has
    * left is said by the state alone: S is parked a hundred lengths away, S = parked is one row, λ = 0 are the others.
    */
-  class SlidingJoint : public Joint, public HasBends, public CanLeave
+  class SlidingJoint : public Joint, public HasBends, public CanLeave, public HasSlipLine
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -44,6 +46,16 @@ namespace samara
 
     /** Where pieces of the beam meet. */
     std::vector<Bend> bends() const override;
+
+    /** @name The tangent of the beam where B is, along the axes of the rows of the position @{ */
+    unsigned int
+    multiplier_of_force() const override
+    {
+      return first_multiplier;
+    }
+    Vector3                    direction_of_slip(const Point<double> &point) const override;
+    Vec3<std::complex<double>> direction_of_slip(const Point<std::complex<double>> &point) const override;
+    /** @} */
 
     /** @name Leaving the beam at its ends @{ */
     Exits       exits() const override;
@@ -113,6 +125,9 @@ namespace samara
     }
 
     /** Factors of the products E_i·d_k in one of the rows, and their derivatives by S, at S − S₀ = @p sigma. */
+    template <typename Number>
+    Vec3<Number> tangent_in_rows(const Point<Number> &point) const;
+
     template <typename Number>
     std::array<Mat3<Number>, 3> coefficients(const Cosine &cosine, const Number &sigma) const;
 
