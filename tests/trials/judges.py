@@ -147,7 +147,8 @@ def drives(model, table, world, times):
                 yield joint.name, "prescribed " + name, angle, (np.radians(probed) if angle else probed) - wanted
     for gear in model.gears:
         a, b = (np.radians(table[joint.name + ".rotation"]) for joint in (gear.a, gear.b))
-        yield gear.name, "ratio", True, b - gear.ratio * a
+        play = np.radians(table[gear.name + ".play"]) if gear.mesh else 0.0
+        yield gear.name, "play" if gear.mesh else "ratio", True, b - gear.ratio * a - play
 
 
 def constraints(model, run, world, tolerance=1e-8):
