@@ -95,6 +95,11 @@ namespace samara
       "Beams",
       beams,
       "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, not in modes, and surfaces at stations.");
+    prm.add("Rods",
+            rods,
+            "Rigid cylinders between two points, with round ends: drum from 0 -0.1 0 to 0 0.1 0 radius 0.05, in the "
+            "reference configuration, inertial components, in SI units. They touch balls, beams and each other at "
+            "nearest places, as beams do.");
     prm.add("Stations",
             stations,
             "Places at which each element of a beam touches planes, cylinders, tubes and hollow balls.",
@@ -273,7 +278,7 @@ namespace samara
                   bead.place.push_back({span.frames[a], lagrange(span.abscissae, a, s)});
                 group.beads.push_back(bead);
               }
-          if (const double s = corner_of(spans); touching == "all" && (!balls.empty() || beams.size() > 1) && s > 0)
+          if (const double s = corner_of(spans); touching == "all" && (!balls.empty() || n_lines() > 1) && s > 0)
             throw std::invalid_argument("<" + shape.path + "> has a corner at s = " + number_to_text("%.4g", s) +
                                         " m, where nearest places are not determined: make two beams of it, or let "
                                         "<Touching = surfaces>");
@@ -292,15 +297,61 @@ namespace samara
 
 
   void
+  ContactsItem::add_rods()
+  {
+    for (const auto &text : rods)
+      try
+        {
+          const Shape       shape(text, {{"from", 3}, {"to", 3}, {"radius", 1}});
+          const Vector3     from = shape.vector("from"), to = shape.vector("to");
+          const double      radius = shape.above_zero("radius"), length = (to - from).norm();
+          const Item *const body =
+            shape.path == "ground" ? nullptr : &model->find<Body>(shape.path.substr(0, shape.path.find('.')), "body");
+          if (!(length > 1e-3 * radius))
+            throw std::invalid_argument("the rod of <" + shape.path + "> has no length: take a ball");
+          const Frame frame = model->frame(shape.path);
+          const auto  at    = [&](const Vector3 &x) { return model->frame_at(frame, x, Matrix3::Identity()); };
+          group.lines.push_back(
+            {{{{at(from), at(to)}, {0., length}, 0., length}}, radius, body, "the rod of <" + shape.path + ">"});
+        }
+      catch (const FollowUp &problem)
+        {
+          model->complaints.add(parameters.where("Rods"), problem.what());
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          complain("Rods", problem.what());
+        }
+  }
+
+
+
+  void
+  ContactsItem::check_stations() const
+  {
+    for (const auto &surface : group.surfaces)
+      for (const auto &bead : group.beads)
+        if (surface.kind == PairShape::cylinder && !surface.hollow && !bead.is_ball && bead.body != surface.body &&
+            0.5 * bead.part >= surface.radius + bead.radius)
+          return complain("Cylinders",
+                          surface.name + " may slip between two stations of the beam with " + bead.name +
+                            ", which are " + number_to_text("%.3g", bead.part) +
+                            " m apart: more <Stations>, or take <Rods>, which beams touch anywhere");
+  }
+
+
+
+  void
   ContactsItem::check_law()
   {
     const std::string whose = "contacts <" + name + ">";
-    if ((!balls.empty() || beams.size() > 1) && touching == "all" && !contact.is_given())
-      complain("Stiffness", "balls, and beams that touch each other, need a <Stiffness> above zero");
+    if ((!balls.empty() || n_lines() > 1) && touching == "all" && !contact.is_given())
+      complain("Stiffness", "balls, and beams and rods that touch each other, need a <Stiffness> above zero");
     else if (!balls.empty() && !contact.is_given())
       complain("Stiffness", "balls need a <Stiffness> above zero");
     if (!beams.empty() && !group.surfaces.empty() && line_stiffness == 0)
       complain("Line stiffness", "beams need a <Line stiffness> above zero");
+    check_stations();
     PairLaw &all           = group.laws.front();
     all.law                = contact.law(parameters, "", whose, model->complaints);
     all.line_law           = all.law;
@@ -332,6 +383,7 @@ namespace samara
     const std::size_t n_before = m.complaints.count();
     add_balls();
     add_beams();
+    add_rods();
     add_surfaces(planes, "Planes", PairShape::plane, false);
     add_surfaces(cylinders, "Cylinders", PairShape::cylinder, false);
     add_surfaces(tubes, "Tubes", PairShape::cylinder, true);

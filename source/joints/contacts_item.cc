@@ -183,6 +183,8 @@ namespace samara
       bodies.push_back(surface.body != nullptr ? surface.body->name : "ground");
     for (const auto &bead : group.beads)
       bodies.push_back(bead.body != nullptr ? bead.body->name : "ground");
+    for (const auto &line : group.lines)
+      bodies.push_back(line.body != nullptr ? line.body->name : "ground");
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     for (const auto &body : bodies)

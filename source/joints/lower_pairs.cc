@@ -60,6 +60,38 @@ namespace samara
 
 
   void
+  RubbingJoint::initialize(Model &m)
+  {
+    Joint::initialize(m);
+    std::vector<unsigned int> displacements;
+    if (plane.is_given())
+      for (const std::string motion : {"displacement 1", "displacement 2"})
+        displacements.push_back(*use_coordinate(m, motion));
+    if (plane.is_given())
+      plane.initialize(m, *this, parameters.subsection("displacement"), displacements);
+    if (ball.is_given())
+      ball.initialize(m, *this, parameters.subsection("rotation"), {});
+  }
+
+
+
+  void
+  RubbingJoint::connect(Layout &layout)
+  {
+    Joint::connect(layout);
+    if (rows.empty())
+      return; // it has complained
+    std::vector<unsigned int> pressing;
+    for (unsigned int i = 0; i < locked.size(); ++i)
+      if (locked[i].function.kind == PairFunction::gap)
+        pressing.push_back(first_multiplier + i);
+    plane.connect(layout, *this, frame_a, frame_b, pressing);
+    ball.connect(layout, *this, frame_a, frame_b, pressing);
+  }
+
+
+
+  void
   Planar::add_parameters(Parameters &prm)
   {
     lock_displacement(2);
@@ -69,6 +101,7 @@ namespace samara
     free_displacement(1, "displacement 2");
     free_rotation_about_3();
     Joint::add_parameters(prm);
+    plane.add_parameters(prm);
   }
 
 
@@ -79,5 +112,6 @@ namespace samara
     for (const unsigned int i : {0, 1, 2})
       lock_displacement(i);
     Joint::add_parameters(prm);
+    ball.add_parameters(prm);
   }
 } // namespace samara

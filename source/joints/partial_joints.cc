@@ -12,6 +12,7 @@ namespace samara
     lock_displacement(1);
     free_displacement(2);
     Joint::add_parameters(prm);
+    ball.add_parameters(prm);
   }
 
 
@@ -32,6 +33,8 @@ namespace samara
     free_displacement(0, "displacement 1");
     free_displacement(1, "displacement 2");
     Joint::add_parameters(prm);
+    plane.add_parameters(prm);
+    ball.add_parameters(prm);
   }
 
 

@@ -54,6 +54,45 @@ namespace samara
 
 
 
+  namespace
+  {
+    /**
+     * Nearest places move along lines, and axes of cylinders turn: h Σ b r misses g_f − g_i by O(h^(2s+1)), and forces
+     * along the gradient miss U_f − U_i by U'_m times that. A force along the velocity of B against A does what is
+     * missing. Its factor [N s/m], of a pair whose part is one; zero, so that the step is refused, if it were more than
+     * a hundredth of the force that presses.
+     */
+    double
+    factor_of_missing_work(const ContactGroup                     &group,
+                           const ContactGroup::Pair               &pair,
+                           const Tableau                          &tableau,
+                           const StepGaps                         &gaps,
+                           const std::vector<PairMeasure<double>> &measures,
+                           const double                            h,
+                           StopForces                             &forces)
+    {
+      constexpr double part_of_force = 0.01;
+      if (!pair.a_is_line && group.shape(pair).kind != PairShape::cylinder)
+        return 0; // φ is quadratic: the work is exact to round-off
+      const double mean    = group.law_of(pair).mean(gaps.start, gaps.end).force,
+                   missing = gaps.end - gaps.start - gaps.change;
+      double squares = 0, fastest = 0;
+      for (unsigned int k = 0; k < tableau.s; ++k)
+        {
+          const double speed = measures[k].whole.norm();
+          squares += tableau.b(k) * speed * speed;
+          fastest = std::max(fastest, speed);
+        }
+      if (mean == 0 || !(std::abs(missing) * fastest < part_of_force * h * squares))
+        return 0;
+      forces.elastic += mean * missing;
+      forces.work_defect = std::abs(forces.work_defect) + std::abs(mean * missing);
+      return mean * missing / (h * squares);
+    }
+  } // namespace
+
+
+
   void
   StageContacts::evaluate(Near                             &n,
                           const std::vector<Point<double>> &stages,
@@ -74,17 +113,16 @@ namespace samara
     const double              scale = shape.sign() / (0.5 * (n.distance + at_end.distance));
     std::array<double, 3>     gaps{}, rates{};
     // with places alone most pairs are found not to touch
-    bool may_touch = n.gap > 0 || at_end.gap > 0;
-    for (unsigned int k = 0; k < tableau.s && !may_touch; ++k)
-      may_touch = !(group.gap(n.pair, stages[k].q) <= 0);
-    n.is_touched = may_touch;
-    if (!may_touch)
+    n.is_touched = n.gap > 0 || at_end.gap > 0;
+    for (unsigned int k = 0; k < tableau.s && !n.is_touched; ++k)
+      n.is_touched = !(group.gap(n.pair, stages[k].q) <= 0);
+    if (!n.is_touched)
       return;
     std::vector<PairMeasure<double>> &measures = measures_of_stages;
     measures.clear();
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        n.is_lost = !group.find_sides(n.pair, stages[k].q, sides_of_stages[k]) || sides_of_stages[k].is_parallel;
+        n.is_lost    = !group.find_sides(n.pair, stages[k].q, sides_of_stages[k]) || sides_of_stages[k].is_parallel;
         n.is_touched = !n.is_lost;
         if (n.is_lost)
           return;
@@ -92,12 +130,10 @@ namespace samara
         gaps[k]  = measures[k].gap;
         rates[k] = scale * measures[k].rate;
       }
-    n.forces                              = contact_forces(group.law_of(n.pair),
-                              tableau,
-                              StepGaps(tableau, n.gap, gaps.data(), at_end.gap, rates.data(), h),
-                              rates.data(),
-                              h);
-    const double                part      = group.part_of(n.pair);
+    const StepGaps in_step(tableau, n.gap, gaps.data(), at_end.gap, rates.data(), h);
+    n.forces               = contact_forces(group.law_of(n.pair), tableau, in_step, rates.data(), h);
+    const double part      = group.part_of(n.pair),
+                 along_way = part * factor_of_missing_work(group, n.pair, tableau, in_step, measures, h, n.forces);
     const PairLaw              &of_bodies = group.bodies_of(n.pair);
     std::array<Vec3<double>, 3> of_bristles;
     if (n.bristles >= 0)
@@ -113,6 +149,8 @@ namespace samara
         ContactForces<double> forces(m, f * scale, dampers);
         if (n.bristles >= 0)
           forces.add_rub(m, of_bristles[k]);
+        if (along_way != 0)
+          forces.add_rub(m, along_way * m.whole);
         group.add_forces(
           n.pair,
           sides_of_stages[k],

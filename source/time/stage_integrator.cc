@@ -16,6 +16,39 @@ namespace samara
     /** Part of the largest force by which it may change in the last correction, and how fast such changes must shrink
      * for the factors to be kept: where nothing moves, forces alone show that factors are old. */
     constexpr double change_of_force_that_counts = 1e-3, slow_change_of_force = 0.3;
+
+    /**
+     * The stop of a distance that nothing touches in the step, but that would be touched if the points flew straight,
+     * with the distance and its rate at the start and the distance at the end; null if there is none. Of balls d² =
+     * d_i² + 2 d_i ḋ_i t + v² t².
+     */
+    const Layout::Stop *
+    passed_unseen(const System                   &system,
+                  const State                    &start,
+                  const std::vector<double>      &end,
+                  const std::vector<TouchedStop> &touched,
+                  const double                    h)
+    {
+      constexpr double part    = 0.9; // less is the chord of a path that is bent
+      const auto      &lengths = system.model.lengths;
+      for (const Layout::Stop &stop : system.layout.stops)
+        {
+          const auto found = lengths.find(stop.coordinate);
+          if (found == lengths.end() || stop.side > 0)
+            continue;
+          const double least = found->second + stop.place, from = found->second + start.coordinates[stop.coordinate],
+                       to  = found->second + end[stop.coordinate];
+          const auto is_it = [&](const TouchedStop &t) { return &system.layout.stops[t.stop] == &stop; };
+          if (from <= least || to <= least || std::any_of(touched.begin(), touched.end(), is_it))
+            continue;
+          const double slope  = 2 * from * start.rates[stop.coordinate],
+                       square = (to * to - from * from - slope * h) / (h * h);
+          if (slope < 0 && square > 0 && -slope < 2 * square * h &&
+              from * from - 0.25 * slope * slope / square < part * part * least * least)
+            return &stop;
+        }
+      return nullptr;
+    }
   } // namespace
 
 
@@ -166,6 +199,11 @@ namespace samara
           result.worst = system.layout.of_coordinate(i);
           return false;
         }
+    if (const auto *const stop = passed_unseen(system, state, final_coordinates, result.touched_stops, h))
+      {
+        result.refusal = stop->name + ": the two pass each other between two stages of the step";
+        return false;
+      }
     check_rows_left_out(state);
     return true;
   }

@@ -142,6 +142,39 @@ TEST_F(Catalogued, Prototypes)
 
 
 
+namespace
+{
+  /** What the entries of a friction against several motions at once are worth trying with, in their subsection. */
+  Changes
+  changes_of_vector_friction(const std::string &motion)
+  {
+    const std::string        path  = "Joints/it/" + motion + "/";
+    std::vector<std::string> slips = {path + "Friction = 0.3", path + "Friction preload = 100"};
+    Changes                  changes;
+    if (motion == "rotation")
+      {
+        slips.push_back(path + "Friction radius = 0.1");
+        changes.push_back({"Friction radius", "0.2", slips});
+      }
+    std::vector<std::string> sticks = slips, bends = slips;
+    sticks.insert(sticks.end(), {path + "Static friction = 0.5", path + "Stribeck speed = 0.5"});
+    bends.push_back(path + "Bristle stiffness = 200");
+    const Changes all = {{"Friction", "0.4", slips},
+                         {"Friction preload", "50", slips},
+                         {"Static friction", "0.6", sticks},
+                         {"Stribeck speed", "0.8", sticks},
+                         {"Sticking speed", "0.01", slips},
+                         {"Bristle stiffness", "300", slips},
+                         {"Bristle damping", "20", bends}};
+    changes.insert(changes.end(), all.begin(), all.end());
+    for (auto &change : changes)
+      change.entry = motion + " / " + change.entry;
+    return changes;
+  }
+} // namespace
+
+
+
 TEST_F(Catalogued, LowerPairs)
 {
   check_joint("revolute", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"rotation"});
@@ -156,9 +189,9 @@ TEST_F(Catalogued, LowerPairs)
   check_joint("planar",
               tilted,
               "it.force 3, it.displacement 1",
-              joined(ends, {gap, axis, on_b, axis_1}),
+              joined(ends, {gap, axis, on_b, axis_1, changes_of_vector_friction("displacement")}),
               {"displacement 1", "displacement 2", "rotation"});
-  check_joint("spherical", "", "it.force 1", joined(ends, {gap, axis, axis_1}));
+  check_joint("spherical", "", "it.force 1", joined(ends, {gap, axis, axis_1, changes_of_vector_friction("rotation")}));
 }
 
 
@@ -180,12 +213,18 @@ TEST_F(Catalogued, OtherJoints)
               tilted,
               "it.force 1",
               joined(ends, {gap, axis, axis_1, {{"Second axis", "1, 2, 0"}}}));
-  check_joint("in line", tilted, "it.force 1", joined(ends, {gap, axis, axis_1}), {"displacement"});
-  check_joint("in plane",
+  check_joint("in line",
               tilted,
-              "it.force 3, it.displacement 1",
-              joined(ends, {gap, axis, axis_1}),
-              {"displacement 1", "displacement 2"});
+              "it.force 1",
+              joined(ends, {gap, axis, axis_1, changes_of_vector_friction("rotation")}),
+              {"displacement"});
+  check_joint(
+    "in plane",
+    tilted,
+    "it.force 3, it.displacement 1",
+    joined(ends,
+           {gap, axis, axis_1, changes_of_vector_friction("displacement"), changes_of_vector_friction("rotation")}),
+    {"displacement 1", "displacement 2"});
   check_joint("springs in fixed axes",
               tilted + "\n    set Stiffness = 10, 20, 30",
               "it.force 1",
@@ -277,6 +316,7 @@ TEST_F(Catalogued, GroupsOfContacts)
                  {"Tubes", "ground at 0 0 0.7 axis 0 1 0 radius 0.8"},
                  {"Hollow balls", "ground at 0 0 0.7 radius 0.8"},
                  {"Beams", "rod radius 0.3"},
+                 {"Rods", "ground from -0.2 -1 0.1 to -0.2 1 0.1 radius 0.2"},
                  {"Stations", "3"},
                  {"Laws", "a with ground stiffness 500"},
                  {"Line stiffness", "70"},

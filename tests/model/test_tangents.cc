@@ -197,8 +197,15 @@ end
               text += rubs + "set Friction preload = 0.4\n" + (motion.find("rotation") == 0 ? "set Friction radius = 0.7\n" : "");
             text += "end\n";
           }
+        // friction against several motions at once
+        const std::string presses = rubs + " set Friction preload = 0.4\n";
+        if (kind == "planar" || kind == "in plane")
+          text += "subsection displacement\n " + presses + " end\n";
+        const bool turns = kind == "spherical" || kind == "in line" || kind == "in plane";
+        if (turns)
+          text += "subsection rotation\n " + presses + " set Friction radius = 0.7\n end\n";
         s[kind].rest = text + "end\nend\n";
-        if (const auto at = text.find(rubs); at != std::string::npos && (kind == "revolute" || is_contact))
+        if (const auto at = text.find(rubs); at != std::string::npos && (kind == "revolute" || kind == "spherical" || is_contact))
           s[kind + " with bristles"].rest = text.substr(0, at) + sticks + text.substr(at + rubs.size()) + "end\nend\n";
       }
     const std::string rail = R"(
@@ -368,7 +375,8 @@ TEST(Tangents, AgreeWithComplexStep)
 TEST(Tangents, ContactsAgreeWithComplexStepWhereTheyMove)
 {
   for (const auto &[kind, text] : scenes())
-    if (text.rest.find("restitution") != std::string::npos || text.rest.find("Restitution") != std::string::npos)
+    if (text.rest.find("restitution") != std::string::npos || text.rest.find("Restitution") != std::string::npos ||
+        text.rest.find("Friction") != std::string::npos)
       for (const bool orthonormal : {true, false})
         {
           // ComplexStep leaves the rates of strains aside where places move

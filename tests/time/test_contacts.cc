@@ -254,7 +254,7 @@ TEST(Contacts, FreeBodiesKeepTheirMomenta)
   Vector6 first = Vector6::Zero();
   for (const bool in_order : {true, false})
     {
-      const Scene scene(two(in_order));
+      const Scene   scene(two(in_order));
       const Vector6 start = momentum_of(scene.system, start_of({"", "", 0, 0}, scene.system));
       const auto    m     = contact_motion(scene.system, Tableau(3, 1.), 5e-4, 0.3);
       EXPECT_LT((momentum_of(scene.system, m.state) - start).norm(), 1e-11);
@@ -367,6 +367,65 @@ TEST(Contacts, ImpactOfARod)
   EXPECT_NEAR(impulse / 2, v, 0.02);
   EXPECT_NEAR(release - 0.001, duration, 0.05 * duration);
   EXPECT_LT(m.up, 1e-11);
+}
+
+
+
+// A ball that would be behind another one after a step has no step: it is halved until the two meet.
+TEST(Contacts, NothingPassesUnseen)
+{
+  const Scene scene(
+    model(ball("a", 0.1, {0, 0, 0}, {500, 0, 0}, {0, 0, 0}) + ball("b", 0.1, {12.3, 0.001, 0}, {0, 0, 0}, {0, 0, 0}),
+          joint("c",
+                "ball on ball",
+                "set Body A = a.centre\n set Body B = b.centre\n set Radius A = 0.1\n set Radius = 0.1\n"
+                " set Stiffness = 1e10\n set Exponent = 1.5\n")));
+  for (const unsigned int s : {1, 2, 3})
+    {
+      const auto m = contact_motion(scene.system, Tableau(s, 1.), 0.05, 0.1);
+      EXPECT_NEAR(m.state.y[12], 500, 5) << s;
+      EXPECT_NEAR(m.state.y[6], 0, 5) << s;
+      EXPECT_LT(m.drift, 1e-9) << s;
+      EXPECT_GT(m.n_failed, 0u) << s;
+    }
+}
+
+
+
+// A hinged beam that turns falls on a stop with its end, bends over it and flies off: against steps so short that the
+// touch and the release, at 2.5 and 34 ms, are resolved. No step looks for them.
+TEST(Contacts, BendingBeamOnAStop)
+{
+  const Scene scene(
+    "subsection Sections\n subsection s\n set Type = tube\n set E = 2e9\n set Density = 1000\n set Outer radius = 0.02\n"
+    " end\nend\nsubsection Bodies\n subsection rod\n set Type = beam\n set Section = s\n"
+    " set Points = 0, 0, 0; 1, 0, 0\n set Elements = 2\n set Degree = 3\n set Angular velocity = 0, 2, 0\n end\nend\n"
+    "subsection Joints\n subsection hinge\n set Type = revolute\n set Body A = ground\n set Body B = rod.start\n"
+    " set Axis = 0, 1, 0\n end\n subsection stop\n set Type = ball on plane\n set Body A = ground\n"
+    " set Body B = rod.end\n set Axis = 0, 0, 1\n set Radius = 0.02\n set Position = 0, 0, -0.025\n"
+    " set Stiffness = 1e5\n set Exponent = 1.5\n end\nend\n");
+  const unsigned int n      = scene.system.layout.n_nodes;
+  const auto         motion = [&](const unsigned int s, const double h) {
+    const auto m = contact_motion(scene.system, Tableau(s, 1.), h, 0.05);
+    EXPECT_LT(m.drift, 1e-11) << s << ", " << h;
+    return m.state;
+  };
+  const State reference = motion(3, 1.25e-4);
+  const auto  error     = [&](const unsigned int s, const double h) {
+    const State state = motion(s, h);
+    double      most  = 0;
+    for (unsigned int node = 1; node < n; ++node)
+      most = std::max(most, (state.position(node) - reference.position(node)).norm());
+    return most;
+  };
+  EXPECT_GT(reference.y[6 * (n - 1) + 2], 1.); // it has been thrown back
+  const std::array<double, 3> coarse = {{error(1, 1e-3), error(2, 1e-3), error(3, 1e-3)}},
+                              fine   = {{error(1, 2.5e-4), error(2, 2.5e-4), error(3, 5e-4)}};
+  EXPECT_LT(fine[0], 1e-4);
+  EXPECT_LT(fine[1], 1e-6);
+  EXPECT_LT(fine[2], 3e-7);
+  for (const unsigned int i : {0, 1, 2})
+    EXPECT_LT(fine[i], coarse[i] / 5) << i;
 }
 
 

@@ -140,6 +140,121 @@ TEST(DryFriction, BallSlipsAndRolls)
 
 
 
+// Two discs of a clutch, as shipped: torque μ N R until they have one speed, J₁ J₂ (w₁ − w₂)/((J₁ + J₂) μ N R) after
+// the start; then both turn with J₁ w₁/(J₁ + J₂), and what they had against each other is lost.
+TEST(DryFriction, Clutch)
+{
+  const double J_1 = 0.2, J_2 = 0.1, w = 100, r_i = 0.06, r_o = 0.1, N = 500, mu = 0.3,
+               R = 2. / 3 * (std::pow(r_o, 3) - std::pow(r_i, 3)) / (r_o * r_o - r_i * r_i),
+               J = J_1 * J_2 / (J_1 + J_2), locked = J * w / (mu * N * R);
+  const Scene scene("prm/examples/clutch.prm");
+  for (const unsigned int s : {2, 3})
+    {
+      double     before = -w, t_before = 0, t_locked = 0;
+      const auto m =
+        contact_motion(scene.system, Tableau(s, 0.5), 5e-3, 0.7, [&](const State &state, const StepResult &) {
+          // the straight line of the last step that slips
+          const double rate = state.rates[0];
+          if (rate < -0.1)
+            t_locked = state.time - rate * (state.time - t_before) / (rate - before);
+          before   = rate;
+          t_before = state.time;
+        });
+      EXPECT_NEAR(t_locked, locked, 1e-4 * locked) << s;
+      EXPECT_NEAR(m.state.y[6 + 5], J_1 * w / (J_1 + J_2), 1e-6 * w) << s;
+      EXPECT_NEAR(m.state.y[12 + 5], J_1 * w / (J_1 + J_2), 1e-6 * w) << s;
+      EXPECT_NEAR(m.friction_loss, 0.5 * J * w * w, 1e-4 * J * w * w) << s;
+      EXPECT_LT(m.drift, 1e-10) << s;
+      EXPECT_EQ(m.least_loss, 0) << s;
+    }
+}
+
+
+
+// How far it crept where it should stick is told: ε tan α/√(μ² − tan² α) times the time, here from the start on.
+TEST(DryFriction, CreepIsReported)
+{
+  const double angle = 0.3, mu = 0.5, epsilon = 1e-4, end = 0.5,
+               creep = epsilon * std::tan(angle) / std::sqrt(mu * mu - std::pow(std::tan(angle), 2));
+  double      crept  = 0;
+  const auto  sum    = [&](const State &, const StepResult &step) { crept += step.creep.at(0); };
+  const Scene sticks(block_on_slope(angle, 0, friction_of(mu, epsilon)));
+  const auto  m = contact_motion(sticks.system, Tableau(2, 0.5), 0.01, end, sum);
+  EXPECT_NEAR(crept, creep * end, 1e-2 * creep * end);
+  EXPECT_NEAR(crept, -m.state.coordinates[0], 1e-6 * crept);
+  // what slips does not creep, but while it starts
+  crept = 0;
+  const Scene slips(block_on_slope(angle, 0, friction_of(0.2, epsilon)));
+  const auto  slid = contact_motion(slips.system, Tableau(2, 0.5), 0.01, end, sum);
+  EXPECT_LT(crept, 1e-3 * -slid.state.coordinates[0]);
+}
+
+
+
+// A puck on a plane is slowed along its own way, whatever the axes of the joint: v²/(2 μ g).
+TEST(DryFriction, OnAPlane)
+{
+  const double mu = 0.2, v = 1;
+  for (const std::string kind : {"planar", "in plane"})
+    {
+      const Scene scene(
+        model(rigid_body("a", "set Mass = 2\n set Inertia = 1, 1, 1\n" + moving("0.6, 0.8, 0", "0, 0, 0")),
+              joint("ice",
+                    kind,
+                    "set Body A = ground\n set Body B = a.centre\n set Axis = 0, 0, 1\n set Axis 1 = 1, 0.3, 0\n" +
+                      motion("displacement", friction_of(mu, 1e-5))),
+              gravity));
+      for (const unsigned int s : {2, 3})
+        {
+          const auto    m   = contact_motion(scene.system, Tableau(s, 0.5), 0.02, 0.6);
+          const double  way = v * v / (2 * mu * g_n);
+          const Vector3 x   = m.state.position(1);
+          EXPECT_NEAR(x(0), 0.6 * way, 1e-3 * way) << kind;
+          EXPECT_NEAR(x(1), 0.8 * way, 1e-3 * way) << kind;
+          EXPECT_NEAR(m.friction_loss, v * v, 1e-4) << kind; // half of 2 kg
+          EXPECT_LT(m.drift, 1e-11) << kind;
+          EXPECT_EQ(m.least_loss, 0);
+        }
+    }
+}
+
+
+
+// A gyroscope of equal inertias that hangs in a ball joint at its centre is slowed about the axis that it turns about,
+// by μ N R/J, and stands still; also between two bodies, and with bristles.
+TEST(DryFriction, OfABall)
+{
+  const double mu = 0.2, R = 0.05, m_g = 2 * g_n, w = 3, J = 0.1, slowed = mu * m_g * R / J;
+  for (const std::string law :
+       {"set Sticking speed = 1e-5\n", "set Bristle stiffness = 1e6\n set Bristle damping = 100\n"})
+    {
+      const Scene scene(
+        model(rigid_body("a", "set Mass = 2\n set Inertia = 0.1, 0.1, 0.1\n" + moving("0, 0, 0", "1, 2, 2")),
+              joint("ball",
+                    "spherical",
+                    "set Body A = ground\n set Body B = a.centre\n" +
+                      motion("rotation", " set Friction = 0.2\n set Friction radius = 0.05\n " + law)),
+              gravity));
+      for (const unsigned int s : {2, 3})
+        {
+          double     at_half = 0;
+          const auto m =
+            contact_motion(scene.system, Tableau(s, 0.5), 0.02, 2., [&](const State &state, const StepResult &) {
+              if (std::abs(state.time - 1) < 1e-9)
+                at_half =
+                  (state.triad(1) * Eigen::Map<const Vector3>(&state.y[9]) - (w - slowed) * Vector3(1, 2, 2) / 3)
+                    .norm();
+            });
+          EXPECT_LT(at_half, 2e-3 * w) << law << s;
+          EXPECT_LT(Eigen::Map<const Vector3>(&m.state.y[9]).norm(), 1e-3 * w) << law << s;
+          EXPECT_NEAR(m.friction_loss, 0.5 * J * w * w, 1e-3 * J * w * w) << law << s;
+          EXPECT_LT(m.drift, 1e-10) << law << s;
+        }
+    }
+}
+
+
+
 // A body that sticks and slips on a rough block while it falls on it: two contacts of an upright pair of balls; and
 // what is redundant is refused, not computed with a reaction that is arbitrary.
 TEST(DryFriction, RedundantReactionsAreRefused)

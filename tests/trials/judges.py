@@ -153,7 +153,8 @@ def drives(model, table, world, times):
         if getattr(gear, "backlash", 0):
             continue  # judged by further_judges
         a, b = (np.radians(table[joint.name + ".rotation"]) for joint in (gear.a, gear.b))
-        yield gear.name, "ratio", True, b - gear.ratio * a
+        play = np.radians(table[gear.name + ".play"]) if gear.mesh else 0.0
+        yield gear.name, "play" if gear.mesh else "ratio", True, b - gear.ratio * a - play
 
 
 def constraints(model, run, world, tolerance=1e-8):

@@ -186,6 +186,7 @@ class Joint:
     motions: dict = field(default_factory=dict)  # name -> {entry: number or Function}
     entries: dict = field(default_factory=dict)  # pitch, radius, stiffness, ...
     arm: bool = False  # the place is at neither point: written out
+    common: dict = field(default_factory=dict)  # friction against several motions: "displacement" or "rotation" -> entries
 
     DIMENSIONS = {  # of a displacement, of an angle
         "Spring": (SPRING, HINGE_SPRING), "Rest": (LENGTH, NUMBER), "Damper": (DAMPER, HINGE_DAMPER), "Force": (FORCE, None),
@@ -226,6 +227,8 @@ class Joint:
         for name, entries in self.motions.items():
             angle = MOTIONS[self.kind][name][0]
             yield name, [(key, self.motion_value(world, key, value, angle)) for key, value in entries.items()]
+        for name, entries in self.common.items():
+            yield name, [(key, self.motion_value(world, key, value, name == "rotation")) for key, value in entries.items()]
 
     def motion_value(self, world, key, value, angle):
         dimension = self.DIMENSIONS[key][angle]
@@ -238,12 +241,18 @@ class Gear:
     a: Joint
     b: Joint
     ratio: float
+    mesh: dict = field(default_factory=dict)  # of teeth with a play: {entry: number}
+
+    MESH = {"Backlash": NUMBER, "Mesh stiffness": HINGE_SPRING, "Mesh damping": HINGE_DAMPER, "Mesh restitution": NUMBER,
+            "Mesh speed": FREQUENCY}
 
     def text(self, world):
         yield "Type", "gear"
         yield "Joint A", self.a.name + ".rotation"
         yield "Joint B", self.b.name + ".rotation"
         yield "Ratio", repr(self.ratio)
+        for key, value in self.mesh.items():
+            yield key, world.number(value, self.MESH[key])
 
 
 @dataclass
@@ -325,6 +334,8 @@ class Mechanism:
         for gear in self.gears:
             if getattr(gear, "backlash", 0):
                 yield f"{gear.name}.moment"
+            elif gear.mesh:
+                yield from (f"{gear.name}.{quantity}" for quantity in ("play", "moment"))
         for contact in self.contacts:
             if hasattr(contact, "balls"):
                 yield from contact.probes()

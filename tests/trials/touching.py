@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from generator import Generator, mechanism
-from mechanism import Beam, Joint, RigidBody
+from mechanism import Beam, Gear, Joint, RigidBody
 from world import ACCELERATION, DAMPER, FORCE, LENGTH, NUMBER, SPEED, SPRING, axes
 
 SLIDING = ["sliding point", "sliding sleeve", "sliding prismatic", "sliding screw"]
@@ -194,6 +194,38 @@ class Lawyer(Generator):
                     words["sticking"] = group.law.entries["Stribeck speed"] / 50
             if words:
                 group.laws.append((*self.random.sample(names, 2), words))
+
+
+class Player(Generator):
+    """Backlash of gears, and friction against several motions at once, by a stream of their own."""
+
+    SEVERAL = {"planar": ["displacement"], "spherical": ["rotation"], "in line": ["rotation"], "in plane": ["displacement", "rotation"]}
+
+    def __init__(self, seed):
+        super().__init__(f"play {seed}")
+
+    def put_on(self, model, friction):
+        turning = [joint for joint in model.joints if joint.kind in ("revolute", "cylindrical")]
+        if not model.gears and len(turning) > 1 and self.chance(0.4):
+            model.gears.append(Gear("gr", *self.random.sample(turning, 2), self.random.choice((-2.0, -1.0, 0.5, 1.0, 3.0))))
+            chance = 1.0
+        else:
+            chance = 0.5
+        for gear in model.gears:
+            if self.chance(chance):
+                gear.mesh = {"Backlash": self.power(-4, -1), "Mesh stiffness": self.power(2, 6)}
+                if self.chance(0.3):
+                    gear.mesh["Mesh damping"] = self.power(-2, 1)
+                elif self.chance(0.3):
+                    gear.mesh["Mesh restitution"], gear.mesh["Mesh speed"] = self.random.uniform(0.2, 0.95), self.power(-1, 1)
+        for joint in model.joints:
+            for motion in self.SEVERAL.get(joint.kind, []):
+                if self.chance(0.2):
+                    joint.common[motion] = friction(0.5)
+                    if motion == "rotation":
+                        joint.common[motion]["Friction radius"] = self.power(-2, -0.7)
+                    if self.chance(0.4):
+                        joint.common[motion]["Friction preload"] = self.power(-1, 2)
 
 
 class Toucher(Generator):
@@ -409,6 +441,7 @@ class Toucher(Generator):
                 joint.entries["At the ends"] = "stop"
                 joint.motions["displacement"] = {key: value for key, value in joint.motions["displacement"].items()
                                                  if key not in ("Lower stop", "Upper stop")}
+        Player(self.seed).put_on(model, self.friction)
         if not model.contacts and not any(isinstance(joint, Slider) for joint in model.joints):
             self.contact(model, 9)
         return model

@@ -54,7 +54,7 @@ namespace samara
     std::vector<std::string> probe_names() const override;
 
   private:
-    std::vector<std::string> balls, planes, cylinders, tubes, hollow_balls, beams;
+    std::vector<std::string> balls, planes, cylinders, tubes, hollow_balls, beams, rods;
     double                   ball_radius = 0, line_stiffness = 0;
     unsigned int             stations = 4;
     std::string              touching = "all", overlap = "refused";
@@ -73,11 +73,21 @@ namespace samara
     void
     add_surfaces(const std::vector<std::string> &texts, const std::string &entry, PairShape::Kind kind, bool hollow);
     void add_beams();
+    /** Lines of one straight piece, both of its ends on the same body. */
+    void add_rods();
+    /** How many lines there are, of beams and rods. */
+    std::size_t
+    n_lines() const
+    {
+      return beams.size() + rods.size();
+    }
     /** Where pieces meet at an angle that is no error of the mesh: abscissa of the first such place; 0 if there is
      * none. */
     double corner_of(const std::vector<Span> &spans) const;
     void   check_law();
-    void   add_laws();
+    /** Whether beams may pass cylinders between stations. */
+    void check_stations() const;
+    void add_laws();
     /** Which law is that of which bodies. @p sides: the two names of each entry. */
     void assign_laws(const std::vector<std::array<std::string, 2>> &sides);
     void refuse_overlaps(const Layout &layout) const;

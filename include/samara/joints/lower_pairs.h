@@ -2,6 +2,7 @@
 #define samara_joints_lower_pairs_h
 
 #include <samara/joints/joint.h>
+#include <samara/joints/vector_friction.h>
 
 namespace samara
 {
@@ -38,15 +39,26 @@ namespace samara
     void add_parameters(Parameters &prm) override;
   };
 
-  /** d₁, d₂ and θ₃ free: B slides on the plane normal to axis 3. */
-  class Planar : public Joint
+  /** A joint with friction against motions that have a common slip: in a plane, of a ball. */
+  class RubbingJoint : public Joint
+  {
+  public:
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+
+  protected:
+    VectorFriction plane{VectorFriction::Of::plane}, ball{VectorFriction::Of::ball};
+  };
+
+  /** d₁, d₂ and θ₃ free: B slides on the plane normal to axis 3; "displacement" holds the friction against both. */
+  class Planar : public RubbingJoint
   {
   public:
     void add_parameters(Parameters &prm) override;
   };
 
-  /** All rotations free. */
-  class Spherical : public Joint
+  /** All rotations free; "rotation" holds the friction against all of them. */
+  class Spherical : public RubbingJoint
   {
   public:
     void add_parameters(Parameters &prm) override;

@@ -1,15 +1,16 @@
 #ifndef samara_joints_partial_joints_h
 #define samara_joints_partial_joints_h
 
+#include <samara/joints/lower_pairs.h>
 #include <samara/joints/other_joints.h>
 
 namespace samara
 {
   /**
    * A point of B stays on a line of A, through "Position" along "Axis" (joint axis 3): d₁ = d₂ = 0. "displacement" is
-   * d₃; all rotations are free.
+   * d₃; all rotations are free, and "rotation" holds the friction against them.
    */
-  class InLine : public Joint
+  class InLine : public RubbingJoint
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -18,8 +19,11 @@ namespace samara
 
 
 
-  /** A point of B stays on a plane of A, normal to "Axis" (joint axis 3): d₃ = 0. "displacement 1, 2" are d₁ and d₂. */
-  class InPlane : public Joint
+  /**
+   * A point of B stays on a plane of A, normal to "Axis" (joint axis 3): d₃ = 0. "displacement 1, 2" are d₁ and d₂, and
+   * "displacement" and "rotation" hold the friction against both, and against all rotations.
+   */
+  class InPlane : public RubbingJoint
   {
   public:
     void add_parameters(Parameters &prm) override;

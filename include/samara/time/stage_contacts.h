@@ -16,9 +16,12 @@ namespace samara
    * to round-off, as φ is quadratic: forces ± f_k/D along the gradient of φ, with f_k of contact_forces(), do the work
    * U_f − U_i and lose what the damper does.
    *
+   * Where φ is not quadratic, at nearest places and with axes that turn, a small force along the relative velocity does
+   * what is missing.
+   *
    * What is not so is refused, and the step halved: something has gone farther than pairs were searched for; the
-   * potential of a search of its own at the end is not what the forces of the pairs have worked (a cylinder whose axis
-   * turns, a touch that no pair has led to); a ball has gone through another between two stages; one presses so deep
+   * potential of a search of its own at the end is not what the forces of the pairs have worked (a touch that no pair
+   * has led to); a ball has gone through another between two stages; one presses so deep
    * that it would come out on the other side. The account of a step takes the potential of that search, not the work.
    */
   class StageContacts
