@@ -135,7 +135,6 @@ namespace samara
 
 
 
-  // and of algebraic states, behind the velocities
   std::vector<double>
   PeriodMap::correction_of_velocities(const State &state, const double *x, const double factor)
   {

@@ -122,6 +122,7 @@ namespace samara
     }
     std::unique_ptr<StageIntegrator> make_integrator() const;
     void                             step(StageIntegrator &integrator, State &state);
+    /** Of velocities, then of states of first order: of algebraic ones. */
     std::vector<double>              correction_of_velocities(const State &state, const double *x, double factor);
   };
 } // namespace samara

@@ -16,9 +16,11 @@ namespace samara
     explicit Projection(const System &system);
 
     /**
-     * Replace the velocities by the nearest ones, in the norm of the kinetic energy, with G y + ∂g/∂t = 0. Returns the
-     * largest change relative to the largest velocity, before or after.
+     * Replace the velocities by the nearest ones, in the norm of the kinetic energy, with G y + ∂g/∂t = 0, and
+     * algebraic states by those that belong to them. Returns the largest change of velocities relative to the largest,
+     * before or after.
      * @throws SingularMatrix if something without mass can move freely.
+     * @throws NotConverged if there are no such states.
      */
     double velocities(State &state);
 
