@@ -113,44 +113,8 @@ namespace samara
 
 
 
-  namespace
-  {
-    /** Unknowns from which on a factorisation costs as much as all else, as in Newton's method. */
-    constexpr unsigned int of_large_models = 20000;
-
-    /**
-     * Whether the tangent @p K differs so little from the matrix K₀ whose factors the @p solver has that their
-     * determinants have the same sign: det K = det K₀ Π (1 − ν), and |ν| < 1 for all eigenvalues of 1 − K₀⁻¹ K. The
-     * largest one is estimated by the power method, from below, but not by a factor of ten.
-     */
-    bool
-    has_sign_of_factors(const SparseMatrix &K, const LinearSolver &solver)
-    {
-      constexpr double       little = 0.05;
-      constexpr unsigned int passes = 5;
-      const unsigned int     n      = K.pattern->size();
-      Eigen::VectorXd        x(n), y(n);
-      for (unsigned int i = 0; i < n; ++i)
-        x(i) = std::sin(1. + 1.3 * i);
-      double ratio = 0;
-      for (unsigned int pass = 0; pass < passes; ++pass)
-        {
-          x.normalize();
-          K.multiply(x.data(), y.data());
-          solver.solve(y.data());
-          x -= y;
-          ratio = x.norm();
-          if (ratio == 0.)
-            return true;
-        }
-      return ratio < little;
-    }
-  } // namespace
-
-
-
   int
-  StaticAnalysis::stability_sign(const Context &context, const State &state, const bool has_factors) const
+  StaticAnalysis::stability_sign(const Context &context, const State &state) const
   {
     for (const double speed : context.speeds)
       if (speed != 0.)
@@ -159,9 +123,6 @@ namespace samara
     State        at = state;
     context.system.stresses(at, at.stress);
     context.system.tangent(at, K);
-    if (has_factors && context.system.size() > of_large_models && solver->n_negative() &&
-        has_sign_of_factors(K, *solver))
-      return solver->determinant_sign();
     equilibrate(K); // else units decide what is singular
     try
       {
@@ -179,6 +140,9 @@ namespace samara
 
   namespace
   {
+    /** Unknowns from which on a factorisation costs as much as all else. */
+    constexpr unsigned int of_large_models = 20000;
+
     /** Whether nothing but elastic strains and constraints could push at @p start, which is free of stress. */
     bool
     is_free_of_forces(const Context &context, const State &start)
@@ -205,18 +169,17 @@ namespace samara
     const bool is_stable_at_start = layout.n_multipliers == 0 ?
                                       !context.is_equilibrium :
                                       context.system.size() > of_large_models && is_free_of_forces(context, start);
-    const bool looks_at_start     = !sign_at_start && !is_stable_at_start;
-    if (looks_at_start)
-      sign_at_start = stability_sign(context, start, false);
+    if (!sign_at_start && !is_stable_at_start)
+      sign_at_start = stability_sign(context, start);
     // Newton's last tangent will not do: displacements below its tolerance may go with another stress
-    const int sign = stability_sign(context, found, !looks_at_start);
+    const int sign = stability_sign(context, found);
     if (!sign_at_start)
       {
         const unsigned int n_rows = layout.n_multipliers - found.left_out.size();
         if (sign == (n_rows % 2 == 0 ? 1 : -1))
           return false;
-        sign_at_start = stability_sign(context, start, false);
-        stability_sign(context, found, false); // the solver keeps the matrix of the equilibrium
+        sign_at_start = stability_sign(context, start);
+        stability_sign(context, found); // the solver keeps the matrix of the equilibrium
       }
     return *sign_at_start != 0 && sign != *sign_at_start;
   }

@@ -37,7 +37,7 @@ namespace
     return "set Analyses = static\nsubsection Bodies\n subsection sheet\n set Type = shell\n"
            " set Patches = 0.5*u - 0.25, 0.4*v - 0.2, 0\n set Elements = 2, 2\n set Degree = " +
            std::to_string(degree) +
-           "\n set E = 70e9\n set Thickness = 0.01\n set Density = 2700\n set Frames = middle at 0.5 0.5\n end\nend\n"
+           "\n set E = 70e9\n set Poisson ratio = 0.3\n set Thickness = 0.01\n set Density = 2700\n set Frames = middle at 0.5 0.5\n end\nend\n"
            "subsection Joints\n subsection hold\n set Type = revolute\n set Body A = ground\n set Body B = sheet.middle\n set Axis = 0, 0, 1\n"
            " end\nend\nsubsection Loads\n" +
            pull("left", "edge u0", -N) + pull("right", "edge u1", N) +
@@ -68,7 +68,7 @@ TEST(ShellTension, LongCellsAreToldOf)
 // the normal holds the middle, a node of four cells.
 TEST(ShellTension, RotationsAboutTheNormalOfCellsTooLarge)
 {
-  for (const int p : {2, 3})
+  for (const int p : {2, 3, 4})
     {
       const double D = 0.1 * 70e9 / 2.6 * 1e-6 / 12;
       const double N = 2. * D * std::pow(p, 3) * (p + 1) / (2 * p + 1) * (1 / 0.0625 + 1 / 0.04);

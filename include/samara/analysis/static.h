@@ -74,11 +74,8 @@ namespace samara
     void follow_load(Context &context);
     /** @} */
 
-    /**
-     * Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. Of large
-     * models it follows, if that is safe, from factors of Newton's method on the way to the @p state, if there are any.
-     */
-    int stability_sign(const Context &context, const State &state, bool has_factors) const;
+    /** Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. */
+    int stability_sign(const Context &context, const State &state) const;
     /**
      * Whether the equilibrium @p found is beyond a stability limit, seen from @p start, whose sign is found here if it
      * is needed.
