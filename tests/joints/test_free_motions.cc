@@ -177,6 +177,32 @@ TEST(FreeMotions, Distance)
 
 
 
+// Along a curve, and three rotations; springs in fixed axes hold as many directions as have stiffness.
+TEST(FreeMotions, CurveAndFixedSprings)
+{
+  const auto count = [](const std::string &joints) {
+    Scene scene("set Analyses = modal\nsubsection Bodies\n subsection bead\n set Type = rigid body\n set Mass = 1\n"
+                " set Inertia = 1, 1, 1\n end\nend\nsubsection Joints\n" +
+                joints + "end\n");
+    const unsigned int n = check_model(scene.system).n_free_motions;
+    EXPECT_EQ(zero_modes(scene), n) << joints;
+    return n;
+  };
+  const std::string wire    = " subsection wire\n set Type = point on curve\n set Body A = ground\n set Body B = bead\n"
+                              " set Expressions = s - 0.5, 0, (s - 0.5)^2\n end\n";
+  const auto        springs = [](const std::string &stiffness) {
+    return " subsection mount\n set Type = springs in fixed axes\n set Body A = ground\n set Body B = bead\n"
+                  " set Stiffness = " +
+           stiffness + "\n end\n";
+  };
+  EXPECT_EQ(count(wire), 4u);
+  EXPECT_EQ(count(springs("5, 0, 3")), 4u);
+  EXPECT_EQ(count(springs("5, 2, 3")), 3u);
+  EXPECT_EQ(count(wire + springs("5, 0, 0")), 3u);
+}
+
+
+
 // Two wheels on the ground, and a gear between them: one motion instead of two, with spins 1 : n about their axes.
 TEST(FreeMotions, GearCouplesTwo)
 {

@@ -357,6 +357,20 @@ TEST(SlidingInMotion, OrdersOfTheAbscissa)
 
 namespace
 {
+  /** The largest violation of a constraint. */
+  double
+  gap_of_rows(const System &system, const State &state)
+  {
+    std::vector<double> r(system.size() + 6, 0.);
+    State               free = state;
+    free.held                = false;
+    system.add_gaps(free.point(), r.data());
+    double gap = 0;
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      gap = std::max(gap, std::abs(r[system.layout.of_multiplier(i)]));
+    return gap;
+  }
+
   /** The abscissa of the soft beam's bead at @p T, by a stepper, which looks at ends of elements, or by the integrator
    * alone; @p observe is called with it after each step. */
   double
@@ -376,7 +390,11 @@ namespace
     if (with_events)
       while (state.time < T)
         {
-          stepper.advance(state, T);
+          const double  before  = scene.system.energy(state).kinetic + scene.system.energy(state).strain;
+          const Advance advance = stepper.advance(state, T);
+          const auto    energy  = scene.system.energy(state);
+          EXPECT_LT(std::abs(energy.kinetic + energy.strain - before + advance.step.dissipated), 1e-12 * before);
+          EXPECT_LT(gap_of_rows(scene.system, state), 1e-12);
           observe(abscissa(scene, state));
         }
     else
