@@ -143,14 +143,7 @@ TEST(ContactLines, MovingDrumMeetsABeam)
 TEST(ContactLines, BeamOnARod)
 {
   const double a = 0.63, L = 1, w = M_PI * 0.02 * 0.02 * 1000 * 9.80665;
-  Scene        scene(tube_section +
-              model(beam_of("rod", "0, 0, 0; 1, 0, 0", "set Elements = 2\n"),
-                    joint("clamp", "rigid", "set Body A = ground\n set Body B = rod.start\n") +
-                      joint("touching",
-                            "contacts",
-                            "set Beams = rod radius 0.02\n set Rods = ground from 0.63 -0.3 -0.04 to 0.63 0.2 -0.04 "
-                                   "radius 0.02\n set Stiffness = 1e7\n"),
-                    gravity));
+  Scene        scene("prm/examples/beam_on_rod.prm");
   scene.equilibrium();
   EXPECT_NEAR(scene.value("touching.ground.force z") / (-w * (6 * L * L - 4 * a * L + a * a) / (8 * a)), 1, 0.01);
 }
