@@ -97,10 +97,7 @@ namespace samara
       return;
     make_rule();
     for (const auto &laminate : laminates)
-      {
-        materials.push_back({stiffness(laminate), relaxation_time * stiffness(laminate)});
-        compliances.push_back(laminate.ABD.llt().solve(Matrix6::Identity()));
-      }
+      compliances.push_back(laminate.ABD.llt().solve(Matrix6::Identity()));
     make_nodes_and_elements();
     if (model->complaints.count() != before)
       return;
@@ -226,15 +223,62 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Stiffness of Γ₁₂ − Γ₂₁ over A₆₆: rotations about the normal follow those of the surface. */
+    constexpr double beta = 0.1;
+
+    /** The tension over A₆₆ up to which rotations about the normal are stable; see doc/theory/shell.md. */
+    constexpr double tension_held = 0.01;
+  } // namespace
+
+
+
+  double
+  Shell::stiffness_about_normal(const unsigned int cell) const
+  {
+    double a2 = 0, b2 = 0; // squares of the sides
+    for (unsigned int a = 0; a < table->n_nodes; ++a)
+      {
+        const auto g = mesh->tangents(mesh->cells[cell], a);
+        a2 += g[0].squaredNorm() / table->n_nodes;
+        b2 += g[1].squaredNorm() / table->n_nodes;
+      }
+    const Laminate &l = laminates[laminate_of(cell)];
+    const double    p = degree, A66 = l.ABD(1, 1);
+    return A66 * std::max(beta * l.thickness * l.thickness / 12,
+                          tension_held * (2 * p + 1) / (2 * p * p * p * (p + 1)) / (1 / a2 + 1 / b2));
+  }
+
+
+
+  unsigned int
+  Shell::material_of(const unsigned int cell)
+  {
+    const unsigned int laminate     = laminate_of(cell);
+    const double       about_normal = stiffness_about_normal(cell);
+    // cells alike but for round-off share it
+    const auto [found, is_new] =
+      material_numbers.insert({{laminate, std::lround(1e9 * std::log(about_normal))}, materials.size()});
+    if (is_new)
+      {
+        const MatrixN C = stiffness(laminates[laminate], about_normal);
+        materials.push_back({C, relaxation_time * C});
+      }
+    return found->second;
+  }
+
+
+
   Shell::MatrixN
-  Shell::stiffness(const Laminate &laminate) const
+  Shell::stiffness(const Laminate &laminate, const double about_normal) const
   {
     // columns of Γ_αi and K_αi
     const auto gamma = [](const int alpha, const int i) { return 6 * (alpha - 1) + i - 1; };
     const auto K     = [](const int alpha, const int i) { return 6 * (alpha - 1) + 3 + i - 1; };
 
-    // ε₁₁, γ₁₂, ε₂₂, κ₁₁, 2κ₁₂, κ₂₂, γ₁₃, γ₂₃ of the twelve strains, as in doc/theory/shell.md; the other four get β
-    // A₆₆ and β A₆₆ h²/12 with β = 0.1 below, so that rotations about the normal follow those of the surface
+    // ε₁₁, γ₁₂, ε₂₂, κ₁₁, 2κ₁₂, κ₂₂, γ₁₃, γ₂₃ of the twelve strains, as in doc/theory/shell.md; the other four
+    // follow below
     Eigen::Matrix<double, 8, n> plate = Eigen::Matrix<double, 8, n>::Zero();
     plate(0, gamma(1, 1))             = 1;
     plate(1, gamma(1, 2)) = plate(1, gamma(2, 1)) = 1;
@@ -252,15 +296,15 @@ namespace samara
     C.topLeftCorner<6, 6>()       = laminate.ABD;
     C.bottomRightCorner<2, 2>()   = laminate.shear;
     MatrixN      result           = plate.transpose() * C * plate;
-    const double drilling         = 0.1 * laminate.ABD(1, 1);
+    const double drilling         = beta * laminate.ABD(1, 1);
     const double of_curvature     = drilling * laminate.thickness * laminate.thickness / 12;
     VectorN      skew_membrane = VectorN::Zero(), twist = VectorN::Zero();
     skew_membrane(gamma(1, 2)) = 1;
     skew_membrane(gamma(2, 1)) = -1;
     twist(K(1, 1)) = twist(K(2, 2)) = 1;
     result += drilling * skew_membrane * skew_membrane.transpose() + of_curvature * twist * twist.transpose();
-    result(K(1, 3), K(1, 3)) += of_curvature;
-    result(K(2, 3), K(2, 3)) += of_curvature;
+    result(K(1, 3), K(1, 3)) += about_normal;
+    result(K(2, 3), K(2, 3)) += about_normal;
     return result;
   }
 
@@ -381,7 +425,7 @@ namespace samara
           {
             const auto        &nodes    = mesh->cells[i].nodes;
             const auto         axes     = triads(i, all_normals[i]);
-            const unsigned int material = laminate_of(i);
+            const unsigned int laminate = laminate_of(i);
             std::vector<Frame> frames;
             for (unsigned int a = 0; a < table->n_nodes; ++a)
               {
@@ -398,9 +442,9 @@ namespace samara
                   frame = frame.then(Vector3::Zero(), Q);
                 frames.push_back(frame);
                 const auto g = mesh->tangents(mesh->cells[i], a);
-                model->add_inertia(frame, table->node_weights(a) * cross(g[0], g[1]).norm() * inertias[material]);
+                model->add_inertia(frame, table->node_weights(a) * cross(g[0], g[1]).norm() * inertias[laminate]);
               }
-            add_element(*model, frames, std::vector<unsigned int>(table->n_points, material));
+            add_element(*model, frames, std::vector<unsigned int>(table->n_points, material_of(i)));
           }
       }
     catch (const std::invalid_argument &problem)

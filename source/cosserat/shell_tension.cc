@@ -45,7 +45,7 @@ namespace samara
               const double  tension = c * c * stress(0) + s * s * stress(7) + c * s * (stress(1) + stress(6));
               const Vector3 curved(c * c, 2 * c * s, s * s);
               const double  ratio =
-                tension * length * length / (degree * degree) / curved.dot(bending[point.material] * curved);
+                tension * length * length / (degree * degree) / curved.dot(bending[laminate_of(i)] * curved);
               if (ratio > worst)
                 {
                   worst = ratio;

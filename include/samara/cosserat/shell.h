@@ -11,6 +11,9 @@
 #include <samara/section/laminate.h>
 #include <samara/section/recovery.h>
 
+#include <map>
+#include <utility>
+
 namespace samara
 {
   /**
@@ -23,8 +26,9 @@ namespace samara
    *     ε₁₁ = Γ₁₁   γ₁₂ = Γ₁₂ + Γ₂₁   ε₂₂ = Γ₂₂   κ₁₁ = K₁₂   2κ₁₂ = K₂₂ − K₁₁   κ₂₂ = −K₂₁   γ₁₃ = Γ₁₃   γ₂₃ = Γ₂₃
    *
    * The rest, Γ₁₂ − Γ₂₁ (drilling), K₁₁ + K₂₂, K₁₃ and K₂₃, has a stiffness of a tenth of that in shear, so that it
-   * stays small. Normals at nodes are those of the interpolated surface, averaged over cells whose normals differ by
-   * less than the crease angle; where more meet, they share the node, each with a triad of its own.
+   * stays small, the last two more in large cells, so that tension leaves them stable. Normals at nodes are those of
+   * the interpolated surface, averaged over cells whose normals differ by less than the crease angle; where more meet,
+   * they share the node, each with a triad of its own.
    *
    * Order 2p in frequencies; no locking, though degree 2 is slow in very thin curved shells. Degree 1 is refused where
    * a cell is no parallelogram. Mass at the nodes by the Gauss–Lobatto rule; rotary inertia also about the normal.
@@ -132,8 +136,10 @@ namespace samara
     std::vector<Laminate>               laminates;   ///< one, or one of each patch
     std::vector<std::vector<Strengths>> strengths;   ///< of the layers of each laminate
     std::vector<Matrix6>                compliances; ///< inverses of ABD
-    std::unique_ptr<ShellMesh>          mesh;
-    std::shared_ptr<const SurfaceRule>  rule;
+    /** Numbers of materials by that of the laminate and the stiffness about the normal. */
+    std::map<std::pair<unsigned int, long>, unsigned int> material_numbers;
+    std::unique_ptr<ShellMesh>                            mesh;
+    std::shared_ptr<const SurfaceRule>                    rule;
     Eigen::MatrixXd to_nodes; ///< values at the nodes of a cell from those at its integration points
 
     /** Of each node of the mesh, with the axes of the first cell there. */
@@ -158,8 +164,13 @@ namespace samara
     PatchMesh   mesh_of_patch(unsigned int patch) const;
     std::string complaint_about_elements() const;
     void        make_rule();
-    MatrixN     stiffness(const Laminate &laminate) const;
-    Matrix6     inertia(const Laminate &laminate) const; ///< per area, in the axes of the surface
+    /** @param about_normal of K₁₃ and K₂₃ [N m] */
+    MatrixN stiffness(const Laminate &laminate, double about_normal) const;
+    /** Of K₁₃ and K₂₃ in a cell [N m]. */
+    double stiffness_about_normal(unsigned int cell) const;
+    /** Number of the material of a cell, made where there is none like it. */
+    unsigned int material_of(unsigned int cell);
+    Matrix6      inertia(const Laminate &laminate) const; ///< per area, in the axes of the surface
     /** Number of the laminate of a cell. */
     unsigned int laminate_of(unsigned int cell) const;
     void         make_nodes_and_elements();
