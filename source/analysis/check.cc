@@ -191,18 +191,27 @@ namespace samara
   std::string
   ModelCheck::complaint_about_laws(const System &system) const
   {
-    std::vector<std::string> names;
-    for (const unsigned int i : system.layout.multipliers_in_laws)
-      for (int j = 0; j < combinations.cols(); ++j)
-        if (std::abs(combinations(i, j)) > 1e-6 * combinations.col(j).cwiseAbs().maxCoeff() &&
-            std::find(names.begin(), names.end(), system.layout.multiplier_names[i]) == names.end())
-          names.push_back(system.layout.multiplier_names[i]);
-    return names.empty() ?
-             "" :
-             "an expression depends on forces that are not unique, because others could be in their place: " +
-               join_some(names) +
-               ". Give a joint of the loop more freedom (spherical or cylindrical instead of revolute), or "
-               "take another signal";
+    const auto not_unique = [&](const auto &multipliers) {
+      std::vector<std::string> names;
+      for (const unsigned int i : multipliers)
+        for (int j = 0; j < combinations.cols(); ++j)
+          if (std::abs(combinations(i, j)) > 1e-6 * combinations.col(j).cwiseAbs().maxCoeff() &&
+              std::find(names.begin(), names.end(), system.layout.multiplier_names[i]) == names.end())
+            names.push_back(system.layout.multiplier_names[i]);
+      return names;
+    };
+    const auto complaint =
+      [](const std::string &who, const std::vector<std::string> &names, const std::string &or_else) {
+        return who +
+               " depends on forces that are not unique, because others could be in their place: " + join_some(names) +
+               ". Give a joint of the loop more freedom (spherical or cylindrical instead of revolute), or " + or_else;
+      };
+    if (const auto names = not_unique(system.layout.multipliers_in_laws); !names.empty())
+      return complaint("an expression", names, "take another signal");
+    for (const auto &friction : system.layout.frictions)
+      if (const auto names = not_unique(friction.multipliers); !names.empty())
+        return complaint(friction.name, names, "take away the joint that repeats it");
+    return "";
   }
 
 

@@ -4,7 +4,5 @@ the run says so, and its line goes."""
 KNOWN = {
     "placed-turned 47": "rolling friction between bodies that a redundant loop locks: what turns in stages alone, 5e-5 of the speed, "
                         "depends on which rows are left out",
-    "placed-turned 842006": "two revolutes between the same bodies, one with friction: the reaction is arbitrary, but only where a row of its own "
-                            "is left out the step is refused; which one that is depends on the axes",
     "touching 840126": "dry friction on a reaction begins to stick with spectral radius 1, and takes steps so short that the time is over",
 }

@@ -47,7 +47,8 @@ namespace samara
      * any. */
     bool mark(std::vector<Probe> &probes) const;
 
-    /** A complaint about laws that depend on forces of constraints that are not unique; empty if there are none. */
+    /** A complaint about laws and friction that depend on forces of constraints that are not unique; empty if there are
+     * none. */
     std::string complaint_about_laws(const System &system) const;
   };
 
