@@ -258,8 +258,8 @@ namespace samara
     const unsigned int laminate     = laminate_of(cell);
     const double       about_normal = stiffness_about_normal(cell);
     // cells alike but for round-off share it
-    const auto [found, is_new] =
-      material_numbers.insert({{laminate, std::lround(1e9 * std::log(about_normal))}, materials.size()});
+    const auto [found, is_new] = material_numbers.insert(
+      {{laminate, std::lround(1e9 * std::log(about_normal))}, static_cast<unsigned int>(materials.size())});
     if (is_new)
       {
         const MatrixN C = stiffness(laminates[laminate], about_normal);
