@@ -55,6 +55,8 @@ namespace
 
 
 
+// The reference is the same mesh in a program whose K₁₃ and K₂₃ have β A₆₆ h²/12 alone: what they have here, so that walls
+// may be pulled, makes bending in the plane of walls of a single cell of degree 2 stiffer by 0.04 %.
 TEST(ShellWalls, ClosedBoxTwistsAndBendsAsItsSection)
 {
   const auto   row   = reference_rows("shells/thin_box_shell.csv").at(0);
@@ -68,7 +70,7 @@ TEST(ShellWalls, ClosedBoxTwistsAndBendsAsItsSection)
   EXPECT_NEAR((twisted.value("s.at 7.5 0.5 0.25.rotation x") - twisted.value("s.at 5 0.5 0.25.rotation x")) * degrees /
                 2.5 * G / small,
               std::stod(row.at("G_times_twist_rate")),
-              1e-3);
+              2e-4 * std::stod(row.at("G_times_twist_rate")));
 
   bent.loads = at_tip(1, {0, 0, 1 / (2 * height)}) + at_tip(3, {0, 0, 1 / (2 * height)});
   Scene scene(bent.text());
@@ -89,7 +91,7 @@ TEST(ShellWalls, ClosedBoxTwistsAndBendsAsItsSection)
       sum += scene.value("s.at 10 " + y + " 0.displacement z");
       ++n;
     }
-  EXPECT_NEAR(sum / n / small, std::stod(row.at("tip_deflection")), 1e-7);
+  EXPECT_NEAR(sum / n / small / std::stod(row.at("tip_deflection")), 1 - 4e-4, 2e-4);
 }
 
 
