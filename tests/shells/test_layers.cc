@@ -317,6 +317,52 @@ TEST(LayersOfShells, InPictures)
 
 
 
+// A cylinder of radius 1, one patch of three layers and one of one: each point is at the height of its layer outside of
+// it, and moves as the normal takes it along.
+TEST(LayersOfShells, InPicturesAreAlongTheNormal)
+{
+  std::string layups = carbon;
+  layups.replace(layups.find("  subsection cross"), 0, "  subsection one\n    set Plies = carbon, 30, 2 mm\n  end\n");
+  Scene scene(layups + R"(
+subsection Bodies
+  subsection s
+    set Type               = shell
+    set Patches            = cos(u), sin(u), v; cos(1 + u), sin(1 + u), v
+    set Elements           = 4, 1
+    set Degree             = 4
+    set Axis 1             = 0, 0, 1
+    set Patch layups       = cross, one
+    set Layers in pictures = true
+    set Angular velocity   = 0, 0, 2
+  end
+end
+)");
+  scene.system.add_initial_velocities(scene.context.state);
+  const Drawing drawing = scene.system.draw(scene.context.state);
+  std::set<int> of_first, of_second;
+  const Field  *layer = nullptr, *height = nullptr;
+  for (const auto &field : drawing.fields)
+    if (field.name == "layer")
+      layer = &field;
+    else if (field.name == "height")
+      height = &field;
+  ASSERT_TRUE(layer != nullptr && height != nullptr);
+  for (unsigned int i = 0; i < drawing.samples.size(); ++i)
+    if (!std::isnan((*layer)(i)))
+      {
+        const Vector3 &x = drawing.samples[i].x, radial(x(0), x(1), 0);
+        EXPECT_NEAR(radial.norm(), 1 + (*height)(i), 1e-6);
+        // the angular velocity is about the first node, at (1, 0, 0)
+        EXPECT_NEAR((drawing.samples[i].velocity - 2 * Vector3(-x(1), x(0) - 1, 0)).norm(), 0, 1e-9);
+        if (const double angle = std::atan2(x(1), x(0)); std::abs(angle - 1) > 0.01) // not at the common edge
+          (angle < 1 ? of_first : of_second).insert((*layer)(i));
+      }
+  EXPECT_EQ(of_first, std::set<int>({1, 2, 3}));
+  EXPECT_EQ(of_second, std::set<int>({1}));
+}
+
+
+
 // A rigid shell, of whose stresses nothing is known, shows none.
 TEST(LayersOfShells, InPicturesOnlyWhereTheyAreKnown)
 {
