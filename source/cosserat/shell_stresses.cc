@@ -204,7 +204,7 @@ namespace samara
 
   namespace
   {
-    /** Fields of one surface of a layer, by the names of the probes; an index is left out where it is not known. */
+    /** Fields of the layers, by the names of the probes; an index is left out where it is not known. */
     class LayerFields
     {
     public:
