@@ -33,6 +33,10 @@ namespace samara
             relaxation_time,
             "Stiffness-proportional damping: viscous stress is this time times the rate of elastic stress [s].",
             Double(0));
+    prm.add("Layers in pictures",
+            shows_layers,
+            "Whether pictures also have each layer with its stresses in the axes of its material and its indices of "
+            "failure: three surfaces, at its bottom, middle and top, as an object <NAME layers>.");
   }
 
 

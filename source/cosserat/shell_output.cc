@@ -268,7 +268,8 @@ namespace samara
     auto quantities = frame_quantities();
     for (const auto &force : plate_forces)
       quantities.push_back(force.name);
-    const auto of_layers = ExtremeByName::names();
+    auto of_layers = ExtremeByName::names();
+    of_layers.erase(std::find(of_layers.begin(), of_layers.end(), across_the_layers));
     quantities.insert(quantities.end(), of_layers.begin(), of_layers.end());
     auto places = points();
     places.push_back("at 0 0");
@@ -309,9 +310,11 @@ namespace samara
             for (unsigned int k = 0; k < order.size(); ++k)
               stresses[k] = stress_at_node(i, order[k], state);
             draw_section_forces(stresses, first, drawing);
-            draw_layers(i, stresses, first, drawing);
+            draw_worst_layers(i, stresses, first, drawing);
           }
       }
+    if (shows_layers)
+      draw_layers(order, state, drawing);
   }
 
 

@@ -126,6 +126,10 @@ namespace samara
       return {};
     if (rigid)
       throw std::invalid_argument("shell <" + name + "> is rigid: nothing is known of its stresses");
+    if (text == across_the_layers)
+      throw std::invalid_argument("the stress 33 of shell <" + name +
+                                  "> is not known: that of a shell is left out beside the others, as small as the load "
+                                  "on its surface");
     const int  layer             = names ? layer_named(last) : -1;
     const auto require_strengths = [&](const unsigned int laminate) {
       if (!place.empty() && layer >= static_cast<int>(strengths[laminate].size()))
@@ -159,10 +163,10 @@ namespace samara
 
 
   void
-  Shell::draw_layers(const unsigned int          element,
-                     const std::vector<VectorN> &stresses,
-                     const unsigned int          first_sample,
-                     Drawing                    &drawing) const
+  Shell::draw_worst_layers(const unsigned int          element,
+                           const std::vector<VectorN> &stresses,
+                           const unsigned int          first_sample,
+                           Drawing                    &drawing) const
   {
     Field &strain    = drawing.field("membrane strain", "1", {"11", "22", "12"});
     Field &curvature = drawing.field("bending curvature", "1/m", {"11", "22", "12"});
@@ -193,6 +197,112 @@ namespace samara
           continue; // no strengths are known
         drawing.field("index of failure", "1").set(first_sample + k, index);
         drawing.field("layer nearest to failure", "1").set(first_sample + k, worst + 1);
+      }
+  }
+
+
+
+  namespace
+  {
+    /** Fields of the layers, by the names of the probes; an index is left out where it is not known. */
+    class LayerFields
+    {
+    public:
+      LayerFields(Drawing &drawing, const std::string &left_out)
+        : drawing(drawing)
+        , layer(drawing.field("layer", "1"))
+        , in_layer(drawing.field("height in layer", "1"))
+        , height(drawing.field("height", "m"))
+        , worst(nullptr)
+      {
+        for (const auto &name : ExtremeByName::names())
+          if (name != left_out)
+            quantities.push_back({name, ExtremeByName(name), nullptr});
+      }
+
+      void
+      set_place(const unsigned int sample, const unsigned int number, const int side, const double z)
+      {
+        layer.set(sample, number);
+        in_layer.set(sample, side);
+        height.set(sample, z);
+      }
+
+      void
+      set(const unsigned int sample, const SectionStresses::Extremes &at)
+      {
+        for (auto &[name, quantity, field] : quantities)
+          set(sample, quantity.of(at), quantity.unit() == "1" && quantity.of(at) < 0, name, quantity.unit(), field);
+        set(sample, at.indices.largest(), at.indices.largest() < 0, "index of failure", "1", worst);
+      }
+
+    private:
+      struct Quantity
+      {
+        std::string   name;
+        ExtremeByName quantity;
+        Field        *field;
+      };
+
+      Drawing              &drawing;
+      Field                &layer, &in_layer, &height;
+      Field                *worst;
+      std::vector<Quantity> quantities;
+
+      void
+      set(const unsigned int sample,
+          const double       value,
+          const bool         is_unknown,
+          const std::string &name,
+          const std::string &unit,
+          Field            *&field)
+      {
+        if (is_unknown)
+          return;
+        if (field == nullptr)
+          field = &drawing.field(name, unit);
+        field->set(sample, value);
+      }
+    };
+  } // namespace
+
+
+
+  void
+  Shell::draw_layers(const std::vector<unsigned int> &order, const State &state, Drawing &drawing) const
+  {
+    if (n_elements() == 0)
+      return; // rigid
+    drawing.begin_object(name + " layers");
+    LayerFields             fields(drawing, across_the_layers);
+    std::vector<Sample>     samples(order.size());
+    std::vector<PlateState> states(order.size());
+    for (unsigned int i = 0; i < n_elements(); ++i)
+      {
+        const Laminate &laminate = laminates[laminate_of(i)];
+        for (unsigned int k = 0; k < order.size(); ++k)
+          states[k] = plate_state(stress_at_node(i, order[k], state), laminate_of(i));
+        for (unsigned int l = 0; l < strengths[laminate_of(i)].size(); ++l)
+          for (int side = -1; side <= 1; ++side)
+            {
+              const auto [bottom, top] = laminate.heights(l);
+              const double z           = side < 0 ? bottom : side > 0 ? top : 0.5 * (bottom + top);
+              for (unsigned int k = 0; k < order.size(); ++k)
+                {
+                  Frame at = elements[i].frames[order[k]];
+                  at.arm += (offset + z) * at.rotation.col(2); // along the normal
+                  samples[k] = drawing.sample(at, state);
+                }
+              const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
+              for (unsigned int k = 0; k < order.size(); ++k)
+                {
+                  SectionStresses::Extremes there;
+                  there.add(strengths[laminate_of(i)][l],
+                            laminate.stress_in_material(l, laminate.stress(l, z, states[k].strains, states[k].shear)));
+                  fields.set_place(first + k, l + 1, side, offset + z);
+                  fields.set(first + k, there);
+                }
+            }
       }
   }
 } // namespace samara

@@ -109,6 +109,7 @@ TEST_F(Catalogued, Shells)
          {"Frames", "place at 0.5 1", {"Loads/pull/At = it.place"}},
          {"Rigid edges", "root at edge u0"},
          {"Rigid", "true", {"Output/Probes = it.at 0 0.position x"}},
+         {"Layers in pictures", "true", {"Dynamic/Pictures = 1"}},
          {"Velocity", "0.1, 0, 0"},
          {"Angular velocity", "0.3, 0.2, -0.6"}},
         {{"Patch layups", "one layup a patch: tests/shells/test_patch_layups.cc"}});

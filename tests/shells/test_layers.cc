@@ -4,10 +4,15 @@
  *            deflection is that of 3D elasticity (tests/reference/sections/pagano_plates.csv)
  */
 
+#include <samara/output/pictures.h>
+
+#include "../output/scratch_folder.h"
+#include "../output/vtu_arrays.h"
 #include "../reference.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "models.h"
 
@@ -161,6 +166,215 @@ TEST(LayersOfShells, OfALaminateAreThoseOfClassicalLamination)
 
 namespace
 {
+  /** The layers that a picture shows at a place of the reference surface: fields by layer and height in it. */
+  class LayersInPicture
+  {
+  public:
+    LayersInPicture(Scene &scene, const double x, const double y)
+    {
+      const ScratchFolder folder;
+      Pictures            pictures(folder.path, "static");
+      pictures.add(scene.system.draw(scene.context.state), 0);
+      pictures.finish();
+      text                 = content_of(folder.path + "/pictures/static.0000.vtu");
+      objects              = content_of(folder.path + "/static.objects.txt");
+      places               = numbers_of<float>(text, "Points");
+      const auto displaced = numbers_of<float>(text, "displacement");
+      for (unsigned int i = 0; i < places.size(); ++i)
+        places[i] -= displaced[i];
+      for (unsigned int i = 0; 3 * i < places.size(); ++i)
+        if (std::hypot(places[3 * i] - x, places[3 * i + 1] - y) < 1e-5)
+          here.push_back(i);
+    }
+
+    bool
+    has(const std::string &field) const
+    {
+      return contains(text, "Name=\"" + field + "\"");
+    }
+
+    /** Of all cells at the place; layers from 1. */
+    std::vector<double>
+    values(const std::string &field, const unsigned int layer, const int side) const
+    {
+      const auto          all = of(field), layers = of("layer"), sides = of("height in layer");
+      std::vector<double> result;
+      for (const auto i : here)
+        if (layers[i] == layer && sides[i] == side)
+          result.push_back(all[i]);
+      EXPECT_FALSE(result.empty()) << field;
+      return result;
+    }
+
+    /** Of the cells the mean. */
+    double
+    value(const std::string &field, const unsigned int layer, const int side) const
+    {
+      double     sum = 0;
+      const auto all = values(field, layer, side);
+      for (const double v : all)
+        sum += v;
+      return sum / all.size();
+    }
+
+    /** Reference heights of the points of a layer [m]. */
+    std::set<float>
+    heights(const unsigned int layer) const
+    {
+      const auto      layers = of("layer");
+      std::set<float> result;
+      for (const auto i : here)
+        if (layers[i] == layer)
+          result.insert(std::round(1e7f * places[3 * i + 2]) / 1e7f);
+      return result;
+    }
+
+    std::string objects;
+
+  private:
+    std::string               text;
+    std::vector<float>        places;
+    std::vector<unsigned int> here;
+
+    std::vector<float>
+    of(const std::string &field) const
+    {
+      EXPECT_TRUE(has(field)) << field;
+      return has(field) ? numbers_of<float>(text, field) : std::vector<float>(places.size() / 3);
+    }
+  };
+} // namespace
+
+
+
+// Bent by M = F (1 − x), beside the reference surface, and sheared: each layer has the stresses of classical
+// lamination at its bottom, middle and top, at its height; the largest of the three is what the probe tells.
+TEST(LayersOfShells, InPictures)
+{
+  const double F = 0.1, M = 0.5 * F, offset = 1e-3, t = 0.5e-3;
+  Scene        scene(
+    strip("    set Layup = cross\n    set Offset = 1 mm\n    set Layers in pictures = true\n", "0, 0, 0.1", carbon));
+  scene.equilibrium();
+  const LayersInPicture picture(scene, 0.5, 0);
+  EXPECT_EQ(picture.objects, "0 s\n1 s layers\n");
+
+  const double    E1 = 140e9, E2 = 10e9, nu = 0.3, stiff = 1 / (1 - nu * nu * E2 / E1);
+  const double    Q11 = E1 * stiff, Q22 = E2 * stiff, Q12 = nu * E2 * stiff;
+  const double    inner = 2 * std::pow(t / 2, 3) / 3, outer = 2 * std::pow(3 * t / 2, 3) / 3 - inner;
+  Eigen::Matrix2d D;
+  D << Q11 * outer + Q22 * inner, Q12 * (outer + inner), Q12 * (outer + inner), Q22 * outer + Q11 * inner;
+  const Eigen::Vector2d k = D.inverse() * Eigen::Vector2d(1, 0); // of a unit moment
+  // shear stress of a unit force: what the plies below pull
+  const double through = (Q11 * k(0) + Q12 * k(1)) * t * t, to_middle = through + (Q22 * k(0) + Q12 * k(1)) * t * t / 8;
+  // a force upwards pulls the bottom
+  for (unsigned int layer = 1; layer <= 3; ++layer)
+    for (int side = -1; side <= 1; ++side)
+      {
+        const double z = (layer - 2. + 0.5 * side) * t, bent = -M * z;
+        const double along  = layer == 2 ? Q12 * k(0) + Q11 * k(1) : Q11 * k(0) + Q12 * k(1),
+                     across = layer == 2 ? Q22 * k(0) + Q12 * k(1) : Q12 * k(0) + Q22 * k(1);
+        const double bound  = 5e-3 * M * t * Q11 * k(0);
+        for (const double height : picture.values("height", layer, side))
+          EXPECT_NEAR(height, offset + z, 1e-9);
+        EXPECT_NEAR(picture.value("stress 11", layer, side), bent * along, bound) << layer << side;
+        EXPECT_NEAR(picture.value("stress 22", layer, side), bent * across, bound) << layer << side;
+      }
+  EXPECT_EQ(picture.heights(2).size(), 3u);
+  EXPECT_NEAR(*picture.heights(2).begin(), offset - t / 2, 1e-7);
+  EXPECT_NEAR(*picture.heights(2).rbegin(), offset + t / 2, 1e-7);
+  // at a free edge the shear force is some percent more than its mean, F: it makes good for the twisting moment there
+  const double Q = probed(scene, "s.at 0.5 0.shear 1");
+  EXPECT_NEAR(Q / F, 1, 0.1);
+  EXPECT_NEAR(picture.value("stress 13", 1, 1) / (Q * through), 1, 1e-4);
+  EXPECT_NEAR(std::abs(picture.value("stress 23", 2, 0)) / (Q * to_middle), 1, 1e-4) << "turned with the ply";
+  EXPECT_NEAR(picture.value("stress 13", 1, -1), 0, 1e-4 * Q * through) << "a free face";
+  EXPECT_FALSE(picture.has("stress 33"));
+
+  const std::string quantities[] = {"stress 11",
+                                    "stress 22",
+                                    "stress 12",
+                                    "stress 13",
+                                    "stress 23",
+                                    "von Mises stress",
+                                    "max stress index",
+                                    "Tsai-Wu index",
+                                    "Hashin index"};
+  for (unsigned int layer = 1; layer <= 3; ++layer)
+    for (const auto &quantity : quantities)
+      {
+        double largest = 0;
+        for (int side = -1; side <= 1; ++side)
+          largest = std::max(largest, std::abs(picture.value(quantity, layer, side)));
+        const double probe = probed(scene, "s.at 0.5 0.layer " + std::to_string(layer) + "." + quantity);
+        // cells at the node differ a little, and a stress of none is not compared
+        EXPECT_NEAR(largest,
+                    std::abs(probe),
+                    1e-3 * std::abs(probe) + (quantity.back() == 'x' ? 0. : 1e-4 * M * t * Q11 * k(0)))
+          << layer << quantity;
+      }
+  EXPECT_FALSE(picture.has("von Mises index")) << "there is no yield stress";
+}
+
+
+
+// A cylinder of radius 1, one patch of three layers and one of one: each point is at the height of its layer outside of
+// it, and moves as the normal takes it along.
+TEST(LayersOfShells, InPicturesAreAlongTheNormal)
+{
+  std::string layups = carbon;
+  layups.replace(layups.find("  subsection cross"), 0, "  subsection one\n    set Plies = carbon, 30, 2 mm\n  end\n");
+  Scene scene(layups + R"(
+subsection Bodies
+  subsection s
+    set Type               = shell
+    set Patches            = cos(u), sin(u), v; cos(1 + u), sin(1 + u), v
+    set Elements           = 4, 1
+    set Degree             = 4
+    set Axis 1             = 0, 0, 1
+    set Patch layups       = cross, one
+    set Layers in pictures = true
+    set Angular velocity   = 0, 0, 2
+  end
+end
+)");
+  scene.system.add_initial_velocities(scene.context.state);
+  const Drawing drawing = scene.system.draw(scene.context.state);
+  std::set<int> of_first, of_second;
+  const Field  *layer = nullptr, *height = nullptr;
+  for (const auto &field : drawing.fields)
+    if (field.name == "layer")
+      layer = &field;
+    else if (field.name == "height")
+      height = &field;
+  ASSERT_TRUE(layer != nullptr && height != nullptr);
+  for (unsigned int i = 0; i < drawing.samples.size(); ++i)
+    if (!std::isnan((*layer)(i)))
+      {
+        const Vector3 &x = drawing.samples[i].x, radial(x(0), x(1), 0);
+        EXPECT_NEAR(radial.norm(), 1 + (*height)(i), 1e-6);
+        // the angular velocity is about the first node, at (1, 0, 0)
+        EXPECT_NEAR((drawing.samples[i].velocity - 2 * Vector3(-x(1), x(0) - 1, 0)).norm(), 0, 1e-9);
+        if (const double angle = std::atan2(x(1), x(0)); std::abs(angle - 1) > 0.01) // not at the common edge
+          (angle < 1 ? of_first : of_second).insert((*layer)(i));
+      }
+  EXPECT_EQ(of_first, std::set<int>({1, 2, 3}));
+  EXPECT_EQ(of_second, std::set<int>({1}));
+}
+
+
+
+// A rigid shell, of whose stresses nothing is known, shows none.
+TEST(LayersOfShells, InPicturesOnlyWhereTheyAreKnown)
+{
+  Scene scene(strip(steel + "    set Layers in pictures = true\n    set Rigid = true\n", "0, 0, 1"));
+  for (const auto &field : scene.system.draw(scene.context.state).fields)
+    EXPECT_NE(field.name, "layer");
+}
+
+
+
+namespace
+{
   /** A simply supported square [0/90/0] of side a and thickness 1 under an even load 1: Navier's series. */
   struct Navier
   {
@@ -299,4 +513,6 @@ TEST(LayersOfShells, Refusals)
   EXPECT_NE(refusal("s.layer 0.stress 11").find("no <layer 0>"), std::string::npos);
   EXPECT_NE(refusal("s.layers.von Mises index").find("needs more strengths"), std::string::npos);
   EXPECT_NE(refusal("s.at 0.5 0.3.stress 11").find("no node"), std::string::npos);
+  EXPECT_NE(refusal("s.at 0.5 0.stress 33").find("not known"), std::string::npos);
+  EXPECT_NE(refusal("s.layer 1.stress 33").find("not known"), std::string::npos);
 }

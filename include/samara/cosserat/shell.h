@@ -129,7 +129,8 @@ namespace samara
     double                                      relaxation_time = 0;
     std::vector<std::string>                    frame_entries, rigid_edges;
     std::vector<ShellCurve>                     curve_entries;
-    bool                                        rigid = false;
+    bool                                        rigid        = false;
+    bool                                        shows_layers = false;
     InitialVelocity                             initial_velocity;
 
     Model                              *model = nullptr;
@@ -215,6 +216,9 @@ namespace samara
     };
     PlateState plate_state(const VectorN &stress, unsigned int laminate) const;
 
+    /** The stress that is not known: zero to the order of a plate. */
+    static constexpr const char *across_the_layers = "stress 33";
+
     /** Of the layer, or of all if it is negative, at a place, or over the surface. @{ */
     SectionStresses::Extremes layer_extremes(const PlateState &at, int layer) const;
     SectionStresses::Extremes extremes_over_surface(int layer, const State &state) const;
@@ -229,11 +233,16 @@ namespace samara
     std::optional<Probe>
     layer_probe(const std::string &path, const std::string &point, const std::string &quantity) const;
 
-    /** Strains, stresses and indices of failure of an element, as draw_section_forces(). */
-    void draw_layers(unsigned int                element,
-                     const std::vector<VectorN> &stresses,
-                     unsigned int                first_sample,
-                     Drawing                    &drawing) const;
+    /** Strains, and the largest of stresses and indices of failure of an element, as draw_section_forces(). */
+    void draw_worst_layers(unsigned int                element,
+                           const std::vector<VectorN> &stresses,
+                           unsigned int                first_sample,
+                           Drawing                    &drawing) const;
+    /**
+     * Each layer as three surfaces, at its bottom, middle and top, where probes look for what is largest, with what
+     * they find there; the nodes of an element in this order.
+     */
+    void draw_layers(const std::vector<unsigned int> &order, const State &state, Drawing &drawing) const;
   };
 } // namespace samara
 
