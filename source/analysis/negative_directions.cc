@@ -329,6 +329,8 @@ namespace samara
     if (system.size() > large_model && (!large || large->n_negative().value_or(n_rows) == n_rows))
       return result;
     result.turning = turning_of(system, state);
+    if (result.turning == NegativeDirections::Turning::in_parts)
+      return result;
     const Tangent tangent(system, state);
     if (!tangent.is_symmetric())
       {
@@ -387,14 +389,10 @@ namespace samara
     const bool  one    = number == 1 && !is_least;
     std::string result = are_unstable() ? "the equilibrium is unstable, what disturbs it grows: " :
                                           "the equilibrium is unstable but for gyroscopic forces: ";
-    if (turning == Turning::in_parts)
-      result = "the equilibrium may be unstable: ";
     if (is_odd_only)
       return result + "the determinant of its stiffness, which is not symmetric, is negative";
     result += "its stiffness is negative in " + std::string(is_least ? "at least " : "") + std::to_string(number) +
               (one ? " direction, in which " : " directions; in the most negative one ") + what_moves(system, worst);
-    if (turning == Turning::in_parts)
-      result += "; as other parts turn otherwise, this is the stiffness of one moment";
     return result;
   }
 } // namespace samara

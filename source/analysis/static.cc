@@ -258,10 +258,8 @@ namespace samara
     std::string text = negative.text(context.system);
     if (!context.sweep.empty())
       text = "at " + short_text(context.speeds[0]) + " rad/s " + text;
-    if (negative.turning != NegativeDirections::Turning::none)
-      text += negative.turning == NegativeDirections::Turning::in_parts ?
-                ". Analyses = static, modal or floquet tell whether motions grow" :
-                (negative.are_unstable() ? "" : ". Analyses = static, modal tells whether they hold it");
+    if (negative.turning == NegativeDirections::Turning::as_one && !negative.are_unstable())
+      text += ". Analyses = static, modal tells whether they hold it";
     if (negative.are_unstable())
       text +=
         ". Look for a stable one: less load, a small imperfection that shows the way to it, Path = arc length from the "

@@ -135,11 +135,15 @@ namespace samara
       Measured    condition, result;
     };
 
+    /** A bare number in one branch has the dimension of the other: "copy == 1 ? 0.01 : damper". */
     Measured
     either(const FirstBranch &first, const Measured &second, bool &is_consistent)
     {
       Measured result;
-      is_consistent  = find_common({first.result, second}, result.dimension) && is_consistent;
+      if (first.result.is_number() || second.is_number())
+        result.dimension = first.result.is_number() ? second.dimension : first.result.dimension;
+      else
+        is_consistent = find_common({first.result, second}, result.dimension) && is_consistent;
       result.value   = first.condition.value != 0 ? first.result.value : second.value;
       result.is_free = first.condition.is_free || first.result.is_free || second.is_free;
       return result;

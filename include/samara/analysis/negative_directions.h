@@ -25,14 +25,14 @@ namespace samara
     {
       none,    ///< what has negative stiffness is unstable
       as_one,  ///< an odd number is unstable; gyroscopic forces may hold an even number
-      in_parts ///< the stiffness may change as parts turn
+      in_parts ///< the stiffness may change as parts turn: none are looked for
     } turning = Turning::none;
 
     /** Whether motions must grow, whatever gyroscopic forces do. */
     bool
     are_unstable() const
     {
-      return number > 0 && turning != Turning::in_parts && (turning == Turning::none || (number % 2 == 1 && !is_least));
+      return number > 0 && (turning == Turning::none || (number % 2 == 1 && !is_least));
     }
 
     /** "the equilibrium is unstable: its stiffness is negative in 2 directions; in the ..." */
@@ -44,7 +44,7 @@ namespace samara
    * matrix less the number of multipliers. Free motions are none of them: each direction is confirmed by its own
    * energy, far above round-off, from strains and geometric stiffness. If the tangent is not symmetric, as with loads
    * that follow, the sign of its determinant is looked at. None are looked for in models with states of first order or
-   * rolling.
+   * rolling, nor where parts turn differently: the stiffness of one moment decides nothing there.
    *
    * @param state an equilibrium with its stresses and multipliers
    * @param large the solver of a static analysis with factors of the tangent at the state, if any: in large models its
