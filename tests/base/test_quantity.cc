@@ -97,6 +97,7 @@ namespace
         EXPECT_TRUE(contains(fault_of_number(q, text, ""), "mixes dimensions")) << text;
       }
     EXPECT_EQ(q.number("6.0 ft - 6.0 ft", "m"), 0);
+    EXPECT_EQ(q.number("2 m > 1 m ? 3 : 1 m", "m"), 3) << "a bare number has the dimension of the other branch";
     EXPECT_EQ(q.number("2 > 1 ? 0 : 1 m", "m"), 0) << "a zero has any dimension";
     EXPECT_EQ(q.number("sqrt(4 m^2) + saturate(3 m, 0, 1 m)", "m"), 3);
     EXPECT_NEAR(q.number("6.0 ft - 1.8288 m", "m"), 0, 1e-15) << "what rounding leaves has a dimension, too";
