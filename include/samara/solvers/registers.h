@@ -2,6 +2,7 @@
 #define samara_solvers_registers_h
 
 #include <complex>
+#include <cstring>
 
 namespace samara
 {
@@ -99,7 +100,11 @@ namespace samara
     void
     store(double *to) const
     {
+#ifdef __clang__
+      std::memcpy(to, &head, sizeof(Vector)); // it forgets in templates that any address will do
+#else
       *reinterpret_cast<Vector *>(to) = head;
+#endif
       Tail::store(to + size);
     }
     void
@@ -164,10 +169,16 @@ namespace samara
     }
 
   private:
-    static const Vector &
+    static Vector
     vector_at(const double *a)
     {
+#ifdef __clang__
+      Vector result;
+      std::memcpy(&result, a, sizeof(Vector));
+      return result;
+#else
       return *reinterpret_cast<const Vector *>(a);
+#endif
     }
   };
 
