@@ -101,9 +101,10 @@ namespace samara
                    "*cos(" + w + "*t)\n";
       if (with_stops)
         {
-          const double k = std::pow(10., uniform(2, 7));
-          entries += " set Lower stop = " + text(-reach * uniform(0.05, 1)) +
-                     "\n set Upper stop = " + text(reach * uniform(0, 1)) + "\n set Stop stiffness = " + text(k) + "\n";
+          const double k = std::pow(10., uniform(2, 7)), upper = reach * uniform(0, 1),
+                       lower = -reach * uniform(0.05, 1);
+          entries += " set Lower stop = " + text(lower) + "\n set Upper stop = " + text(upper) +
+                     "\n set Stop stiffness = " + text(k) + "\n";
           if (uniform(0, 1) < 0.5)
             entries += " set Stop damping = " + text(uniform(0.01, 2) * std::sqrt(k * mass)) + "\n";
         }
@@ -121,10 +122,13 @@ namespace samara
                   "\n set GJ = " + text(0.8 * EI) + "\n set EI2 = " + text(EI) + "\n set EI3 = " + text(2 * EI) +
                   "\n set Mass = " + text(m) + "\n set I2 = " + text(inertia) + "\n set I3 = " + text(2 * inertia) +
                   "\n end\n";
-      bodies += "  subsection " + me + "\n set Type = beam\n set Elements = " + std::to_string(1 + number() % 4) +
-                "\n set Degree = " + std::to_string(1 + number() % 3) + "\n set Section = s" + me +
+      const std::string  spin     = vector(uniform(0, 6));
+      const unsigned int degree   = 1 + number() % 3;
+      const unsigned int elements = 1 + number() % 4;
+      bodies += "  subsection " + me + "\n set Type = beam\n set Elements = " + std::to_string(elements) +
+                "\n set Degree = " + std::to_string(degree) + "\n set Section = s" + me +
                 "\n set Points = " + text(0.1 + i) + ", 0, 0; " + text(1.1 + i) +
-                ", 0, 0\n set Angular velocity = " + vector(uniform(0, 6)) + "\n end\n";
+                ", 0, 0\n set Angular velocity = " + spin + "\n end\n";
     }
 
     void
@@ -142,43 +146,44 @@ namespace samara
       if (is_beam)
         add_beam(me, i);
       else
-        bodies +=
-          systems::rigid_body(me,
-                              "set Mass = " + text(m) + "\n set Inertia = " + text(m * a) + ", " + text(m * b) + ", " +
-                                text(m * c) + "\n set Position = " + text(0.6 + i) + ", " + text(uniform(-0.3, 0.3)) +
-                                ", " + text(uniform(-0.3, 0.3)) + "\n set Centre of mass = " + vector(0.1) +
-                                "\n set Angular velocity = " + vector(uniform(0, 6)) +
-                                "\n set Velocity = " + vector(uniform(0, 3)) + "\n");
+        {
+          const std::string velocity = vector(uniform(0, 3)), spin = vector(uniform(0, 6)), centre = vector(0.1);
+          const std::string z = text(uniform(-0.3, 0.3)), y = text(uniform(-0.3, 0.3));
+          bodies += systems::rigid_body(me,
+                                        "set Mass = " + text(m) + "\n set Inertia = " + text(m * a) + ", " +
+                                          text(m * b) + ", " + text(m * c) + "\n set Position = " + text(0.6 + i) +
+                                          ", " + y + ", " + z + "\n set Centre of mass = " + centre +
+                                          "\n set Angular velocity = " + spin + "\n set Velocity = " + velocity + "\n");
+        }
       const std::string axis = " set Axis = " + vector(1) + "\n";
+      // the motions one by one: an expression may draw its numbers in any order
+      const std::string joint = "j" + std::to_string(i);
+      const auto        add   = [&](const std::string &type, const std::string &entries) {
+        joints += systems::joint(joint, type, ends + entries);
+      };
+      std::string one, two, three;
       switch (number() % 7)
         {
           case 0:
           case 1:
-            joints += systems::joint("j" + std::to_string(i), "revolute", ends + axis + motion("rotation", 1, 0.3 * m));
-            return;
+            return add("revolute", axis + motion("rotation", 1, 0.3 * m));
           case 2:
-            joints +=
-              systems::joint("j" + std::to_string(i), "prismatic", ends + axis + motion("displacement", 0.4, m));
-            return;
+            return add("prismatic", axis + motion("displacement", 0.4, m));
           case 3:
-            joints += systems::joint("j" + std::to_string(i),
-                                     "universal",
-                                     ends + " set Axis = 0, 1, 0\n set Second axis = 0, 0, 1\n" +
-                                       motion("rotation 1", 1, 0.3 * m) + motion("rotation 2", 1, 0.3 * m));
-            return;
+            two = motion("rotation 2", 1, 0.3 * m);
+            one = motion("rotation 1", 1, 0.3 * m);
+            return add("universal", " set Axis = 0, 1, 0\n set Second axis = 0, 0, 1\n" + one + two);
           case 4:
-            joints += systems::joint("j" + std::to_string(i),
-                                     "cylindrical",
-                                     ends + axis + motion("displacement", 0.4, m) + motion("rotation", 1, 0.3 * m));
-            return;
+            two = motion("rotation", 1, 0.3 * m);
+            one = motion("displacement", 0.4, m);
+            return add("cylindrical", axis + one + two);
           case 5:
-            joints += systems::joint("j" + std::to_string(i),
-                                     "planar",
-                                     ends + axis + motion("displacement 1", 0.4, m) + motion("displacement 2", 0.4, m) +
-                                       motion("rotation", 1, 0.3 * m));
-            return;
+            three = motion("rotation", 1, 0.3 * m);
+            two   = motion("displacement 2", 0.4, m);
+            one   = motion("displacement 1", 0.4, m);
+            return add("planar", axis + one + two + three);
           default:
-            joints += systems::joint("j" + std::to_string(i), "spherical", ends);
+            add("spherical", "");
         }
     }
   };
@@ -246,7 +251,7 @@ namespace samara
     course.n_factorizations = integrator.n_factorizations;
     course.gap              = largest_gap(system, state);
     // some are locked: what does not move has the energy of 1 kg with a centimetre a second
-    largest = std::max(largest, 5e-5);
+    largest               = std::max(largest, 5e-5);
     course.largest_energy = largest;
     course.balance /= largest;
     course.worst_drive /= largest;
