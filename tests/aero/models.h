@@ -166,6 +166,48 @@ end
       airfoils(),
       air(wind) + subsection("flow", "    set Type = " + inflow + "\n    set Hub = " + hub + "\n    set Radius = 3\n"));
   }
+
+  /** A hub that is driven at 30 rad/s about z, and a blade on a hinge <@p hinge> with @p motion, 0.2 m from it. */
+  inline std::string
+  blade_on_driven_hub(const std::string &hinge, const std::string &axis, const std::string &motion)
+  {
+    return R"(
+subsection Bodies
+  subsection hub
+    set Type             = rigid body
+    set Mass             = 5
+    set Inertia          = 1, 1, 2
+    set Angular velocity = 0, 0, 30
+  end
+  subsection blade
+    set Type             = rigid body
+    set Mass             = 3
+    set Inertia          = 0.01, 1.5, 1.5
+    set Position         = 1.6, 0, 0
+    set Angular velocity = 0, 0, 30
+    set Velocity         = 0, 48, 0
+  end
+end
+subsection Joints
+  subsection shaft
+    set Type   = revolute
+    set Body A = ground
+    set Body B = hub.centre
+    set Axis   = 0, 0, 1
+    subsection rotation
+      set Prescribed = 30*t
+    end
+  end
+  subsection )" +
+           hinge + R"(
+    set Type     = revolute
+    set Body A   = hub.centre
+    set Body B   = blade.centre
+    set Position = 0.2, 0, 0
+    set Axis     = )" +
+           axis + "\n    subsection rotation\n      " + motion + "\n    end\n  end\nend\n";
+  }
+
 } // namespace samara::aero_models
 
 #endif

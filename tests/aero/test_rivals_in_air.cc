@@ -18,45 +18,7 @@ namespace
   blade_in_wind(const std::string &unsteady = "quasi-steady")
   {
     return {"blade in a wind",
-            R"(
-subsection Bodies
-  subsection hub
-    set Type             = rigid body
-    set Mass             = 5
-    set Inertia          = 1, 1, 2
-    set Angular velocity = 0, 0, 30
-  end
-  subsection blade
-    set Type             = rigid body
-    set Mass             = 3
-    set Inertia          = 0.01, 1.5, 1.5
-    set Position         = 1.6, 0, 0
-    set Angular velocity = 0, 0, 30
-    set Velocity         = 0, 48, 0
-  end
-end
-subsection Joints
-  subsection shaft
-    set Type   = revolute
-    set Body A = ground
-    set Body B = hub.centre
-    set Axis   = 0, 0, 1
-    subsection rotation
-      set Prescribed = 30*t
-    end
-  end
-  subsection flap
-    set Type     = revolute
-    set Body A   = hub.centre
-    set Body B   = blade.centre
-    set Position = 0.2, 0, 0
-    set Axis     = 0, -1, 0
-    subsection rotation
-      set Spring = 50
-    end
-  end
-end
-)" + airfoils() +
+            blade_on_driven_hub("flap", "0, -1, 0", "set Spring = 50") + airfoils() +
               subsection("Aerodynamics",
                          air("12, 0, -1") +
                            subsection("flow",

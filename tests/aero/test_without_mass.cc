@@ -30,40 +30,7 @@ namespace
                    const std::string &motion = "set Spring = 50",
                    const std::string &twist  = "8 deg - 1 deg*s")
   {
-    return R"(
-subsection Bodies
-  subsection hub
-    set Type             = rigid body
-    set Mass             = 5
-    set Inertia          = 1, 1, 2
-    set Angular velocity = 0, 0, 30
-  end
-  subsection blade
-    set Type             = rigid body
-    set Mass             = 3
-    set Inertia          = 0.01, 1.5, 1.5
-    set Position         = 1.6, 0, 0
-    set Angular velocity = 0, 0, 30
-    set Velocity         = 0, 48, 0
-  end
-end
-subsection Joints
-  subsection shaft
-    set Type   = revolute
-    set Body A = ground
-    set Body B = hub.centre
-    set Axis   = 0, 0, 1
-    subsection rotation
-      set Prescribed = 30*t
-    end
-  end
-  subsection hinge
-    set Type     = revolute
-    set Body A   = hub.centre
-    set Body B   = blade.centre
-    set Position = 0.2, 0, 0
-    set Axis     = )" +
-           hinge + "\n    subsection rotation\n      " + motion + "\n    end\n  end\nend\n" + airfoils() +
+    return blade_on_driven_hub("hinge", hinge, motion) + airfoils() +
            subsection("Aerodynamics",
                       air(wind) +
                         subsection("flow",
