@@ -68,6 +68,10 @@ namespace samara
     , gap_scale(system.layout.n_multipliers, 1.)
     , is_nonholonomic(system.layout.n_multipliers, false)
     , is_active(system.layout.n_multipliers, true)
+    , velocity_history(tableau.s)
+    , rate_history(tableau.s)
+    , stress_history(tableau.s)
+    , multiplier_history(tableau.s)
     , real_matrix(system.layout.pattern)
     , final_weights(tableau.w.transpose() * tableau.b)
     , mode_weights(tableau.w.transpose() * tableau.b.cwiseProduct(tableau.p))
@@ -79,10 +83,6 @@ namespace samara
     const Layout      &layout = system.layout;
     const unsigned int n      = system.size();
     make_factors();
-    const int n_kinematic = layout.of_multiplier(0);
-    for (int j = 0; j < layout.pattern->size(); ++j)
-      for (int k = layout.pattern->column_start[j]; k < layout.pattern->column_start[j + 1]; ++k)
-        is_constraint_entry.push_back(j >= n_kinematic || layout.pattern->rows[k] >= n_kinematic);
     for (const auto i : layout.nonholonomic)
       is_nonholonomic[i] = true;
     for (const auto i : system.released_multipliers())
@@ -115,6 +115,8 @@ namespace samara
     offset        = 1;
     first_strain  = -1;
     moved_energy  = 0;
+    n_steps_anew = n_steps_to_go_anew = 0;
+    forget_stages();
     if (redundant)
       redundant->forget();
   }
@@ -226,6 +228,7 @@ namespace samara
     for (const auto i : state.left_out)
       is_active[i] = false;
     left_out = state.left_out;
+    multiplier_history.forget();
     make_factors();
   }
 
@@ -309,6 +312,13 @@ namespace samara
         stage.states      = state.states;
         if (previous_step > 0 && extrapolates)
           extrapolate(offset + tableau.c(k) * h / previous_step, stage.y, stage.rates, stage.states);
+        if (offset == 1 && is_step(previous_step, h))
+          {
+            velocity_history.extrapolate(k, stage.y);
+            rate_history.extrapolate(k, stage.rates);
+            stress_history.extrapolate(k, stage.stress);
+            multiplier_history.extrapolate(k, stage.multipliers);
+          }
       }
   }
 
@@ -333,6 +343,7 @@ namespace samara
       }
     else
       extrapolates = true;
+    remember_stages(state, h);
     for (unsigned int j = 0; j <= tableau.s; ++j)
       {
         const auto &y     = j == 0 ? state.y : stages[j - 1].y;
@@ -344,6 +355,36 @@ namespace samara
       }
     previous_step = h;
     offset        = 1;
+  }
+
+
+
+  void
+  StageIntegrator::remember_stages(const State &state, const double h)
+  {
+    if (offset != 1 || !is_step(previous_step, h))
+      forget_stages();
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        extrapolated = state.y;
+        x_rates      = state.rates;
+        if (previous_step > 0 && extrapolates)
+          extrapolate(offset + tableau.c(k) * h / previous_step, extrapolated, x_rates, x_states);
+        const Stage &stage = stages[k];
+        velocity_history.remember(k, stage.y, extrapolated);
+        rate_history.remember(k, stage.rates, x_rates);
+        stress_history.remember(k, stage.stress, state.stress);
+        multiplier_history.remember(k, stage.multipliers, state.multipliers);
+      }
+  }
+
+
+
+  void
+  StageIntegrator::forget_stages()
+  {
+    for (auto *const history : {&velocity_history, &rate_history, &stress_history, &multiplier_history})
+      history->forget();
   }
 
 

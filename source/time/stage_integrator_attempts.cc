@@ -46,6 +46,9 @@ namespace samara
     /** Iterations that a slow attempt may still need: about what another factorisation costs. */
     constexpr double most_iterations_to_come = iterations_of_a_factorization;
 
+    /** Steps that begin with new factors after one to which old ones were no help, doubled each time, at most. */
+    constexpr unsigned int most_steps_anew = 15;
+
     /** Steps to come that begin with the exact matrix, where contacts in groups stick and slip. */
     constexpr unsigned int steps_with_exact_matrix = 20;
     /** @} */
@@ -63,10 +66,16 @@ namespace samara
           return true;
         predict(state, h);
       }
-    if (is_step(factored_step, h))
+    if (n_steps_to_go_anew > 0)
+      --n_steps_to_go_anew;
+    else if (is_step(factored_step, h))
       {
         if (iterate(state, h, slow_with_old_factors, result))
-          return true;
+          {
+            n_steps_anew = 0;
+            return true;
+          }
+        n_steps_to_go_anew = n_steps_anew = std::min(2 * n_steps_anew + 1, most_steps_anew);
         if (!(result.last_correction < near))
           predict(state, h);
       }

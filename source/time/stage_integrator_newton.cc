@@ -21,6 +21,12 @@ namespace samara
       return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
     }
 
+    double
+    product(const double a, const double b)
+    {
+      return a * b;
+    }
+
     /** Fewer dense states fill too little for it. */
     constexpr unsigned int worth_sweeping = 8;
 
@@ -118,6 +124,12 @@ namespace samara
     for (int k = 0; k < pattern->n_nonzeros(); ++k)
       if (const int i = entries_in_use.empty() ? k : entries_in_use[k]; i >= 0 && M.values[i] != 0.)
         mass.push_back({static_cast<unsigned int>(k), M.values[i]});
+    constraint_entries.clear();
+    const int n_kinematic = system.layout.of_multiplier(0);
+    for (int j = 0; j < pattern->size(); ++j)
+      for (int k = pattern->column_start[j]; k < pattern->column_start[j + 1]; ++k)
+        if (j >= n_kinematic || pattern->rows[k] >= n_kinematic)
+          constraint_entries.push_back(k);
 
     factored_step       = 0;
     real_matrix.pattern = pattern;
@@ -203,41 +215,49 @@ namespace samara
     Point<double> point = frozen.point();
     point.multipliers   = no_multipliers.data();
     frozen_strains->renew(point);
-    const unsigned int n     = real_matrix.pattern->n_nonzeros();
-    const auto         value = [&](const unsigned int k, const auto &hm) {
-      const int i  = entries_in_use.empty() ? k : entries_in_use[k];
-      using Number = std::decay_t<decltype(hm)>;
-      return i < 0                  ? Number(0) :
-                     is_constraint_entry[i] ? Number(K.values[i]) :
-                                              Number(hm * (C.values[i] + hm * K.values[i]));
-    };
     for_factors([&](const unsigned int j) {
       const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
       if (factors[j].real)
         {
-          const double hr = hm.real();
-          real_matrix.values.resize(n + 1);
-          for (unsigned int i = 0; i < n; ++i)
-            real_matrix.values[i] = value(i, hr);
-          for (const auto &m : mass)
-            real_matrix.values[m.at] += m.value;
-          for (const auto &p : entries_of_pairs)
-            real_matrix.values[p.at] += hr * (p.C + hr * p.K);
+          real_matrix.values.resize(real_matrix.pattern->n_nonzeros() + 1);
+          combine(hm.real(), real_matrix.values);
         }
       else
         {
-          matrix.resize(n);
-          for (unsigned int i = 0; i < n; ++i)
-            matrix[i] = value(i, hm);
-          for (const auto &m : mass)
-            matrix[m.at] += m.value;
-          for (const auto &p : entries_of_pairs)
-            matrix[p.at] += hm * (p.C + hm * p.K);
+          matrix.resize(real_matrix.pattern->n_nonzeros());
+          combine(hm, matrix);
         }
     });
     if (are_large(K))
       for (auto *const parts : {&C, &K})
         parts->values = std::vector<double>();
+  }
+
+
+
+  template <typename Number>
+  void
+  StageIntegrator::combine(const Number &hm, std::vector<Number> &values) const
+  {
+    // rows and columns of constraints are as they are
+    const unsigned int n      = real_matrix.pattern->n_nonzeros();
+    const Number       square = product(hm, hm);
+    if (entries_in_use.empty())
+      for (unsigned int i = 0; i < n; ++i)
+        values[i] = hm * C.values[i] + square * K.values[i];
+    else
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const int from = entries_in_use[i];
+          values[i]      = from < 0 ? Number(0) : hm * C.values[from] + square * K.values[from];
+        }
+    for (const unsigned int i : constraint_entries)
+      if (const int from = entries_in_use.empty() ? int(i) : entries_in_use[i]; from >= 0)
+        values[i] = K.values[from];
+    for (const auto &m : mass)
+      values[m.at] += m.value;
+    for (const auto &p : entries_of_pairs)
+      values[p.at] += hm * p.C + square * p.K;
   }
 
 

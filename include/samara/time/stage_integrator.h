@@ -9,6 +9,7 @@
 #include <samara/time/projection.h>
 #include <samara/time/stage_bristles.h>
 #include <samara/time/stage_contacts.h>
+#include <samara/time/stage_history.h>
 #include <samara/time/stage_stops.h>
 #include <samara/time/tableau.h>
 #include <samara/time/wider_pattern.h>
@@ -151,8 +152,9 @@ namespace samara
     State               frozen;               ///< at which they were made
     std::unique_ptr<LinearStrains> frozen_strains; ///< of the same configuration
     unsigned int                   n_steps_with_factors = 0, fresh_iterations = 0;
-    double                         extra_iterations = 0; ///< more than with fresh factors
-    SparseMatrix                   C, K;                 // of large models gone after a factorisation
+    double                         extra_iterations = 0;   ///< more than with fresh factors
+    unsigned int n_steps_anew = 0, n_steps_to_go_anew = 0; ///< steps that begin with new factors, in all and to come
+    SparseMatrix C, K;                                     // of large models gone after a factorisation
     /** Of the mass matrix, where it is not zero, and where that is in the pattern of the factors. */
     struct MassEntry
     {
@@ -161,7 +163,7 @@ namespace samara
     };
     std::vector<MassEntry> mass;
     std::vector<double>    gap_scale; ///< of multipliers, see row_scale(); 1 where that is 0
-    std::vector<bool>      is_constraint_entry, is_nonholonomic;
+    std::vector<bool>      is_nonholonomic;
     std::vector<bool>      is_active; ///< multipliers: neither released nor left out
 
     std::unique_ptr<ExactStages>                exact;            ///< the exact matrix, made when it is needed first
@@ -180,13 +182,15 @@ namespace samara
     double                           previous_step = 0;
     double                           offset        = 1; ///< 0 after step_back(): where the next step begins
     bool                             extrapolates  = false;
+    StageHistory                     velocity_history, rate_history, stress_history, multiplier_history;
 
     // work space
     std::vector<std::complex<double>> x, matrix;
     SparseMatrix                      real_matrix;
     std::vector<int>                  entries_in_use; ///< of the system's pattern, in that of the factors; empty: all
-    Eigen::VectorXd                   final_weights;  ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
-    Eigen::VectorXd                   mode_weights;   ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
+    std::vector<unsigned int>         constraint_entries; ///< in the pattern of the factors
+    Eigen::VectorXd                   final_weights;      ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
+    Eigen::VectorXd                   mode_weights;       ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
     std::vector<double>               x_real, x_rates, x_states, e, mean_rates, no_multipliers, time_rates, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
     std::vector<std::vector<double>>  d_exact;               ///< those of the exact matrix, or residuals for it
@@ -230,10 +234,15 @@ namespace samara
     void predict(const State &state, double h);
     void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates, std::vector<double> &states) const;
     void remember(const State &state, double h);
+    void remember_stages(const State &state, double h);
+    void forget_stages();
     void freeze(const State &state, double h);
     void factorize(double h);
     /** Fill the matrices of all factors: M + hμ C + (hμ)² K. */
     void combine_matrices(double h);
+    /** The values of one of them. */
+    template <typename Number>
+    void combine(const Number &hm, std::vector<Number> &values) const;
     /** Make solvers for a pattern without the rows left out, of their values there are none yet. */
     void make_factors();
 

@@ -1,0 +1,120 @@
+#include <samara/time/stage_history.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace samara
+{
+  namespace
+  {
+    /** Part of the error of a lower order, or of the other guess, that one more has to come down to: what is noise is
+     * nearer by accident now and then, and would be amplified. */
+    constexpr double worth_an_order = 0.5;
+
+    /** Values of the steps before, the last one first; nowhere overlapping. */
+    using Past = const double *__restrict__;
+
+    /** What a polynomial of the given order through them goes on with. @{ */
+    double
+    line(const double a, const double b)
+    {
+      return 2 * a - b;
+    }
+    double
+    parabola(const double a, const double b, const double c)
+    {
+      return 3 * (a - b) + c;
+    }
+    double
+    cubic(const double a, const double b, const double c, const double d)
+    {
+      return 4 * (a + c) - 6 * b - d;
+    }
+    double
+    quartic(const double a, const double b, const double c, const double d, const double e)
+    {
+      return 5 * (a - d) - 10 * (b - c) + e;
+    }
+    /** @} */
+
+
+
+    /**
+     * For each of n numbers the order that came nearest to @p values, of those that so many steps allow, 0 if none is
+     * much nearer than @p otherwise. Without a branch, so that it takes vector registers.
+     */
+    void
+    choose(const std::size_t                                           n,
+           const Past                                                  values,
+           const Past                                                  otherwise,
+           const std::array<const double *, StageHistory::most_steps> &past,
+           const unsigned int                                          n_steps,
+           double *const __restrict__ orders)
+    {
+      const Past   a = past[0], b = past[1], c = past[2], d = past[3], e = past[4];
+      const double far[] = {0, n_steps > 2 ? 0. : HUGE_VAL, n_steps > 3 ? 0. : HUGE_VAL, n_steps > 4 ? 0. : HUGE_VAL};
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          double     least = worth_an_order * std::abs(values[i] - otherwise[i]), best = 0;
+          const auto judge = [&](const double order, const double error) {
+            const double next      = worth_an_order * error;
+            const bool   is_nearer = error < least;
+            best                   = is_nearer ? order : best;
+            least                  = is_nearer ? next : least;
+          };
+          judge(1, std::abs(values[i] - line(a[i], b[i])));
+          judge(2, far[1] + std::abs(values[i] - parabola(a[i], b[i], c[i])));
+          judge(3, far[2] + std::abs(values[i] - cubic(a[i], b[i], c[i], d[i])));
+          judge(4, far[3] + std::abs(values[i] - quartic(a[i], b[i], c[i], d[i], e[i])));
+          orders[i] = best;
+        }
+    }
+  } // namespace
+
+
+
+  void
+  StageHistory::extrapolate(const unsigned int k, std::vector<double> &values) const
+  {
+    if (n_steps < 2)
+      return;
+    const Stage &stage = stages[k];
+    const Past   a = stage.values[0].data(), b = stage.values[1].data(), c = stage.values[2].data(),
+               d = stage.values[3].data(), e = stage.values[4].data();
+    const double *const __restrict__ orders = stage.order.data();
+    double *const __restrict__ to           = values.data();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        const double order = orders[i], first = line(a[i], b[i]), second = parabola(a[i], b[i], c[i]),
+                     third = cubic(a[i], b[i], c[i], d[i]), fourth = quartic(a[i], b[i], c[i], d[i], e[i]);
+        double value = to[i];
+        value        = order > 0.5 ? first : value;
+        value        = order > 1.5 ? second : value;
+        value        = order > 2.5 ? third : value;
+        to[i]        = order > 3.5 ? fourth : value;
+      }
+  }
+
+
+
+  void
+  StageHistory::remember(const unsigned int k, const std::vector<double> &values, const std::vector<double> &otherwise)
+  {
+    Stage &stage = stages[k];
+    stage.order.assign(values.size(), 0.);
+    if (n_steps > 1)
+      {
+        std::array<const double *, most_steps> past;
+        for (unsigned int j = 0; j < most_steps; ++j)
+          past[j] = stage.values[j].data();
+        choose(values.size(), values.data(), otherwise.data(), past, n_steps, stage.order.data());
+      }
+    else
+      for (auto &of_step : stage.values)
+        of_step.resize(values.size(), 0.);
+    std::rotate(stage.values.begin(), stage.values.end() - 1, stage.values.end());
+    stage.values[0] = values;
+    if (k + 1 == stages.size())
+      n_steps = std::min(n_steps + 1, most_steps);
+  }
+} // namespace samara
