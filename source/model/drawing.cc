@@ -331,12 +331,18 @@ namespace samara
   std::vector<Eigen::Vector2d>
   ellipse_outline(const double radius_2, const double radius_3, const unsigned int n_points)
   {
-    std::vector<Eigen::Vector2d> outline;
-    for (unsigned int j = 0; j < n_points; ++j)
+    // a beam asks for one at each sample
+    static thread_local std::vector<Eigen::Vector2d> circle;
+    if (circle.size() != n_points)
       {
-        const double angle = 2 * pi * j / n_points;
-        outline.emplace_back(radius_2 * std::cos(angle), radius_3 * std::sin(angle));
+        circle.clear();
+        for (unsigned int j = 0; j < n_points; ++j)
+          circle.emplace_back(std::cos(2 * pi * j / n_points), std::sin(2 * pi * j / n_points));
       }
+    std::vector<Eigen::Vector2d> outline;
+    outline.reserve(n_points);
+    for (const Eigen::Vector2d &point : circle)
+      outline.emplace_back(radius_2 * point(0), radius_3 * point(1));
     return outline;
   }
 

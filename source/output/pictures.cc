@@ -124,7 +124,7 @@ namespace samara
   Pictures::write(const Drawing &drawing, const double time)
   {
     const std::string file = picture_file(name, times_and_files.size());
-    replace_file(folder + "/" + file, vtu_of(drawing, compressor));
+    replace_file(folder + "/" + file, vtu_of(drawing));
     write_objects(drawing.objects);
 
     times_and_files.emplace_back(time, file);

@@ -19,12 +19,12 @@ namespace samara
    *     FOLDER/NAME.objects.txt           which number in the field `object` is which object of the model
    *     FOLDER/pictures/NAME.0000.vtu     one file a picture
    *
-   * The fields are displacement [m], velocity [m/s], object, and those of the drawing; see vtu_of(). The place before
+   * The fields are displacement [m], velocity [m/s], object, and those of the drawing; see VtuWriter. The place before
    * the deformation is x − displacement.
    *
    * Every file is complete or absent, so that what a run left when it was killed can be opened. The series is rewritten
-   * at the first picture, once a second, and by finish(). A picture is compressed and written beside the run; the next one
-   * waits for it. What cannot be written is a CannotWrite with the name of the file, thrown by the next add() or by
+   * at the first picture, once a second, and by finish(). A picture is compressed and written beside the run; the next
+   * one waits for it. What cannot be written is a CannotWrite with the name of the file, thrown by the next add() or by
    * finish().
    */
   class Pictures
@@ -59,7 +59,7 @@ namespace samara
     std::vector<std::string>                    written_objects;
     unsigned int                                n_in_series = 0; ///< that the file of the series names
     std::chrono::steady_clock::time_point       time_of_series;
-    Compressor                                  compressor;
+    VtuWriter                                   vtu_of;
     std::future<void>                           being_written; ///< last, so that it ends before the others do
   };
 } // namespace samara
