@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "systems.h"
 
 using namespace samara;
@@ -69,6 +71,51 @@ TEST(Reports, WhatProbesNeed)
   EXPECT_GT(n_of_places, 100u);
   EXPECT_GT(n_of_velocities, 100u);
   EXPECT_GT(n_of_forces, 100u);
+}
+
+
+
+// A shaft driven at a constant speed turns another by a universal joint. With angles of revolute and cylindrical joints
+// among the unknowns, rows of constraints are not quadratic. The acceleration that is reported at each position, and
+// the moment of the drive, are those of Cardan's joint in closed form, α = ω² cos β sin² β sin 2θ/(1 − sin² β sin² θ)²:
+// the differences by which the rates of rows change cost no digit that counts.
+TEST(Reports, AccelerationsOfCardansJoint)
+{
+  constexpr double  speed = 7, beta = M_PI / 6, J = 0.1;
+  const std::string body = "    set Mass = 1\n    set Inertia = 0.1, 0.1, 0.1\n";
+  Scene             scene(
+    "subsection Bodies\n" + rigid_body("first", body) + rigid_body("second", body) + "end\nsubsection Joints\n" +
+    joint("drive",
+          "revolute",
+          "    set Body A = ground\n    set Body B = first\n" + motion("rotation", "set Prescribed = 7*t\n")) +
+    joint("bearing",
+          "cylindrical",
+          "    set Body A = ground\n    set Body B = second\n    set Axis = sin(30 deg), 0, cos(30 deg)\n") +
+    joint("cross",
+          "universal",
+          "    set Body A = first\n    set Body B = second\n    set Axis = 0, 1, 0\n"
+                      "    set Second axis = cos(30 deg), 0, -sin(30 deg)\n") +
+    "end\nsubsection Output\n  set Probes = drive.rotation, bearing.rotation, drive.moment 3\nend\n");
+  const System   &system = scene.system;
+  State           state  = start_of({"", "", 0, 0}, system);
+  StageIntegrator integrator(system, Tableau(3, 1.), 1e-12);
+  const auto      moment = scene.input.model.find<Item>("drive", "joint").probe("moment 3");
+  ASSERT_TRUE(moment);
+  for (unsigned int i = 0; i < 60; ++i)
+    {
+      ASSERT_TRUE(integrator.step(state, 0.02).converged);
+      State reported = state;
+      Projection(system).report(reported);
+      const double theta = speed * state.time, s = std::sin(beta) * std::sin(theta),
+                   velocity     = speed * std::cos(beta) / (1 - s * s),
+                   acceleration = speed * speed * std::cos(beta) * std::pow(std::sin(beta), 2) * std::sin(2 * theta) /
+                                  std::pow(1 - s * s, 2);
+      // components along the axis of the second shaft, in its own frame
+      const Vector3 axis(std::sin(beta), 0, std::cos(beta));
+      EXPECT_NEAR(axis.dot(Eigen::Map<const Vector3>(&reported.y[6 * 2 + 3])), velocity, 1e-11);
+      EXPECT_NEAR(axis.dot(Eigen::Map<const Vector3>(&reported.accelerations[6 * 2 + 3])), acceleration, 1e-9);
+      EXPECT_NEAR(moment->value(reported), J * acceleration * velocity / speed, 1e-10);
+    }
 }
 
 
