@@ -16,7 +16,7 @@ namespace samara
 
     /** What is tried of an array, and the part it must shrink to so that the library compresses all of it. */
     constexpr std::size_t bytes_tried = 4096;
-    constexpr double      worthwhile  = 0.8;
+    constexpr double      worthwhile  = 0.6;
     constexpr std::size_t least_copy = 3, most_per_copy = 258, most_stored = 65535;
 
     /** The header of a stream of zlib: deflate, a window of 32 kB, the fastest of four levels. */

@@ -11,6 +11,11 @@ namespace samara
      * nearer by accident now and then, and would be amplified. */
     constexpr double worth_an_order = 0.5;
 
+    /** Where half of all errors of extrapolation are smaller than this part of those of the other guess it is worth its
+     * while; elsewhere nothing is remembered for so many steps. */
+    constexpr double       worth_remembering = 0.4;
+    constexpr unsigned int pause             = 20;
+
     /** Values of the steps before, the last one first; nowhere overlapping. */
     using Past = const double *__restrict__;
 
@@ -41,9 +46,10 @@ namespace samara
 
     /**
      * For each of n numbers the order that came nearest to @p values, of those that so many steps allow, 0 if none is
-     * much nearer than @p otherwise. Without a branch, so that it takes vector registers.
+     * much nearer than @p otherwise. Without a branch, so that it takes vector registers. Returns whether it is
+     * worth its while.
      */
-    void
+    bool
     choose(const std::size_t                                           n,
            const Past                                                  values,
            const Past                                                  otherwise,
@@ -52,14 +58,17 @@ namespace samara
            double *const __restrict__ orders)
     {
       const Past   a = past[0], b = past[1], c = past[2], d = past[3], e = past[4];
-      const double far[] = {0, n_steps > 2 ? 0. : HUGE_VAL, n_steps > 3 ? 0. : HUGE_VAL, n_steps > 4 ? 0. : HUGE_VAL};
+      const double far[]   = {0, n_steps > 2 ? 0. : HUGE_VAL, n_steps > 3 ? 0. : HUGE_VAL, n_steps > 4 ? 0. : HUGE_VAL};
+      std::size_t  n_small = 0, n_changing = 0; // what does not change has no error at all
       for (std::size_t i = 0; i < n; ++i)
         {
-          double     least = worth_an_order * std::abs(values[i] - otherwise[i]), best = 0;
-          const auto judge = [&](const double order, const double error) {
+          const double at_first = std::abs(values[i] - otherwise[i]);
+          double       least = worth_an_order * at_first, best = 0, error_of_best = at_first;
+          const auto   judge = [&](const double order, const double error) {
             const double next      = worth_an_order * error;
             const bool   is_nearer = error < least;
             best                   = is_nearer ? order : best;
+            error_of_best          = is_nearer ? error : error_of_best;
             least                  = is_nearer ? next : least;
           };
           judge(1, std::abs(values[i] - line(a[i], b[i])));
@@ -67,7 +76,10 @@ namespace samara
           judge(3, far[2] + std::abs(values[i] - cubic(a[i], b[i], c[i], d[i])));
           judge(4, far[3] + std::abs(values[i] - quartic(a[i], b[i], c[i], d[i], e[i])));
           orders[i] = best;
+          n_small += error_of_best < worth_remembering * at_first;
+          n_changing += at_first > 0;
         }
+      return 2 * n_small > n_changing;
     }
   } // namespace
 
@@ -76,7 +88,7 @@ namespace samara
   void
   StageHistory::extrapolate(const unsigned int k, std::vector<double> &values) const
   {
-    if (n_steps < 2)
+    if (n_steps < 2 || pauses())
       return;
     const Stage &stage = stages[k];
     const Past   a = stage.values[0].data(), b = stage.values[1].data(), c = stage.values[2].data(),
@@ -100,21 +112,33 @@ namespace samara
   void
   StageHistory::remember(const unsigned int k, const std::vector<double> &values, const std::vector<double> &otherwise)
   {
+    const bool is_last = k + 1 == stages.size();
+    if (pauses())
+      {
+        if (is_last && --n_steps == most_steps)
+          n_steps = 0;
+        return;
+      }
     Stage &stage = stages[k];
     stage.order.assign(values.size(), 0.);
+    bool is_worth_it = true;
     if (n_steps > 1)
       {
         std::array<const double *, most_steps> past;
         for (unsigned int j = 0; j < most_steps; ++j)
           past[j] = stage.values[j].data();
-        choose(values.size(), values.data(), otherwise.data(), past, n_steps, stage.order.data());
+        is_worth_it = choose(values.size(), values.data(), otherwise.data(), past, n_steps, stage.order.data());
       }
     else
       for (auto &of_step : stage.values)
         of_step.resize(values.size(), 0.);
     std::rotate(stage.values.begin(), stage.values.end() - 1, stage.values.end());
     stage.values[0] = values;
-    if (k + 1 == stages.size())
+    if (!is_last)
+      return;
+    if (n_steps == most_steps && !is_worth_it)
+      n_steps += pause;
+    else
       n_steps = std::min(n_steps + 1, most_steps);
   }
 } // namespace samara

@@ -17,6 +17,15 @@ namespace samara
      * for the factors to be kept: where nothing moves, forces alone show that factors are old. */
     constexpr double change_of_force_that_counts = 1e-3, slow_change_of_force = 0.3;
 
+    /** Where forces begin and end at once nothing goes on smoothly; extrapolation would only amplify round-off. */
+    bool
+    has_impacts(const Layout &layout)
+    {
+      return !layout.stops.empty() || !layout.frictions.empty() || !layout.contact_groups.empty();
+    }
+
+
+
     /**
      * The stop of a distance that nothing touches in the step, but that would be touched if the points flew straight,
      * with the distance and its rate at the start and the distance at the end; null if there is none. Of balls d² =
@@ -312,7 +321,7 @@ namespace samara
         stage.states      = state.states;
         if (previous_step > 0 && extrapolates)
           extrapolate(offset + tableau.c(k) * h / previous_step, stage.y, stage.rates, stage.states);
-        if (offset == 1 && is_step(previous_step, h))
+        if (offset == 1 && is_step(previous_step, h) && !has_impacts(system.layout))
           {
             velocity_history.extrapolate(k, stage.y);
             rate_history.extrapolate(k, stage.rates);
@@ -362,13 +371,15 @@ namespace samara
   void
   StageIntegrator::remember_stages(const State &state, const double h)
   {
+    if (has_impacts(system.layout))
+      return;
     if (offset != 1 || !is_step(previous_step, h))
       forget_stages();
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         extrapolated = state.y;
         x_rates      = state.rates;
-        if (previous_step > 0 && extrapolates)
+        if (previous_step > 0 && extrapolates && !velocity_history.pauses())
           extrapolate(offset + tableau.c(k) * h / previous_step, extrapolated, x_rates, x_states);
         const Stage &stage = stages[k];
         velocity_history.remember(k, stage.y, extrapolated);
