@@ -225,9 +225,9 @@ TEST(ShellsOfSze, HemisphereWithAHole)
 
 
 
-// An eighth, to the full load, through the snap at half of it; the force is spread over a pad of 0.2 m x 0.3 m, under which
-// the deflection is smaller than under the list's single node. Pads of twice the size miss the list by twice as much at
-// B and C. There is no limit point on the way, which there is where a single node is pulled.
+// An eighth, to the full load, through the snap at half of it; the force is spread over a pad of 0.2 m x 0.3 m, under
+// which the deflection is smaller than under the list's single node. Pads of twice the size miss the list by twice as
+// much at B and C. There is no limit point on the way, which there is where a single node is pulled.
 TEST(ShellsOfSze, OpenCylinderPulledApart)
 {
   if (is_debug)
@@ -238,13 +238,9 @@ TEST(ShellsOfSze, OpenCylinderPulledApart)
   for (const auto &[probe, column, bound] : {std::make_tuple("A.displacement z", "W_A", 0.045),
                                              {"B.displacement y", "minus_U_B", 0.02},
                                              {"C.displacement y", "minus_U_C", 0.025}})
-    EXPECT_LT(miss(path,
-                   probe,
-                   std::string(column) == "W_A" ? 1 : -1,
-                   "sze35_open_cylinder_pullout",
-                   "P_over_Pmax",
-                   column),
-              bound)
+    EXPECT_LT(
+      miss(path, probe, std::string(column) == "W_A" ? 1 : -1, "sze35_open_cylinder_pullout", "P_over_Pmax", column),
+      bound)
       << column;
 }
 
