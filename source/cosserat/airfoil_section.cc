@@ -136,6 +136,11 @@ namespace samara
             trailing_from,
             "Where that block begins, a fraction of the chord; 0: where half a skin is left between the skins [1].",
             Double(0, 1));
+    prm.add(
+      "Trailing edge skins",
+      skins_run_on,
+      "Whether the skins run on into that block, their plies ever thinner with it, and its material is between them "
+      "alone.");
     prm.add("Nose material", nose_material, "Of a weight that fills the nose inside of the skin.");
     prm.add("Nose to", nose_to, "As far as here, a fraction of the chord [1].", Double(0, 1));
     AnalysedSection::add_parameters(prm);
@@ -233,6 +238,7 @@ namespace samara
                                                  trailing_material.empty() ? material : trailing_material);
     if (trailing_from > 0)
       design.trailing_from = trailing_from;
+    design.skins_run_on = skins_run_on;
     if (nose_material.empty() != (nose_to == 0))
       model.complaints.add(parameters.where(nose_material.empty() ? "Nose to" : "Nose material"),
                            "a weight in the nose needs both <Nose material> and <Nose to>");

@@ -146,13 +146,14 @@ namespace samara
       }
 
     private:
-      ImportedMesh               &mesh;
-      Lines                      &lines;
-      bool                        with_triangles;
-      Vertices                    vertices;
-      double                      version = 0;
-      std::map<long, std::string> names, names_of_surfaces; // of physical curves and surfaces
-      std::map<long, long>        physical_of, of_surface;  // of the curves and surfaces of format 4
+      ImportedMesh &mesh;
+      Lines        &lines;
+      bool          with_triangles;
+      Vertices      vertices;
+      double        version = 0;
+      // of physical points, curves and surfaces; and the groups of points, curves and surfaces of format 4
+      std::map<long, std::string>       names[3];
+      std::map<long, std::vector<long>> physical_of[3];
 
       void
       read_format()
@@ -178,8 +179,8 @@ namespace samara
             const auto first = line.find('"'), last = line.rfind('"');
             if (!words || last <= first || last == std::string::npos)
               lines.fail("a physical name is written <1 2 \"root\">");
-            if (dimension == 1 || dimension == 2)
-              (dimension == 1 ? names : names_of_surfaces)[number] = line.substr(first + 1, last - first - 1);
+            if (dimension >= 0 && dimension <= 2)
+              names[dimension][number] = line.substr(first + 1, last - first - 1);
           }
       }
 
@@ -194,9 +195,10 @@ namespace samara
               const unsigned int at      = dimension == 0 ? 4 : 7;
               if (of_line.size() <= at)
                 lines.fail("an entity has a number, its box, and its physical groups");
-              if ((dimension == 1 || dimension == 2) && of_line[at] > 0 && of_line.size() > at + 1)
-                (dimension == 1 ? physical_of : of_surface)[std::lround(of_line[0])] =
-                  std::abs(std::lround(of_line[at + 1]));
+              if (dimension == 3)
+                continue;
+              for (std::size_t k = at + 1; k < of_line.size() && k <= at + std::max(0., of_line[at]); ++k)
+                physical_of[dimension][std::lround(of_line[0])].push_back(std::abs(std::lround(of_line[k])));
             }
       }
 
@@ -232,32 +234,31 @@ namespace samara
       }
 
       void
-      add_element(const long type, const double *nodes, const std::size_t n_nodes, const long physical)
+      add_element(const long type, const double *nodes, const std::size_t n_nodes, const std::vector<long> &groups)
       {
-        const auto at = [&](const unsigned int i) { return vertices.at(nodes[i]); };
-        if (type == 15)
-          return;
+        const auto at   = [&](const unsigned int i) { return vertices.at(nodes[i]); };
+        const auto name = [&](const long group, const unsigned int dimension) {
+          const auto found = names[dimension].find(group);
+          return found != names[dimension].end() ? found->second : std::to_string(group);
+        };
         if (type == 2 && !with_triangles)
           lines.fail("there is a triangle: shells have quadrilaterals (Recombine Surface, Mesh.RecombineAll = 1)");
         if (type >= 4 && type <= 7)
           lines.fail("there is a solid element, where surfaces are wanted");
-        if (type < 1 || type > 3)
+        if (type != 15 && (type < 1 || type > 3))
           lines.fail("there is an element of higher order (type " + std::to_string(type) +
                      "): save the mesh with Mesh.ElementOrder = 1, and choose the <Degree> here");
-        if (n_nodes < static_cast<std::size_t>(type + 1))
+        if (n_nodes < static_cast<std::size_t>(type == 15 ? 1 : type + 1))
           lines.fail("an element has too few nodes");
-        if (type > 1)
-          {
-            if (physical > 0)
-              mesh
-                .regions[names_of_surfaces.count(physical) > 0 ? names_of_surfaces.at(physical) :
-                                                                 std::to_string(physical)]
-                .push_back(mesh.quadrilaterals.size());
-            mesh.quadrilaterals.push_back({{at(0), at(1), at(2), at(type == 3 ? 3 : 2)}});
-          }
-        else if (physical > 0)
-          mesh.lines[names.count(physical) > 0 ? names.at(physical) : std::to_string(physical)].push_back(
-            {{at(0), at(1)}});
+        for (const long group : groups)
+          if (type == 15)
+            mesh.points[name(group, 0)].push_back(at(0));
+          else if (type == 1)
+            mesh.lines[name(group, 1)].push_back({{at(0), at(1)}});
+          else
+            mesh.regions[name(group, 2)].push_back(mesh.quadrilaterals.size());
+        if (type == 2 || type == 3)
+          mesh.quadrilaterals.push_back({{at(0), at(1), at(2), at(type == 3 ? 3 : 2)}});
       }
 
       void
@@ -269,8 +270,11 @@ namespace samara
             const auto e = lines.numbers(0);
             if (e.size() < 3 || e.size() < 3 + static_cast<std::size_t>(std::max(0., e[2])))
               lines.fail("an element is written <number type n-tags tags nodes>");
-            const auto first = 3 + static_cast<std::size_t>(e[2]);
-            add_element(std::lround(e[1]), e.data() + first, e.size() - first, e[2] > 0 ? std::lround(e[3]) : 0);
+            const auto        first = 3 + static_cast<std::size_t>(e[2]);
+            std::vector<long> groups;
+            if (e[2] > 0 && std::lround(e[3]) > 0) // zero: in none
+              groups.push_back(std::lround(e[3]));
+            add_element(std::lround(e[1]), e.data() + first, e.size() - first, groups);
           }
       }
 
@@ -280,16 +284,16 @@ namespace samara
         const auto n = lines.numbers(4);
         for (long block = 0; block < std::lround(n[0]); ++block)
           {
-            const auto  of_block = lines.numbers(4);
-            const auto &groups   = of_block[0] == 1 ? physical_of : of_surface;
-            const auto  group    = groups.find(std::lround(of_block[1]));
-            const long  physical = of_block[0] >= 1 && group != groups.end() ? group->second : 0;
+            const auto        of_block = lines.numbers(4);
+            std::vector<long> groups;
+            if (of_block[0] >= 0 && of_block[0] <= 2)
+              groups = physical_of[std::lround(of_block[0])][std::lround(of_block[1])];
             for (long i = 0; i < std::lround(of_block[3]); ++i)
               {
                 const auto e = lines.numbers(0);
                 if (e.empty())
                   lines.fail("an element is missing");
-                add_element(std::lround(of_block[2]), e.data() + 1, e.size() - 1, physical);
+                add_element(std::lround(of_block[2]), e.data() + 1, e.size() - 1, groups);
               }
           }
       }
@@ -364,8 +368,10 @@ namespace samara
             continue;
           if (line[0] == '*')
             {
-              keyword      = upper(trim(line.substr(0, line.find(','))));
-              set          = option(line, keyword == "*NSET" ? "NSET" : "ELSET");
+              keyword = upper(trim(line.substr(0, line.find(','))));
+              set     = option(line, keyword == "*NSET" || keyword == "*NODE" ? "NSET" : "ELSET");
+              if (set.empty() && (keyword == "*NSET" || keyword == "*ELSET"))
+                lines.fail("a set has a name: " + keyword + ", " + keyword.substr(1) + " = root");
               type         = upper(option(line, "TYPE"));
               is_generated = upper(line).find("GENERATE") != std::string::npos;
               continue;
@@ -378,6 +384,8 @@ namespace samara
               if (numbers.size() != 4 && numbers.size() != 3)
                 lines.fail("a node has a number and two or three coordinates");
               vertices.add(numbers[0], {numbers[1], numbers[2], numbers.size() > 3 ? numbers[3] : 0});
+              if (!set.empty())
+                mesh.sets[set].push_back(mesh.vertices.size() - 1);
             }
           else if (keyword == "*ELEMENT")
             {
@@ -403,6 +411,27 @@ namespace samara
 
 
 
+  std::string
+  ImportedMesh::groups() const
+  {
+    const auto list = [](const std::string &kind, const auto &groups, const auto &others) {
+      std::vector<std::string> names;
+      for (const auto &group : groups)
+        names.push_back(group.first);
+      for (const auto &other : others)
+        if (groups.count(other.first) == 0)
+          names.push_back(other.first);
+      return names.empty() ? "no " + kind + "s" :
+                             "the " + kind + (names.size() > 1 ? "s" : "") + " <" + join(names, ">, <") + ">";
+    };
+    if (points.empty() && lines.empty() && sets.empty() && regions.empty())
+      return "no physical groups and no sets";
+    const std::map<std::string, int> none;
+    return list("point", points, none) + ", " + list("curve", lines, sets) + ", and " + list("surface", regions, none);
+  }
+
+
+
   ImportedMesh
   read_mesh_file(const std::string &file, const bool with_triangles)
   {
@@ -417,6 +446,14 @@ namespace samara
       throw std::invalid_argument("the name of a mesh ends with .msh (Gmsh) or .inp (Abaqus), not as <" + file + ">");
     if (mesh.quadrilaterals.empty())
       throw std::invalid_argument(file + " has no quadrilaterals");
+    for (auto set = mesh.sets.begin(); set != mesh.sets.end();)
+      if (set->second.size() == 1)
+        {
+          mesh.points[set->first] = set->second;
+          set                     = mesh.sets.erase(set);
+        }
+      else
+        ++set;
     return mesh;
   }
 } // namespace samara

@@ -61,12 +61,12 @@ namespace samara
     prm.add("Frames",
             frame_entries,
             "Points others can attach to, where the mesh has a node: name at u v (on the first patch), name at x y z "
-            "(inertial coordinates, plain numbers in metres), ...");
+            "(inertial coordinates, plain numbers in metres), name at point NAME (of a mesh file), ...");
     prm.add(
       "Rigid edges",
       rigid_edges,
-      "Edges that are kept as stiff as a rigid body, each with a name for a frame at its centre with inertial axes, "
-      "to which others can attach: root at edge u0, ...");
+      "Edges, or regions, that are kept as stiff as a rigid body, each with a name for a frame at its centre with "
+      "inertial axes, to which others can attach: root at edge u0, pad at region pad, ...");
     prm.add(
       "Curves",
       curve_entries,
@@ -94,6 +94,9 @@ namespace samara
     const auto before = model->complaints.count();
     make_laminates();
     if (!make_mesh() || laminates.empty() || model->complaints.count() != before)
+      return;
+    distribute_laminates();
+    if (model->complaints.count() != before)
       return;
     make_rule();
     for (const auto &laminate : laminates)
@@ -183,7 +186,11 @@ namespace samara
         if (!grid.empty())
           mesh->add_grid(grid, grid_arguments, refinements);
         if (!mesh_file.empty())
-          mesh->add_cells(read_mesh_file(mesh_file), is_curved, crease, refinements);
+          {
+            const ImportedMesh file = read_mesh_file(mesh_file);
+            groups_of_file          = " " + mesh_file + " has " + file.groups() + ".";
+            mesh->add_cells(file, is_curved, crease, refinements);
+          }
         if (has_patches && merges)
           mesh->merge();
         mesh->finish(merges && has_patches);
@@ -313,7 +320,7 @@ namespace samara
   unsigned int
   Shell::laminate_of(const unsigned int cell) const
   {
-    return laminates.size() == 1 ? 0 : mesh->cells[cell].patch;
+    return laminate_of_cell.empty() ? 0 : laminate_of_cell[cell];
   }
 
 
@@ -389,7 +396,8 @@ namespace samara
       return length;
     };
     Vector3 e = axis_1.isZero(0.) ? Vector3(Vector3::UnitX()) : Vector3(axis_1.normalized());
-    if (axis_1.isZero(0.) && layup_name.empty() && patch_layups.empty()) // of an isotropic shell any axis will do
+    if (axis_1.isZero(0.) && layup_name.empty() && patch_layups.empty() &&
+        region_layups.empty()) // of an isotropic shell any axis will do
       for (const auto &other : {Vector3(Vector3::UnitY()), Vector3(Vector3::UnitZ())})
         if (shortest(e) < 0.5 && shortest(other) > shortest(e))
           e = other;
@@ -487,31 +495,36 @@ namespace samara
           {
             if (!split_at(text, point, place) || point.empty())
               throw std::invalid_argument("a rigid edge is written <name at edge u0>, not <" + text + ">");
-            const auto spans  = edge(place);
-            double     length = 0;
-            Vector3    centre = Vector3::Zero();
-            for (const auto &[cell, nodes] : mesh->walk(place))
-              {
-                const auto shares = mesh->lengths_of(nodes);
-                for (unsigned int a = 0; a < nodes.size(); ++a)
-                  {
-                    length += shares[a];
-                    centre += shares[a] * mesh->nodes[nodes[a]];
-                  }
-              }
-            centre /= length;
-            for (const auto &span : spans)
-              for (const auto &frame : span.frames)
-                model->weld(spans[0].frames[0], frame);
-            const Frame centred = model->frame_at(spans[0].frames[0], centre, Matrix3::Identity());
-            if (!named.insert({point, {centred, centre, Matrix3::Identity(), -1}}).second)
-              throw std::invalid_argument("shell <" + name + "> has a point <" + point + "> already");
+            make_rigid_edge(point, place);
           }
         catch (const std::invalid_argument &problem)
           {
             model->complaints.add(parameters.where("Rigid edges"), problem.what());
           }
       }
+  }
+
+
+
+  void
+  Shell::make_rigid_edge(const std::string &point, const std::string &place)
+  {
+    if (mesh->regions.count(place) == 0)
+      edge(place); // that it is there
+    double      size   = 0;
+    Vector3     centre = Vector3::Zero();
+    const auto  shares = mesh->shares_of(place);
+    const Frame first  = node_frames[shares.begin()->first];
+    for (const auto &[node, share] : shares)
+      {
+        size += share;
+        centre += share * mesh->nodes[node];
+        model->weld(first, node_frames[node]);
+      }
+    centre /= size;
+    const Frame centred = model->frame_at(first, centre, Matrix3::Identity());
+    if (!named.insert({point, {centred, centre, Matrix3::Identity(), -1}}).second)
+      throw std::invalid_argument("shell <" + name + "> has a point <" + point + "> already");
   }
 
 

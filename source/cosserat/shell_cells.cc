@@ -165,6 +165,14 @@ namespace samara
         return once(of_side[ends_of(i, j)], whole(i < j ? s : 1 - s), x);
       }
 
+      /** The node at a vertex of the file, -1 if no cell has it. */
+      int
+      at_vertex(const unsigned int vertex) const
+      {
+        const auto found = of_vertex.find(vertex);
+        return found == of_vertex.end() ? -1 : static_cast<int>(found->second);
+      }
+
     private:
       template <typename Key>
       using Numbers = std::map<Key, unsigned int>;
@@ -217,13 +225,45 @@ namespace samara
           }
       return curves;
     }
+    /** With cells that are there once for each of their groups as one. */
+    ImportedMesh
+    once(ImportedMesh mesh)
+    {
+      std::map<std::array<unsigned int, 4>, unsigned int> first;
+      std::vector<unsigned int>                           kept_as;
+      std::vector<std::array<unsigned int, 4>>            kept;
+      for (const auto &cell : mesh.quadrilaterals)
+        {
+          auto sorted = cell;
+          std::sort(sorted.begin(), sorted.end());
+          const auto [found, is_new] = first.insert({sorted, static_cast<unsigned int>(kept.size())});
+          if (is_new)
+            kept.push_back(cell);
+          kept_as.push_back(found->second);
+        }
+      mesh.quadrilaterals = kept;
+      for (auto &region : mesh.regions)
+        {
+          auto &numbers = region.second;
+          for (auto &cell : numbers)
+            cell = kept_as[cell];
+          std::sort(numbers.begin(), numbers.end());
+          numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+        }
+      return mesh;
+    }
   } // namespace
 
 
 
   void
-  ShellMesh::add_cells(const ImportedMesh &mesh, const bool curved, const double crease, const unsigned int refinements)
+  ShellMesh::add_cells(const ImportedMesh &given,
+                       const bool          curved,
+                       const double        crease,
+                       const unsigned int  refinements)
   {
+    const ImportedMesh                mesh   = once(given);
+    const unsigned int                before = cells.size();
     const std::map<Ends, SideCurve>   curves = curves_of_sides(mesh, crease);
     const unsigned int                n      = 1u << refinements; // cells along each side of one of the file
     std::map<Ends, std::vector<Side>> sides;                      // n of each cell that has it
@@ -263,6 +303,17 @@ namespace samara
           }
       }
     name_edges(mesh, sides, n);
+    for (const auto &[name, numbers] : mesh.regions)
+      for (const unsigned int c : numbers)
+        for (unsigned int k = 0; k < n * n; ++k)
+          regions["region " + name].push_back(before + c * n * n + k);
+    for (const auto &[name, vertices] : mesh.points)
+      {
+        auto &at = points["point " + name]; // empty if no cell has it
+        for (const unsigned int vertex : vertices)
+          if (const int node = shared.at_vertex(vertex); node >= 0)
+            at.push_back(node);
+      }
     ++n_patches;
   }
 
@@ -288,9 +339,16 @@ namespace samara
     for (const auto &[name, vertices] : mesh.sets)
       {
         const std::set<unsigned int> in_set(vertices.begin(), vertices.end());
-        for (const auto &[key, of_cells] : sides)
-          if (of_cells.size() == n && in_set.count(key.first) > 0 && in_set.count(key.second) > 0)
-            add(name, of_cells);
+        bool                         has_boundary = false;
+        // those of one cell; where there is none, those inside
+        for (const bool inside : {false, true})
+          for (const auto &[key, of_cells] : sides)
+            if ((of_cells.size() > n) == inside && in_set.count(key.first) > 0 && in_set.count(key.second) > 0 &&
+                (!inside || !has_boundary))
+              {
+                add(name, of_cells);
+                has_boundary = has_boundary || !inside;
+              }
       }
   }
 } // namespace samara

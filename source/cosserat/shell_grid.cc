@@ -73,6 +73,7 @@ namespace samara
         const unsigned int index = cells.size();
         cells.emplace_back();
         cells.back().patch = n_patches;
+        regions["region " + std::to_string(cell->material_id())].push_back(index);
         for (unsigned int a = 0; a < table.n_nodes; ++a)
           {
             const dealii::Point<3> x = mapping.transform_unit_to_real_cell(cell, table.nodes[a]);

@@ -1,5 +1,6 @@
 // What a shell is made of.
 
+#include <samara/base/text.h>
 #include <samara/cosserat/shell.h>
 #include <samara/section/elasticity.h>
 #include <samara/section/layup.h>
@@ -8,6 +9,33 @@
 
 namespace samara
 {
+  RegionLayup
+  Value<RegionLayup>::read(const std::string &text, const std::string &, const Quantities &)
+  {
+    const auto words = split_top_level(text, ',');
+    if (words.size() != 2 || words[0].empty() || words[1].empty())
+      throw std::invalid_argument("the layup of a region is written <region, layup>, not <" + text + ">");
+    return {words[0], words[1]};
+  }
+
+
+
+  std::string
+  Value<RegionLayup>::write(const RegionLayup &value)
+  {
+    return value.region + ", " + value.layup;
+  }
+
+
+
+  PatternPointer
+  Value<RegionLayup>::pattern()
+  {
+    return std::make_unique<dealii::Patterns::Anything>();
+  }
+
+
+
   void
   Shell::add_material_parameters(Parameters &prm)
   {
@@ -18,6 +46,11 @@ namespace samara
       "Name of the layup; the normal points from its first ply to its last, angles turn from axis 1 to axis 2. Or "
       "an isotropic material by the next four entries.");
     prm.add("Patch layups", patch_layups, "Names of the layups of all patches, one for each, in place of one layup.");
+    prm.add(
+      "Region layups",
+      region_layups,
+      "Layups of regions, the physical surfaces (Gmsh) or sets of elements (Abaqus) of a mesh file, or <patch 2>: "
+      "skin, thin; cap, thick; ... A <Layup> beside them is that of the rest.");
     prm.add(
       "Transverse shear",
       transverse_shear,
@@ -44,24 +77,28 @@ namespace samara
   void
   Shell::make_laminates()
   {
-    const bool has_layup = parameters.is_set("Layup"), has_layups = parameters.is_set("Patch layups");
-    if (has_layup || has_layups)
+    const bool has_layup = parameters.is_set("Layup"), has_layups = parameters.is_set("Patch layups"),
+               has_regions = !region_layups.empty();
+    if (has_layup || has_layups || has_regions)
       {
-        const std::string given = has_layup ? "Layup" : "Patch layups";
+        const std::string given = has_layup ? "Layup" : has_layups ? "Patch layups" : "Region layups";
         for (const std::string entry : {"E", "Poisson ratio", "Density", "Thickness"})
           if (parameters.is_set(entry))
             model->complaints.add(parameters.where(entry),
                                   "shell <" + name + "> has " + (has_layup ? "a <" : "<") + given +
                                     ">, which says what <" + entry + "> is");
-        if (has_layup && has_layups)
+        if (has_layups && (has_layup || has_regions))
           return model->complaints.add(parameters.where("Patch layups"),
-                                       "shell <" + name + "> has either a <Layup> or <Patch layups>");
+                                       "shell <" + name + "> has either a <Layup> or <Patch layups>" +
+                                         (has_regions ? " or <Region layups>" : ""));
         if (has_layups && patch_layups.size() != patch_entries.size())
           return model->complaints.add(parameters.where("Patch layups"),
                                        "shell <" + name + "> has " + std::to_string(patch_entries.size()) +
                                          " <Patches>, and <Patch layups> for " + std::to_string(patch_layups.size()));
         for (const auto &layup : has_layup ? std::vector<std::string>{layup_name} : patch_layups)
           add_laminate(given, layup);
+        for (const auto &of_region : region_layups)
+          add_laminate("Region layups", of_region.layup);
         return;
       }
     if (parameters.is_set("Transverse shear"))
@@ -100,6 +137,47 @@ namespace samara
     catch (const std::invalid_argument &problem)
       {
         model->complaints.add(parameters.where(entry), problem.what());
+      }
+  }
+
+
+
+  void
+  Shell::distribute_laminates()
+  {
+    const unsigned int n_cells = mesh->cells.size();
+    laminate_of_cell.clear();
+    if (!patch_layups.empty())
+      for (const auto &cell : mesh->cells)
+        laminate_of_cell.push_back(cell.patch);
+    if (region_layups.empty())
+      return;
+    // that of the rest, if there is one, comes first
+    const unsigned int rest = layup_name.empty() ? 0 : 1;
+    std::vector<int>   region_of(n_cells, -1);
+    try
+      {
+        for (unsigned int r = 0; r < region_layups.size(); ++r)
+          for (const unsigned int cell : cells_of(region_layups[r].region))
+            {
+              if (region_of[cell] >= 0)
+                throw std::invalid_argument(mesh->name_of(cell) + " of shell <" + name + "> is in the regions <" +
+                                            region_layups[region_of[cell]].region + "> and <" +
+                                            region_layups[r].region + ">: which layup it has is not said");
+              region_of[cell] = r;
+            }
+        for (unsigned int cell = 0; cell < n_cells; ++cell)
+          if (region_of[cell] < 0 && rest == 0)
+            throw std::invalid_argument(mesh->name_of(cell) + " of shell <" + name +
+                                        "> is in none of the regions that have a layup: give one, or a <Layup> of the "
+                                        "rest." +
+                                        groups_of_file);
+          else
+            laminate_of_cell.push_back(region_of[cell] < 0 ? 0 : rest + region_of[cell]);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model->complaints.add(parameters.where("Region layups"), problem.what());
       }
   }
 } // namespace samara

@@ -65,6 +65,7 @@ namespace samara
           const unsigned int index = cells.size();
           cells.emplace_back();
           cells.back().patch = number;
+          regions["patch " + std::to_string(number + 1)].push_back(index);
           for (const auto &at : table.nodes)
             {
               const auto along = [&](const unsigned int d) {
@@ -157,6 +158,9 @@ namespace samara
       }
     for (auto &origin : origins)
       origin.node = kept_as[origin.node];
+    for (auto &point : points)
+      for (auto &node : point.second)
+        node = kept_as[node];
     nodes = kept;
   }
 
@@ -304,6 +308,30 @@ namespace samara
     for (unsigned int a = 0; a < side.size(); ++a)
       lengths.push_back(lobatto.weight(a) * slope(side, xi[a]).norm());
     return lengths;
+  }
+
+
+
+  std::map<unsigned int, double>
+  ShellMesh::shares_of(const std::string &edge_or_region) const
+  {
+    std::map<unsigned int, double> shares;
+    const auto                     region = regions.find(edge_or_region);
+    if (region != regions.end())
+      for (const unsigned int i : region->second)
+        for (unsigned int a = 0; a < table.n_nodes; ++a)
+          {
+            const auto g = tangents(cells[i], a);
+            shares[cells[i].nodes[a]] += table.node_weights(a) * cross(g[0], g[1]).norm();
+          }
+    else
+      for (const auto &step : walk(edge_or_region))
+        {
+          const auto lengths = lengths_of(step.nodes);
+          for (unsigned int a = 0; a < lengths.size(); ++a)
+            shares[step.nodes[a]] += lengths[a];
+        }
+    return shares;
   }
 
 

@@ -22,8 +22,31 @@ namespace samara
 
 
   unsigned int
+  Shell::node_of_point(const std::string &point) const
+  {
+    const auto found = mesh->points.find(point);
+    if (found == mesh->points.end())
+      {
+        std::vector<std::string> known;
+        for (const auto &other : mesh->points)
+          known.push_back(other.first);
+        throw std::invalid_argument("shell <" + name + "> has no point <" + point + ">" + did_you_mean(point, known) +
+                                    groups_of_file);
+      }
+    if (found->second.size() != 1)
+      throw std::invalid_argument("<" + point + "> of shell <" + name + "> is " +
+                                  (found->second.empty() ? "no corner of a quadrilateral" :
+                                                           std::to_string(found->second.size()) + " nodes, not one"));
+    return found->second[0];
+  }
+
+
+
+  unsigned int
   Shell::node_at(const std::string &text) const
   {
+    if (text.compare(0, 6, "point ") == 0)
+      return node_of_point(text);
     std::vector<double> numbers;
     std::istringstream  words(text);
     std::string         word;
@@ -32,7 +55,8 @@ namespace samara
       numbers.push_back(text_to_number(word, number) ? number : std::nan(""));
     if ((numbers.size() != 2 && numbers.size() != 3) ||
         std::any_of(numbers.begin(), numbers.end(), [](const double x) { return !std::isfinite(x); }))
-      throw std::invalid_argument("a place on a shell is written <at u v> or <at x y z>, with plain numbers, not <at " +
+      throw std::invalid_argument("a place on a shell is written <at u v> or <at x y z>, with plain numbers, or <at "
+                                  "point NAME> of a mesh file, not <at " +
                                   text + ">");
     int        nearest  = -1;
     double     distance = 0;
@@ -74,8 +98,10 @@ namespace samara
     const auto found = named.find(point);
     if (found != named.end())
       return found->second;
-    if (point.substr(0, 3) == "at ")
+    if (point.compare(0, 3, "at ") == 0)
       return point_of(node_at(point.substr(3)));
+    if (point.compare(0, 6, "point ") == 0)
+      return point_of(node_of_point(point));
     auto known = points();
     known.push_back("at 0.5 0");
     throw std::invalid_argument("shell <" + name + "> has no point <" + point + ">" + did_you_mean(point, known));
@@ -97,18 +123,67 @@ namespace samara
     std::vector<std::string> names;
     for (const auto &point : named)
       names.push_back(point.first);
+    if (mesh != nullptr)
+      for (const auto &point : mesh->points)
+        if (point.second.size() == 1)
+          names.push_back(point.first);
     return names;
   }
 
 
 
   std::vector<SurfaceCell>
-  Shell::surface() const
+  Shell::surface(const std::string &region_name) const
   {
     std::vector<SurfaceCell> cells;
-    for (const auto &element : elements)
-      cells.push_back({element.frames, rule});
+    if (node_frames.empty())
+      return cells;
+    if (region_name.empty())
+      for (const auto &element : elements)
+        cells.push_back({element.frames, rule});
+    else
+      for (const unsigned int cell : cells_of(region_name))
+        cells.push_back({elements[cell].frames, rule});
     return cells;
+  }
+
+
+
+  const std::vector<unsigned int> &
+  Shell::cells_of(const std::string &region_name) const
+  {
+    for (const std::string prefix : {"", "region "})
+      if (const auto found = mesh->regions.find(prefix + region_name); found != mesh->regions.end())
+        return found->second;
+    throw std::invalid_argument("shell <" + name + "> has no region <" + region_name + ">" +
+                                did_you_mean(region_name, regions()) + groups_of_file);
+  }
+
+
+
+  std::vector<std::string>
+  Shell::regions() const
+  {
+    std::vector<std::string> names;
+    if (mesh != nullptr)
+      for (const auto &one : mesh->regions)
+        names.push_back(one.first);
+    return names;
+  }
+
+
+
+  std::vector<SurfaceBody::AreaShare>
+  Shell::region(const std::string &region_name) const
+  {
+    std::vector<AreaShare> shares;
+    if (node_frames.empty())
+      return shares;
+    cells_of(region_name); // that it is there
+    for (const auto &[node, area] :
+         mesh->shares_of(mesh->regions.count(region_name) > 0 ? region_name : "region " + region_name))
+      shares.push_back({node_frames[node], area});
+    return shares;
   }
 
 
@@ -145,7 +220,7 @@ namespace samara
       mesh->name_line(edge_name);
     if (mesh->edges.count(edge_name) == 0)
       throw std::invalid_argument("shell <" + name + "> has no edge <" + edge_name + ">" +
-                                  did_you_mean(edge_name, edges()));
+                                  did_you_mean(edge_name, edges()) + groups_of_file);
     std::vector<Span> spans;
     double            s = 0;
     for (const auto &step : mesh->walk(edge_name))
@@ -168,7 +243,7 @@ namespace samara
   bool
   Shell::is_place(const std::string &point) const
   {
-    return named.count(point) > 0 || point.substr(0, 3) == "at ";
+    return named.count(point) > 0 || point.compare(0, 3, "at ") == 0 || point.compare(0, 6, "point ") == 0;
   }
 
 
@@ -181,12 +256,11 @@ namespace samara
     const NamedPoint at = point_named(point);
     if (at.node < 0)
       return false;
-    std::set<int> on_rigid_edges;
     for (const auto &text : rigid_edges)
       if (std::string name_of_edge, place; split_at(text, name_of_edge, place))
-        for (const auto &step : mesh->walk(place))
-          on_rigid_edges.insert(step.nodes.begin(), step.nodes.end());
-    return on_rigid_edges.count(at.node) == 0;
+        if (mesh->shares_of(place).count(at.node) > 0)
+          return false;
+    return true;
   }
 
 

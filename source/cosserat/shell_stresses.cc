@@ -81,7 +81,7 @@ namespace samara
         {
           const int here = laminate_of(i);
           if (found >= 0 && here != found)
-            throw std::invalid_argument("patches with layups of their own meet there in shell <" + name +
+            throw std::invalid_argument("patches or regions with layups of their own meet there in shell <" + name +
                                         ">: ask for stresses inside of one of them, or over the surface, <layers>");
           found = here;
         }

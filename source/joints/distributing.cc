@@ -34,7 +34,11 @@ namespace samara
   void
   Distributing::add_parameters(Parameters &prm)
   {
-    prm.add("Along", edges, "Edges of shells, shell.edge u0, ..., whose mean motion is that of the body.");
+    prm.add(
+      "Along",
+      edges,
+      "Edges of shells, shell.edge u0, ..., or regions of them, shell.region pad, ..., whose mean motion is that of "
+      "the body.");
     prm.add("Body", body, "Point of a body: body.point, or ground. It may be away from the edges; it then has an arm.");
   }
 
@@ -51,18 +55,18 @@ namespace samara
     std::string where = "Along";
     try
       {
-        double  length   = 0;
+        double  size     = 0;
         Vector3 centroid = Vector3::Zero();
         for (const auto &edge : edges)
-          read_edge(edge, model, length, centroid);
-        centroid /= length;
+          read_part(edge, model, size, centroid);
+        centroid /= size;
         where = "Body";
         b     = model.frame_at(model.frame(body), centroid, Matrix3::Identity());
         for (auto &node : nodes)
           {
             node.place = model.position(node.frame) - centroid;
             node.frame = model.frame_at(node.frame, model.position(node.frame), Matrix3::Identity());
-            node.weight /= length;
+            node.weight /= size;
             node.of_axes *= 0.5 * node.weight;
           }
       }
@@ -75,27 +79,41 @@ namespace samara
 
 
   void
-  Distributing::read_edge(const std::string &path, Model &model, double &length, Vector3 &centroid)
+  Distributing::read_part(const std::string &path, Model &model, double &size, Vector3 &centroid)
   {
     const auto        dot     = path.find('.');
     const std::string name    = trim(path.substr(0, dot));
     const auto *const surface = dynamic_cast<const SurfaceBody *>(&model.find<Body>(name, "body"));
     if (surface == nullptr)
       throw std::invalid_argument("body <" + name + "> has no edges; join it by a joint");
-    for (const auto &span : surface->edge(dot == std::string::npos ? "" : trim(path.substr(dot + 1))))
-      {
-        const auto   rule = composite_rule({span.start, span.end}, 10);
-        const double h    = surface->thickness();
-        for (unsigned int a = 0; a < span.frames.size(); ++a)
-          {
-            double weight = 0;
-            for (const auto &[s, ds] : rule)
-              weight += lagrange(span.abscissae, a, s) * ds;
-            length += weight;
-            centroid += weight * model.position(span.frames[a]);
-            nodes.push_back({span.frames[a], weight, Vector3::Zero(), h * h / 12});
-          }
-      }
+    const std::string part    = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const double      h       = surface->thickness();
+    const auto        regions = surface->regions();
+    const bool        is_area = std::find(regions.begin(), regions.end(), part) != regions.end();
+    if (!nodes.empty() && is_area != is_of_areas)
+      throw std::invalid_argument("it is along edges, or over regions: lengths and areas have no common mean");
+    is_of_areas = is_area;
+    if (is_area)
+      for (const auto &[frame, area] : surface->region(part))
+        {
+          size += area;
+          centroid += area * model.position(frame);
+          nodes.push_back({frame, area, Vector3::Zero(), h * h / 12});
+        }
+    else
+      for (const auto &span : surface->edge(part))
+        {
+          const auto rule = composite_rule({span.start, span.end}, 10);
+          for (unsigned int a = 0; a < span.frames.size(); ++a)
+            {
+              double weight = 0;
+              for (const auto &[s, ds] : rule)
+                weight += lagrange(span.abscissae, a, s) * ds;
+              size += weight;
+              centroid += weight * model.position(span.frames[a]);
+              nodes.push_back({span.frames[a], weight, Vector3::Zero(), h * h / 12});
+            }
+        }
   }
 
 

@@ -30,9 +30,10 @@ namespace samara
   void
   Support::add_parameters(Parameters &prm)
   {
-    prm.add("Along",
-            places,
-            "Points of bodies, and edges of shells, that are held at the ground: plate.edge u0, plate.edge v1.");
+    prm.add(
+      "Along",
+      places,
+      "Points of bodies, edges and regions of shells, that are held at the ground: plate.edge u0, plate.region pad.");
     prm.add(
       "Fixed",
       fixed_entries,
@@ -135,9 +136,13 @@ namespace samara
     Body              &found   = model->find<Body>(body, "body");
     const auto *const  surface = dynamic_cast<const SurfaceBody *>(&found);
     const auto         edges   = surface == nullptr ? std::vector<std::string>() : surface->edges();
+    const auto         regions = surface == nullptr ? std::vector<std::string>() : surface->regions();
     if (std::find(edges.begin(), edges.end(), point) != edges.end())
       for (const auto &span : surface->edge(point))
         frames.insert(frames.end(), span.frames.begin(), span.frames.end());
+    else if (std::find(regions.begin(), regions.end(), point) != regions.end())
+      for (const auto &share : surface->region(point))
+        frames.push_back(share.frame);
     else
       try
         {

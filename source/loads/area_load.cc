@@ -19,6 +19,7 @@ namespace samara
   AreaLoad::add_parameters(Parameters &prm)
   {
     prm.add("Body", body, "Shell on which it acts.");
+    prm.add("Region", region, "The part of it on which it acts: region skin, patch 2; not given: all of it.");
     prm.add("Force", force, "Components per area, expressions of time t and signals [Pa].");
     prm.add("Moment", moment, "Components per area, expressions of time t and signals [N/m].");
     add_axes_parameter(prm);
@@ -31,12 +32,15 @@ namespace samara
   {
     if (!parameters.require("Body", model.complaints))
       return;
+    std::string where = "Body";
     try
       {
-        for (const auto &cell : surface_body(model, body).surface())
+        const SurfaceBody &surface = surface_body(model, body);
+        where                      = parameters.is_set("Region") ? "Region" : "Body";
+        for (const auto &cell : surface.surface(region))
           {
-            const SurfaceRule   &rule = *cell.rule;
-            const unsigned int   n    = cell.frames.size();
+            const SurfaceRule &rule = *cell.rule;
+            const unsigned int n    = cell.frames.size();
             AssertDimension(rule.N.cols(), n);
             std::vector<Vector3> x;
             for (const auto &frame : cell.frames)
@@ -54,7 +58,7 @@ namespace samara
       }
     catch (const std::invalid_argument &problem)
       {
-        model.complaints.add(parameters.where("Body"), problem.what());
+        model.complaints.add(parameters.where(where), problem.what());
       }
   }
 } // namespace samara

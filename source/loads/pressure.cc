@@ -6,6 +6,7 @@ namespace samara
   Pressure::add_parameters(Parameters &prm)
   {
     prm.add("Body", body, "Shell on which it acts.");
+    prm.add("Region", region, "The part of it on which it acts: region skin, patch 2; not given: all of it.");
     prm.add("Pressure",
             pressure,
             "Force per deformed area along the normal, axis 3 of the shell; a function of time t [Pa].");
@@ -18,14 +19,17 @@ namespace samara
   {
     if (!parameters.require("Body", model.complaints))
       return;
+    std::string where = "Body";
     try
       {
-        for (const auto &cell : surface_body(model, body).surface())
+        const SurfaceBody &surface = surface_body(model, body);
+        where                      = parameters.is_set("Region") ? "Region" : "Body";
+        for (const auto &cell : surface.surface(region))
           cells.push_back({cell, {}});
       }
     catch (const std::invalid_argument &problem)
       {
-        model.complaints.add(parameters.where("Body"), problem.what());
+        model.complaints.add(parameters.where(where), problem.what());
       }
   }
 

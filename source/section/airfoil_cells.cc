@@ -76,11 +76,12 @@ namespace samara
   void
   AirfoilMesh::cut_along(Strip &strip) const
   {
-    // cells: not longer than a part of the chord, nor turning by more than 20 degrees
-    constexpr unsigned int fine = 64;
-    constexpr double       turn = 0.35;
-    std::vector<double>    sum(1, 0.);
-    const double           h = (strip.b - strip.a) / fine;
+    // cells: not longer than a part of the chord, nor turning by more than 20 degrees; a nose may be as short as the
+    // step
+    constexpr double    turn = 0.35, step = 1e-3;
+    const unsigned int  fine = std::max(64., std::ceil((strip.b - strip.a) / (step * outline->chord)));
+    std::vector<double> sum(1, 0.);
+    const double        h = (strip.b - strip.a) / fine;
     for (unsigned int i = 0; i < fine; ++i)
       sum.push_back(sum.back() + h * std::max(design.fineness.along / outline->chord,
                                               std::abs(outline->curvature(strip.a + h * (i + 0.5))) / turn));

@@ -71,6 +71,35 @@ namespace samara
     {
       return [=](unsigned int, unsigned int) { return Ply{material, 0}; };
     }
+
+
+
+    /** Of the cells between depths, from the outside. */
+    std::vector<Ply>
+    plies_between(const std::vector<double> &depths, const Wall &wall)
+    {
+      std::vector<Ply> result;
+      for (std::size_t j = 0; j + 1 < depths.size(); ++j)
+        {
+          double      sum = 0;
+          std::size_t i   = 0;
+          while (i + 1 < wall.size() && (sum += wall[i].thickness) < 0.5 * (depths[j] + depths[j + 1]))
+            ++i;
+          result.push_back({wall[i].material, wall[i].angle});
+        }
+      return result;
+    }
+
+
+
+    /** Where layers are seen along the way from the nose to the trailing edge, angles turn the other way. */
+    std::vector<Ply>
+    turned_over(std::vector<Ply> plies)
+    {
+      for (Ply &ply : plies)
+        ply.angle = 0. - ply.angle; // which leaves zero as it is written
+      return plies;
+    }
   } // namespace
 
 
@@ -96,12 +125,8 @@ namespace samara
         };
         patch.u   = strip.s;
         patch.v   = strip.depths;
-        patch.ply = [wall = strip.wall, depths = strip.depths](unsigned int, const unsigned int j) {
-          double      sum = 0;
-          std::size_t i   = 0;
-          while (i + 1 < wall.size() && (sum += wall[i].thickness) < 0.5 * (depths[j] + depths[j + 1]))
-            ++i;
-          return Ply{wall[i].material, wall[i].angle};
+        patch.ply = [plies = plies_between(strip.depths, strip.wall)](unsigned int, const unsigned int j) {
+          return plies[j];
         };
         patches.push_back(patch);
       }
@@ -208,6 +233,20 @@ namespace samara
 
 
 
+  /** Of one half of the block, from the outside to the middle. */
+  std::vector<Ply>
+  AirfoilMesh::trailing_plies(const bool upper) const
+  {
+    const Strip     &skin   = upper ? strips.back() : strips.front();
+    const Ply        middle = {design.trailing_material, 0};
+    std::vector<Ply> result =
+      design.skins_run_on ? plies_between(skin.depths, skin.wall) : std::vector<Ply>(skin.depths.size() - 1, middle);
+    result.push_back(middle);
+    return result;
+  }
+
+
+
   void
   AirfoilMesh::add_blunt_trailing_edge(const std::vector<Place> &upper, const std::vector<Place> &lower)
   {
@@ -224,7 +263,9 @@ namespace samara
                           [=, outline = outline](const double u) { return outline->place((1 - u) * to); },
                           polyline(nodes, patch.v),
                           straight(outline->place(length), outline->place(0)));
-    patch.ply   = one_material(design.trailing_material);
+    std::vector<Ply> plies = trailing_plies(true), of_lower = turned_over(trailing_plies(false));
+    plies.insert(plies.end(), of_lower.rbegin(), of_lower.rend());
+    patch.ply = [plies](unsigned int, const unsigned int j) { return plies[j]; };
     patches.push_back(patch);
   }
 
@@ -244,7 +285,22 @@ namespace samara
 
     SectionPatch above, below, tip;
     above.name = below.name = tip.name = "the trailing edge";
-    above.ply = below.ply = tip.ply = one_material(design.trailing_material);
+    const auto plies_above = trailing_plies(true), plies_below = trailing_plies(false);
+    above.ply = [plies_above](unsigned int, const unsigned int j) { return plies_above[j]; };
+    below.ply = [plies = turned_over(plies_below)](unsigned int, const unsigned int j) { return plies[j]; };
+    // in the tip plies of the upper side are columns, those of the lower one rows; where both are the outer one goes on
+    tip.ply = [plies_above, plies_below](const unsigned int i, const unsigned int j) {
+      const unsigned int row = plies_below.size() - 1 - j;
+      return row >= plies_below.size() - 1 || (i < plies_above.size() - 1 && i <= row) ? plies_above[i] :
+                                                                                         plies_below[row];
+    };
+    tip.tangent = [=, tail = outline->place(0), outline = outline](const Place &x) {
+      const auto   way = tail - M, to = x - M;
+      const double share    = std::min(1., std::max(0., (tail[0] - x[0]) / (tail[0] - N[0])));
+      const bool   is_above = (way[0] * to[1] - way[1] * to[0]) * (way[0] * (N - M)[1] - way[1] * (N - M)[0]) > 0;
+      const Place  in       = Place(outline->inwards(is_above ? length - share * (length - s_N) : share * s_K));
+      return Eigen::Vector2d(in[1], -in[0]);
+    };
     for (unsigned int i = 0; i <= n; ++i)
       above.u.push_back(double(i) / n);
     below.u     = above.u;

@@ -4,6 +4,7 @@
 #include <samara/cosserat/section_file.h>
 
 #include "../debug.h"
+
 #include "catalogued.h"
 
 using namespace samara;
@@ -370,6 +371,7 @@ TEST_F(Catalogued, SectionsFromOutlinesAndMeshes)
                  {"Webs", "0.3, skin"},
                  {"Trailing edge material", "ply"},
                  {"Trailing edge from", "0.7"},
+                 {"Trailing edge skins", "true", {"Sections/it/Trailing edge material = ply"}},
                  {"Nose material", "ply", nose},
                  {"Nose to", "0.12", nose}}}));
 

@@ -112,7 +112,8 @@ TEST_F(Catalogued, Shells)
          {"Layers in pictures", "true", {"Dynamic/Pictures = 1"}},
          {"Velocity", "0.1, 0, 0"},
          {"Angular velocity", "0.3, 0.2, -0.6"}},
-        {{"Patch layups", "one layup a patch: tests/shells/test_patch_layups.cc"}});
+        {{"Patch layups", "one layup a patch: tests/shells/test_patch_layups.cc"},
+         {"Region layups", "likewise: tests/shells/test_regions.cc"}});
   check("support",
         shell("", "subsection it\n set Type = support\n set Along = it.edge u0\n set Fixed = displacement 3\nend\n"),
         "Joints/it",
@@ -127,9 +128,9 @@ TEST_F(Catalogued, Shells)
   check("area load",
         shell("subsection it\n set Type = area load\n set Body = it\n set Force = 1, 2, 3\nend\n"),
         "Loads/it",
-        {{"Body", "other"}, {"Force", "1, 2, 4"}, {"Moment", "1, 2, 3"}, {"Axes", "body"}});
+        {{"Body", "other"}, {"Region", "patch 2"}, {"Force", "1, 2, 4"}, {"Moment", "1, 2, 3"}, {"Axes", "body"}});
   check("pressure",
         shell("subsection it\n set Type = pressure\n set Body = it\n set Pressure = 10\nend\n"),
         "Loads/it",
-        {{"Body", "other"}, {"Pressure", "12"}});
+        {{"Body", "other"}, {"Region", "patch 2"}, {"Pressure", "12"}});
 }

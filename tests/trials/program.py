@@ -41,12 +41,15 @@ class Table:
 
 
 class Run:
-    """Exit code, output (both streams), tables by the names of their files, and how long it took [s of the processor]."""
+    """Exit code, output (both streams), tables and reports by the names of their files, and how long it took [s of the
+    processor]. Files that the model reads are `files`, their texts by name."""
 
-    def __init__(self, program, text, *arguments, name="model.prm"):
+    def __init__(self, program, text, *arguments, name="model.prm", files=None):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / name).write_bytes(text if isinstance(text, bytes) else text.encode())
+            for other, content in (files or {}).items():
+                (folder / other).write_text(content)
             command = [program, name, "--output", "results", *arguments]
             environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1", DEAL_II_NUM_THREADS="1")
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -56,6 +59,7 @@ class Run:
             self.code, self.output = done.returncode, (done.stdout + done.stderr).decode(errors="replace")
             self.tables = {}
             for path in (folder / "results").glob("*.csv"):
-                if path.stem in ("assembly", "dynamic_stops"):
+                if path.stem in ("assembly", "dynamic_stops", "sections"):
                     continue  # with names
                 self.tables[path.stem] = Table(path)
+            self.texts = {path.stem: path.read_text() for path in (folder / "results").glob("section_*.txt")}

@@ -130,4 +130,6 @@ def smaller_texts(text):
 
 
 def smaller(thing):
-    return smaller_mechanisms(thing) if isinstance(thing, Mechanism) else smaller_texts(thing)
+    if isinstance(thing, str):
+        return smaller_texts(thing)
+    return smaller_mechanisms(thing) if isinstance(thing, Mechanism) else iter(())  # panels and sections are small

@@ -15,6 +15,7 @@ from mechanism import Mechanism
 from outline import render
 from program import LIMIT, Run
 from shells import Sheller, shelled_mechanism
+from surfaces import compare_panels, compare_sections, judge_section, panel, section, spoilt_mesh
 from touching import Group, Toucher, rough_touching, touching_mechanism
 from world import World
 
@@ -87,6 +88,79 @@ class TextTrial(Trial):
         run = Run(program, thing, *self.arguments)
         self.code, self.seconds = run.code, run.seconds
         return [*judges.outcome(run), *judges.readable(run)]
+
+
+class PanelTrial(Trial):
+    """A panel and the same in another world, or with its normal on the other side."""
+
+    def __init__(self, name, thing, world, backwards=False):
+        super().__init__(name, thing)
+        self.world, self.backwards = world, backwards
+
+    def text(self, thing):
+        return thing.text(World())
+
+    def complaints(self, program, thing):
+        first, second = Run(program, thing.text(World())), Run(program, thing.text(self.world, self.backwards))
+        self.code, self.seconds = first.code, first.seconds + second.seconds
+        return [*judges.outcome(first), *judges.outcome(second), *compare_panels(thing, first, second, self.world, 1e-6)]
+
+
+class SectionTrial(Trial):
+    """A section and the same in other units, turned and moved across its beam."""
+
+    def __init__(self, name, thing, world, angle, place):
+        super().__init__(name, thing)
+        self.world, self.angle, self.place = world, angle, place
+
+    def text(self, thing):
+        return thing.text(World())
+
+    def complaints(self, program, thing):
+        first = Run(program, thing.text(World()))
+        second = Run(program, thing.text(self.world, self.angle, self.place))
+        self.code, self.seconds = first.code, first.seconds + second.seconds
+        return [*judges.outcome(first), *judges.outcome(second), *judge_section(first), *judge_section(second),
+                *compare_sections(first, second, self.world, self.angle, self.place, 1e-6)]
+
+
+class MeshTrial(Trial):
+    """A file of a mesh with mistakes."""
+
+    def __init__(self, name, model, file, mesh):
+        super().__init__(name, mesh)
+        self.model, self.file = model, file
+
+    def complaints(self, program, thing):
+        run = Run(program, self.model, files={self.file: thing})
+        self.code, self.seconds = run.code, run.seconds
+        return [*judges.outcome(run), *judges.readable(run)]
+
+
+def panel_trials(seed):
+    thing = panel(seed)
+    yield PanelTrial(f"panel-turned {seed}", thing, relatives.turned(Sheller(f"turned {seed}")))
+    yield PanelTrial(f"panel-units {seed}", thing, World(**relatives.UNITS[seed % len(relatives.UNITS)]))
+    yield PanelTrial(f"panel-backwards {seed}", thing, World(), True)
+
+
+def section_trials(seed):
+    thing, chance = section(seed), random.Random(f"place {seed}")
+    size = max(value for _, value, *dimension in thing.entries if dimension)
+    place = tuple(chance.uniform(-1, 1) * size for _ in range(2))
+    yield SectionTrial(f"section-turned {seed}", thing, World(), chance.uniform(-3, 3), place)
+    yield SectionTrial(f"section-units {seed}", thing, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 0.0, (0.0, 0.0))
+
+
+def mesh_trial(seed):
+    return MeshTrial(f"mesh {seed}", *spoilt_mesh(seed))
+
+
+def spoilt_trial(seed):
+    """A panel or a section with one to three mistakes."""
+    chance = random.Random(f"spoilt {seed}")
+    thing = chance.choice((panel, section))(chance.randrange(10**6))
+    return TextTrial(f"spoilt {seed}", mutations.mutant(chance, thing.text(World())))
 
 
 def mechanism_trial(seed, integrator=None):
@@ -198,6 +272,11 @@ def short(program):
         yield further_trial(seed)
     yield curved_trial(200)
     yield RoughTrial("rough-further 200", rough_further(200))
+    yield list(panel_trials(0))[-1]
+    yield next(section_trials(0))
+    for seed in range(2):
+        yield mesh_trial(seed)
+        yield spoilt_trial(seed)
     # chosen by their names, so that an entry more in the catalogue leaves the others as they are
     yield from sorted(extreme_trials(program), key=lambda trial: zlib.crc32(trial.name.encode()))[:14]
 
@@ -219,6 +298,11 @@ def endless(program, start):
         yield from (RoughTrial(f"rough-further {10 * seed + k}", rough_further(10 * seed + k)) for k in range(5))
         yield from (shelled_trial(10 * seed + k) for k in range(5))
         yield from shelled_relatives(seed)
+        for k in range(3):
+            yield from panel_trials(10 * seed + k)
+            yield from section_trials(10 * seed + k)
+        yield from (mesh_trial(10 * seed + k) for k in range(10))
+        yield from (spoilt_trial(10 * seed + k) for k in range(10))
         yield from (RoughTrial(f"rough-touching {10 * seed + k}", rough_touching(10 * seed + k)) for k in range(5))
         yield from (mutant_trial(10 * seed + k) for k in range(10))
         yield from (RoughTrial(f"rough {10 * seed + k}", rough_mechanism(10 * seed + k)) for k in range(10))

@@ -59,6 +59,7 @@ namespace samara
   private:
     std::string                   naca, naca_edge = "blunt", file, layup, material, trailing_material, nose_material;
     double                        chord = 0, origin = 0.25, thickness = 0, trailing_from = 0, nose_to = 0;
+    bool                          skins_run_on = false;
     std::vector<AirfoilRangeText> skins, caps;
     std::vector<AirfoilWebText>   webs;
 

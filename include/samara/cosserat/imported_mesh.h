@@ -21,12 +21,18 @@ namespace samara
 
     /** Sides of quadrilaterals by the names that the file gives to curves or sets of nodes. */
     std::map<std::string, std::vector<std::array<unsigned int, 2>>> lines;
-    std::map<std::string, std::vector<unsigned int>>                sets; ///< of vertices, by name
+    std::map<std::string, std::vector<unsigned int>>                sets; ///< of several vertices, by name
+
+    /** Vertices by the names that the file gives to points (Gmsh), and sets of a single node (Abaqus). */
+    std::map<std::string, std::vector<unsigned int>> points;
+
+    /** "the points <a>, no curves, and the surfaces <b>, <c>", or that the file names nothing. */
+    std::string groups() const;
   };
 
   /**
    * Reads a mesh of Gmsh (.msh, formats 2.2 and 4.1, text) or Abaqus (.inp: *NODE, *ELEMENT, *NSET, *ELSET). Names of
-   * curves and surfaces are those of their physical groups, or the numbers of these.
+   * points, curves and surfaces are those of their physical groups, or the numbers of these.
    *
    * @throws std::invalid_argument, naming the line, for what is not understood, for triangles if there must not be any,
    * and for elements of higher order: cells are straight here.

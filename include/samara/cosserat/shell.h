@@ -3,6 +3,7 @@
 
 #include <samara/cosserat/cosserat.h>
 #include <samara/cosserat/initial_velocity.h>
+#include <samara/cosserat/region_layup.h>
 #include <samara/cosserat/shell_curve.h>
 #include <samara/cosserat/shell_mesh.h>
 #include <samara/model/relative_motion.h>
@@ -43,13 +44,16 @@ namespace samara
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
 
-    /** Those of the entries "Frames" and "Rigid edges"; "at u v" on the first patch or "at x y z", where a node is. */
+    /** Those of the entries "Frames" and "Rigid edges"; "point NAME" of a mesh file; "at u v" on the first patch or
+     * "at x y z", where a node is. */
     Frame                    frame(const std::string &point) const override;
     std::vector<std::string> points() const override;
 
-    std::vector<SurfaceCell> surface() const override;
+    std::vector<SurfaceCell> surface(const std::string &region) const override;
     std::vector<Span>        edge(const std::string &name) const override;
     std::vector<std::string> edges() const override;
+    std::vector<AreaShare>   region(const std::string &name) const override;
+    std::vector<std::string> regions() const override;
     /** Of the entry "Curves", or a straight line in u and v. */
     std::vector<LinePiece> curve(const std::string &path) const override;
     double                 thickness() const override;
@@ -124,6 +128,7 @@ namespace samara
     Vector3                                     axis_1      = Vector3::Zero();
     std::string                                 layup_name;
     std::vector<std::string>                    patch_layups;
+    std::vector<RegionLayup>                    region_layups;
     std::string                                 transverse_shear = "equilibrium";
     double                                      E = 0, nu = 0, density = 0, thickness_entry = 0, offset = 0;
     double                                      relaxation_time = 0;
@@ -134,9 +139,11 @@ namespace samara
     InitialVelocity                             initial_velocity;
 
     Model                              *model = nullptr;
-    std::vector<Laminate>               laminates;   ///< one, or one of each patch
-    std::vector<std::vector<Strengths>> strengths;   ///< of the layers of each laminate
-    std::vector<Matrix6>                compliances; ///< inverses of ABD
+    std::vector<Laminate>               laminates;        ///< one, or one of each patch, or of each region
+    std::vector<unsigned int>           laminate_of_cell; ///< empty if there is one
+    std::string                         groups_of_file;   ///< " m.msh has no physical groups."; "" without a file
+    std::vector<std::vector<Strengths>> strengths;        ///< of the layers of each laminate
+    std::vector<Matrix6>                compliances;      ///< inverses of ABD
     /** Numbers of materials by that of the laminate and the stiffness about the normal. */
     std::map<std::pair<unsigned int, long>, unsigned int> material_numbers;
     std::unique_ptr<ShellMesh>                            mesh;
@@ -161,6 +168,10 @@ namespace samara
     void make_laminates();
     void add_laminate(const std::string &entry, const std::string &layup);
     bool make_mesh();
+    /** The cells of a region that has a name, "region skin" or "skin". @throws std::invalid_argument if there is none.
+     */
+    const std::vector<unsigned int> &cells_of(const std::string &region) const;
+    void                             distribute_laminates();
     /** Of a patch, as entries say. */
     PatchMesh   mesh_of_patch(unsigned int patch) const;
     std::string complaint_about_elements() const;
@@ -178,6 +189,7 @@ namespace samara
     void         name_points();
     void         check_curves();
     void         make_rigid_edges();
+    void         make_rigid_edge(const std::string &point, const std::string &place);
 
     /** Unit normals of the cells at their nodes, averaged over cells within the crease angle. */
     std::vector<std::vector<Vector3>> normals() const;
@@ -187,6 +199,8 @@ namespace samara
     NamedPoint point_of(unsigned int node) const;
     /** The node of the mesh at "0.5 0" or "1 0.2 0.3". @throws std::invalid_argument if there is none. */
     unsigned int node_at(const std::string &place) const;
+    /** The node of "point tip". @throws std::invalid_argument if there is none, or several. */
+    unsigned int node_of_point(const std::string &name) const;
     /** The straight line in u and v of "line u 0.3" or "from a to 0.7 0.2". @throws std::invalid_argument */
     ShellCurve straight_line(const std::string &path) const;
     /** Where on which patch a point is, "0.2 0.3" or one with a name: all that it may be. */

@@ -58,6 +58,9 @@ namespace samara
     std::vector<Cell>                        cells;
     std::map<std::string, std::vector<Side>> edges; ///< by name
 
+    std::map<std::string, std::vector<unsigned int>> regions; ///< cells by name: "patch 1", "region skin"
+    std::map<std::string, std::vector<unsigned int>> points;  ///< nodes by name: "point tip"
+
     /** Where a node has been made: patch and coordinates on it. */
     struct Origin
     {
@@ -82,15 +85,16 @@ namespace samara
     std::vector<PatchCells> patch_cells;
 
     /**
-     * Add a patch; its edges are "edge u0", "edge u1", "edge v0", "edge v1", behind "patch 2 " for the second and so
-     * on.
+     * Add a patch, the region "patch 1" and so on; its edges are "edge u0", "edge u1", "edge v0", "edge v1", behind
+     * "patch 2 " for the second and so on.
      * @throws std::invalid_argument if a place is not finite.
      */
     void add_patch(const ShellPatch &patch);
 
     /**
      * Add a grid of deal.II's GridGenerator, "hyper_sphere" with the arguments "0, 0, 0 : 1", each cell refined so many
-     * times into four, curved as its manifold says; edges are "edge 0" and so on by their boundary ids.
+     * times into four, curved as its manifold says; edges are "edge 0" and so on by their boundary ids, regions "region
+     * 0" and so on by ids of materials.
      * @throws std::invalid_argument with what deal.II says of function and arguments.
      */
     void add_grid(const std::string &function, const std::string &arguments, unsigned int refinements);
@@ -99,9 +103,10 @@ namespace samara
     /**
      * Add the cells of a file. If they are to be @p curved, sides are cubics between the tangent planes at their ends,
      * those of the averaged normals of the straight cells that differ by less than the angle @p crease [rad]; where
-     * planes meet at a crease, sides follow the crease. Edges are "edge NAME" by the names of lines and, of sides that
-     * belong to one cell, of sets of nodes.
-     * Each cell is cut into four so many times, on the surface that the cells of the file have.
+     * planes meet at a crease, sides follow the crease. Edges are "edge NAME" by the names of lines and of sets of
+     * nodes: sides that belong to one cell, or, where a set has none of these, those inside; regions are "region NAME",
+     * points "point NAME", empty if no cell has a corner there. Cells that are there twice, since they are in two
+     * groups, are one. Each cell is cut into four so many times, on the surface that the cells of the file have.
      * @throws std::invalid_argument for named lines that are no sides.
      */
     void add_cells(const ImportedMesh &mesh, bool curved, double crease, unsigned int refinements);
@@ -143,6 +148,10 @@ namespace samara
 
     /** Shares of the length of a side in its nodes, by the Gauss–Lobatto rule [m]; @p side as of nodes_of(). */
     std::vector<double> lengths_of(const std::vector<unsigned int> &side) const;
+
+    /** Shares of the area of a named region, or of the length of a named edge, in its nodes, by the same rule [m^2, m].
+     */
+    std::map<unsigned int, double> shares_of(const std::string &edge_or_region) const;
 
     /** Arc lengths of the nodes of a side from its first one [m]. */
     std::vector<double> abscissae_of(const std::vector<unsigned int> &side) const;

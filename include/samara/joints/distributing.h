@@ -47,11 +47,13 @@ namespace samara
       Block   block   = {}; ///< of the frame, B, and the multipliers
     };
     std::vector<Node> nodes;
+    bool              is_of_areas = false; ///< whether shares are of areas, not of lengths
     Frame             b;
     Block             block; ///< of B and the multipliers
     unsigned int      first_multiplier = 0;
 
-    void read_edge(const std::string &path, Model &model, double &length, Vector3 &centroid);
+    /** Add the nodes of an edge or a region, and their shares of its @p size, its length or area. */
+    void read_part(const std::string &path, Model &model, double &size, Vector3 &centroid);
 
     /** s₁ s₂ s₃ as columns. */
     template <typename Number>

@@ -18,7 +18,7 @@ namespace samara
     void initialize(Model &model) override;
 
   private:
-    std::string body;
+    std::string body, region;
   };
 
 
@@ -45,7 +45,7 @@ namespace samara
     void residual_at(const Point<Number> &point, Number *r) const;
 
   private:
-    std::string    body;
+    std::string    body, region;
     FunctionOfTime pressure;
 
     struct Cell

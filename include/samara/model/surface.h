@@ -49,8 +49,8 @@ namespace samara
   public:
     virtual ~SurfaceBody() = default;
 
-    /** All cells. */
-    virtual std::vector<SurfaceCell> surface() const = 0;
+    /** The cells of a named region, all if it is "". @throws std::invalid_argument naming the regions there are. */
+    virtual std::vector<SurfaceCell> surface(const std::string &region) const = 0;
 
     /**
      * A named edge, one span for each cell that has a side on it, one behind the other with abscissae that run on.
@@ -62,6 +62,18 @@ namespace samara
 
     /** The names of all edges. */
     virtual std::vector<std::string> edges() const = 0;
+
+    /** A node of a region, and its share of the area [m^2]; the shares add up to the area of the region. */
+    struct AreaShare
+    {
+      Frame  frame;
+      double area;
+    };
+    /** @throws std::invalid_argument naming the regions there are. */
+    virtual std::vector<AreaShare> region(const std::string &name) const = 0;
+
+    /** The names of all regions. */
+    virtual std::vector<std::string> regions() const = 0;
   };
 } // namespace samara
 

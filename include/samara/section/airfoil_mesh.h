@@ -31,10 +31,11 @@ namespace samara
     std::vector<Range> ranges;
     std::vector<Web>   webs;
 
-    unsigned int trailing_material = 0;  ///< of the block behind the skins
-    double       trailing_from     = -1; ///< where it begins; below zero: where the skins come near each other
-    unsigned int nose_material     = 0;  ///< of a weight that fills the nose
-    double       nose_to           = 0;  ///< as far as here; zero: there is none
+    unsigned int trailing_material = 0;     ///< of the block behind the skins
+    double       trailing_from     = -1;    ///< where it begins; below zero: where the skins come near each other
+    bool         skins_run_on      = false; ///< into that block, ever thinner, with its material between them
+    unsigned int nose_material     = 0;     ///< of a weight that fills the nose
+    double       nose_to           = 0;     ///< as far as here; zero: there is none
 
     Fineness fineness; ///< along: of the chord
   };
@@ -59,8 +60,8 @@ namespace samara
    * Quadrilaterals of an airfoil. Skins are strips between breaks, where layups or webs begin and end; depth is along
    * the normals of the outline. All strips are cut at the depths where any of them has the face of a ply, each as far
    * as it is thick: strips share the cells of the plies that go on, and those that end do so with a free face. Webs go
-   * straight from skin to skin. Where the skins come near each other they end, and a block of one material reaches to
-   * the trailing edge, blunt or sharp.
+   * straight from skin to skin. Where the skins come near each other they end, and a block reaches to the trailing
+   * edge, blunt or sharp: of one material, or of the skins, whose plies taper with the block, and one between them.
    *
    * A range that begins or ends above or below a web reaches to the face of the web that leaves the web under it.
    */
@@ -122,20 +123,22 @@ namespace samara
     double gap(double x) const;
     void   find_strips();
     void   cut_strips();
-    /** Into plies at the depths of all strips, into cells along it, and those over a web where the web's plies are. @{ */
+    /** Into plies at the depths of all strips, into cells along it, and those over a web where the web's plies are. @{
+     */
     void cut_through(Strip &strip, const std::vector<double> &depths, double same) const;
     void cut_along(Strip &strip) const;
     void cut_over_web(Strip &strip, const Wall &wall, bool upper) const;
     /** @} */
-    void   check_strips() const;
-    void   check_inner_faces() const;
-    void   check_webs(const std::vector<Place> &inner_face) const;
+    void check_strips() const;
+    void check_inner_faces() const;
+    void check_webs(const std::vector<Place> &inner_face) const;
 
     // patches (airfoil_patches.cc)
-    void add_skins();
-    void add_web(unsigned int web);
-    void add_nose();
-    void add_trailing_edge();
+    void             add_skins();
+    void             add_web(unsigned int web);
+    void             add_nose();
+    void             add_trailing_edge();
+    std::vector<Ply> trailing_plies(bool upper) const;
     void add_sharp_trailing_edge(const std::vector<Place> &upper_nodes, const std::vector<Place> &lower_nodes);
     void add_blunt_trailing_edge(const std::vector<Place> &upper_nodes, const std::vector<Place> &lower_nodes);
     void find_finest();
