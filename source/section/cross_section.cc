@@ -105,11 +105,30 @@ namespace samara
 
 
 
-    /** Add three matrices of a cell to those of one pattern, whose rows have the diagonal first and then ascend. */
+    /** A matrix of zeros with the entries that the pattern names, in ascending order in each row. */
+    SectionMatrix
+    zeros(const dealii::DynamicSparsityPattern &pattern)
+    {
+      SectionMatrix result(pattern.n_rows(), pattern.n_cols());
+      result.resizeNonZeros(pattern.n_nonzero_elements());
+      int *row = result.outerIndexPtr(), *column = result.innerIndexPtr();
+      for (unsigned int i = 0; i < pattern.n_rows(); ++i)
+        {
+          for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry)
+            *column++ = entry->column();
+          row[i + 1] = column - result.innerIndexPtr();
+        }
+      std::fill_n(result.valuePtr(), result.nonZeros(), 0.);
+      return result;
+    }
+
+
+
+    /** Add three matrices of a cell to those of one pattern. */
     void
-    add_cell(const std::vector<dealii::types::global_dof_index>  &numbers,
-             const std::array<const Eigen::MatrixXd *, 3>        &from,
-             const std::array<dealii::SparseMatrix<double> *, 3> &to)
+    add_cell(const std::vector<dealii::types::global_dof_index> &numbers,
+             const std::array<const Eigen::MatrixXd *, 3>       &from,
+             const std::array<SectionMatrix *, 3>               &to)
     {
       const unsigned int                            n = numbers.size();
       static thread_local std::vector<unsigned int> order;
@@ -118,27 +137,18 @@ namespace samara
       std::sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
         return numbers[a] < numbers[b];
       });
+      const int *const column = to[0]->innerIndexPtr();
       for (const unsigned int a : order)
         {
-          auto       e = to[0]->begin(numbers[a]), c = to[1]->begin(numbers[a]), m = to[2]->begin(numbers[a]);
-          const auto add = [&](const unsigned int b) {
-            e->value() += (*from[0])(a, b);
-            c->value() += (*from[1])(a, b);
-            m->value() += (*from[2])(a, b);
-          };
-          add(a);
+          // the columns of a row ascend, and so do those of the cell: one walk along the row meets all of them
+          int place = to[0]->outerIndexPtr()[numbers[a]];
           for (const unsigned int b : order)
-            if (b != a)
-              {
-                do
-                  {
-                    ++e;
-                    ++c;
-                    ++m;
-                  }
-                while (e->column() != numbers[b]);
-                add(b);
-              }
+            {
+              while (column[place] != static_cast<int>(numbers[b]))
+                ++place;
+              for (unsigned int matrix = 0; matrix < 3; ++matrix)
+                to[matrix]->valuePtr()[place] += (*from[matrix])(a, b);
+            }
         }
     }
 
@@ -257,11 +267,11 @@ namespace samara
   void
   CrossSection::assemble()
   {
-    dealii::DynamicSparsityPattern dynamic(dofs.n_dofs());
-    dealii::DoFTools::make_sparsity_pattern(dofs, dynamic);
-    pattern.copy_from(dynamic);
-    for (auto *const matrix : {&E, &C, &M})
-      matrix->reinit(pattern);
+    dealii::DynamicSparsityPattern pattern(dofs.n_dofs());
+    dealii::DoFTools::make_sparsity_pattern(dofs, pattern);
+    E = zeros(pattern);
+    C = E;
+    M = E;
     R = Columns::Zero(dofs.n_dofs(), 6);
     L = R;
     inertia.setZero();
@@ -356,18 +366,18 @@ namespace samara
 
 
   CrossSection::Columns
-  CrossSection::times(const dealii::SparseMatrix<double> &matrix, const Columns &x, const bool transposed) const
+  CrossSection::times(const SectionMatrix &matrix, const Columns &x, const bool transposed) const
   {
     // all columns in one pass through the matrix
     using Rows        = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
     const Rows from   = x;
     Rows       result = Rows::Zero(x.rows(), 6);
     for (unsigned int i = 0; i < x.rows(); ++i)
-      for (auto entry = matrix.begin(i); entry != matrix.end(i); ++entry)
+      for (SectionMatrix::InnerIterator entry(matrix, i); entry; ++entry)
         if (transposed)
-          result.row(entry->column()) += entry->value() * from.row(i);
+          result.row(entry.col()) += entry.value() * from.row(i);
         else
-          result.row(i) += entry->value() * from.row(entry->column());
+          result.row(i) += entry.value() * from.row(entry.col());
     return result;
   }
 
@@ -400,8 +410,7 @@ namespace samara
   CrossSection::forget_integrals()
   {
     for (auto *const matrix : {&E, &C, &M})
-      matrix->clear();
-    pattern.reinit(0, 0, 0);
+      *matrix = SectionMatrix();
     R.resize(0, 6);
     L.resize(0, 6);
   }

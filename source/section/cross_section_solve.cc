@@ -22,28 +22,28 @@ namespace samara
     class Warping
     {
     public:
-      Warping(const dealii::SparseMatrix<double> &E,
-              const dealii::SparseMatrix<double> &C,
-              const dealii::SparseMatrix<double> &M,
-              const Number                        theta,
-              const std::vector<bool>            &is_pinned)
+      Warping(const SectionMatrix     &E,
+              const SectionMatrix     &C,
+              const SectionMatrix     &M,
+              const Number             theta,
+              const std::vector<bool> &is_pinned)
       {
-        const unsigned int                                n = E.m();
+        const unsigned int                                n = E.rows();
         Eigen::SparseMatrix<Number, Eigen::ColMajor, int> lower(n, n);
-        lower.reserve((E.n_nonzero_elements() + n) / 2);
+        lower.reserve((E.nonZeros() + n) / 2);
         for (unsigned int j = 0; j < n; ++j)
           {
-            // the pattern is symmetric: the row lists the column's entries, the diagonal first, others in order
+            // the pattern is symmetric: the row lists the column's entries in order
             lower.startVec(j);
-            auto e = E.begin(j), c = C.begin(j), m = M.begin(j);
-            for (; e != E.end(j); ++e, ++c, ++m)
+            SectionMatrix::InnerIterator e(E, j), c(C, j), m(M, j);
+            for (; e; ++e, ++c, ++m)
               {
-                const unsigned int i = e->column();
+                const unsigned int i = e.col();
                 if (i < j || (i > j && (is_pinned[i] || is_pinned[j])))
                   continue;
-                Number value = e->value();
+                Number value = e.value();
                 if (theta != Number(0) && !is_pinned[j])
-                  value += theta * (c->value() - C(i, j)) - theta * theta * Number(m->value());
+                  value += theta * (c.value() - C.coeff(i, j)) - theta * theta * Number(m.value());
                 lower.insertBack(i, j) = value;
               }
           }
@@ -82,20 +82,17 @@ namespace samara
     }
     /** (C − Cᵀ) x₁ + M x₂ for matrices of one pattern, in one pass. */
     ComplexColumns
-    skew_times(const dealii::SparseMatrix<double> &C,
-               const ComplexColumns               &x1,
-               const dealii::SparseMatrix<double> &M,
-               const ComplexColumns               &x2)
+    skew_times(const SectionMatrix &C, const ComplexColumns &x1, const SectionMatrix &M, const ComplexColumns &x2)
     {
       ComplexColumns result = ComplexColumns::Zero(x1.rows(), 1);
       for (unsigned int i = 0; i < x1.rows(); ++i)
         {
-          auto m = M.begin(i);
-          for (auto c = C.begin(i); c != C.end(i); ++c, ++m)
+          SectionMatrix::InnerIterator m(M, i);
+          for (SectionMatrix::InnerIterator c(C, i); c; ++c, ++m)
             {
-              const unsigned int j = c->column();
-              result(i) += c->value() * x1(j) + m->value() * x2(j);
-              result(j) -= c->value() * x1(i);
+              const unsigned int j = c.col();
+              result(i) += c.value() * x1(j) + m.value() * x2(j);
+              result(j) -= c.value() * x1(i);
             }
         }
       return result;

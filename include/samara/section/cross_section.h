@@ -6,10 +6,14 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/lac/sparse_matrix.h>
+
+#include <Eigen/SparseCore>
 
 namespace samara
 {
+  /** E, C or M of a section's warping, row by row, the columns of each in ascending order. */
+  using SectionMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
   /**
    * Cross-section analysis of a prismatic, twisted or curved beam: a warping analysis of dimension 2.
    *
@@ -90,20 +94,19 @@ namespace samara
     dealii::DoFHandler<2>              dofs;
 
     // the integrals, named as in the equations above
-    dealii::SparsityPattern      pattern;
-    dealii::SparseMatrix<double> E, C, M;
-    Columns                      R, L;
-    Matrix6                      A = Matrix6::Zero(), T;
-    std::array<unsigned int, 6>  pinned; ///< unknowns that are held, statically determinate
-    Columns                      X;
-    Matrix6                      Y;
+    SectionMatrix               E, C, M;
+    Columns                     R, L;
+    Matrix6                     A = Matrix6::Zero(), T;
+    std::array<unsigned int, 6> pinned; ///< unknowns that are held, statically determinate
+    Columns                     X;
+    Matrix6                     Y;
 
     void    assemble();
     void    find_pins();
     void    solve();
     void    find_compliance();
     void    forget_integrals();
-    Columns times(const dealii::SparseMatrix<double> &matrix, const Columns &x, bool transposed = false) const;
+    Columns times(const SectionMatrix &matrix, const Columns &x, bool transposed = false) const;
   };
 } // namespace samara
 
