@@ -172,18 +172,18 @@ namespace samara
 
 
   SpringLaw::MeanChange
-  SpringLaw::mean_change(const double from, const double to) const
+  SpringLaw::mean_change(const double from, const double way) const
   {
-    const double rest = weighted_stiffness(from, to, [](const double x) { return 1 - x; });
-    return {(to - from) * rest, rest, weighted_stiffness(from, to, [](const double x) { return x; })};
+    const double rest = weighted_stiffness(from, from + way, [](const double x) { return 1 - x; });
+    return {way * rest, rest, weighted_stiffness(from, from + way, [](const double x) { return x; })};
   }
 
 
 
   double
-  SpringLaw::rise(const double from, const double to) const
+  SpringLaw::rise(const double from, const double way) const
   {
-    return (to - from) * weighted_stiffness(from, to, [](const double) { return 1.; });
+    return way * weighted_stiffness(from, from + way, [](const double) { return 1.; });
   }
 
 

@@ -19,25 +19,29 @@ namespace samara
       {
         const int    row   = layout.of_coordinate(spring.coordinate);
         const double begin = start.coordinates[spring.coordinate] + spring.offset, d_begin = x != nullptr ? x[row] : 0.;
-        double       end = begin, d_end = d_begin, squares = 0;
+        double       way = 0, d_end = d_begin, squares = 0;
         const auto   rate   = [&](const unsigned int k) { return stages[k].rates[spring.coordinate]; };
         const auto   d_rate = [&](const unsigned int k) { return X[k * n + row]; };
         for (unsigned int k = 0; k < s; ++k)
           {
-            end += h * tableau.b(k) * rate(k);
+            way += h * tableau.b(k) * rate(k);
             d_end += h * tableau.b(k) * d_rate(k);
             squares += tableau.b(k) * rate(k) * rate(k);
           }
         if (!(squares > 0))
           continue; // τ ḋ is of second order
-        const SpringLaw::MeanChange mean  = spring.law->mean_change(begin, end);
+        const SpringLaw::MeanChange mean  = spring.law->mean_change(begin, way);
         double                      power = 0, d_power = 0, d_squares = 0;
         for (unsigned int k = 0; k < s; ++k)
           {
-            const double stretch = stages[k].coordinates[spring.coordinate] + spring.offset,
-                         lack    = mean.rise - spring.law->rise(begin, stretch),
-                         d_lack  = mean.by_from * d_begin + mean.by_to * d_end -
-                                  spring.law->stiffness(stretch) * change.coordinates[k][spring.coordinate];
+            // by the rates: of places that hardly differ too few digits would be left
+            double way_to_stage = 0;
+            for (unsigned int l = 0; l < s; ++l)
+              way_to_stage += h * tableau.a(k, l) * rate(l);
+            const double lack = mean.rise - spring.law->rise(begin, way_to_stage),
+                         d_lack =
+                           mean.by_from * d_begin + mean.by_to * d_end -
+                           spring.law->stiffness(begin + way_to_stage) * change.coordinates[k][spring.coordinate];
             power += tableau.b(k) * lack * rate(k);
             d_power += tableau.b(k) * (d_lack * rate(k) + lack * d_rate(k));
             d_squares += 2 * tableau.b(k) * rate(k) * d_rate(k);
