@@ -43,13 +43,13 @@ namespace samara
     /** What is linear in a small way, to round-off of that however short it is: for exact tangents. */
     struct MeanChange
     {
-      double rise;           ///< mean(from, to).force − F(from)
-      double by_from, by_to; ///< derivatives of that mean
+      double rise;           ///< mean(from, from + way).force − F(from)
+      double by_from, by_to; ///< derivatives of that mean by both ends
     };
-    MeanChange mean_change(double from, double to) const;
+    MeanChange mean_change(double from, double way) const;
 
-    /** F(to) − F(from), in the same way. */
-    double rise(double from, double to) const;
+    /** F(from + way) − F(from), in the same way. */
+    double rise(double from, double way) const;
 
     /** Where its stiffness jumps, see ScalarFunction::next_corner(). */
     std::vector<double> corners(double from, double to) const;
