@@ -101,6 +101,7 @@ namespace samara
                                          "m/s",
                                          k == 0 ? initial / unit.nu : 0.,
                                          0.1));
+        model.states.back().is_algebraic = k == 0 && is_algebraic;
         load_weights.push_back(theory.load_weights[k] / (air->density * std::pow(radius, 3) * theory.apparent_mass[k]));
       }
   }
@@ -307,14 +308,6 @@ namespace samara
         group.metric.push_back(theory.apparent_mass[k] / theory.load_weights[k]);
       }
     return {group};
-  }
-
-
-
-  std::vector<unsigned int>
-  MomentumInflow::algebraic_states() const
-  {
-    return is_algebraic && !states.empty() ? std::vector<unsigned int>{states[0]} : std::vector<unsigned int>();
   }
 
 

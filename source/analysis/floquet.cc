@@ -3,13 +3,10 @@
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
-#include <samara/model/probe_needs.h>
-#include <samara/output/pictures.h>
 #include <samara/time/projection.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <unordered_set>
 
 namespace samara
@@ -341,48 +338,6 @@ namespace samara
 
 
 
-  /** Leave the motion that was reached last, though it is no periodic one. */
-  void
-  FloquetAnalysis::keep_motion(Context &context, const SectionMap &map) const
-  {
-    context.state          = map.map.states().front();
-    context.is_equilibrium = false;
-    if (context.folder.empty())
-      return;
-    const Model             &model   = context.system.model;
-    std::vector<std::string> columns = {"t [s]"};
-    for (unsigned int i = 0; i < model.coordinates.size(); ++i)
-      columns.push_back(model.coordinates[i] + " [" + model.coordinate_units[i] + "]");
-    for (const auto &state : model.states)
-      columns.push_back(state.name + " [" + (state.unit.empty() ? "1" : state.unit) + "]");
-    for (const auto &probe : context.probes)
-      columns.push_back(probe.name + " [" + (probe.unit.empty() ? "1" : probe.unit) + "]");
-    Table            table(columns);
-    const ProbeNeeds needs(context.probes);
-    Projection       projection(context.system);
-    for (State state : map.map.states())
-      {
-        std::vector<Table::Cell> row = {state.time};
-        row.insert(row.end(), state.coordinates.begin(), state.coordinates.end());
-        row.insert(row.end(), state.states.begin(), state.states.end());
-        bool is_known = true;
-        try
-          {
-            projection.report(state, needs.forces); // algebraic states, too
-          }
-        catch (const SingularMatrix &)
-          {
-            is_known = false; // which is not what is to be told here
-          }
-        for (const auto &probe : context.probes)
-          row.push_back(Table::Cell::optional(is_known ? probe.value(state) : std::nan("")));
-        table.add_row(row);
-      }
-    table.write(context.folder + "/floquet_orbit.csv");
-  }
-
-
-
   void
   FloquetAnalysis::check_gap(Context &context, const SectionMap &map) const
   {
@@ -483,82 +438,5 @@ namespace samara
     if (highest_frequency > 0)
       return slow_floquet_modes(map, {highest_frequency, tolerance > 0 ? tolerance : tolerance_of_slow_modes});
     return largest_floquet_modes(map, wanted, tolerance > 0 ? tolerance : tolerance_of_largest);
-  }
-
-
-
-  void
-  FloquetAnalysis::add_to_speeds(const Context &context, const double T)
-  {
-    if (!of_speeds)
-      of_speeds = std::make_unique<Table>(std::vector<std::string>{"speed [rad/s]",
-                                                                   "branch",
-                                                                   "multiplier",
-                                                                   "growth rate [1/s]",
-                                                                   "frequency [rad/s]",
-                                                                   "frequency mod period [rad/s]",
-                                                                   "family",
-                                                                   "pattern"});
-    std::vector<Mode> shapes;
-    for (const auto &mode : modes)
-      {
-        Mode shape;
-        shape.lambda = {mode.growth(), std::abs(std::arg(mode.multiplier)) / T}; // which is what shapes belong to
-        shape.shape  = mode.shape.head(context.system.layout.n_kinematic());
-        shapes.push_back(shape);
-      }
-    SparseMatrix M(context.system.layout.pattern);
-    context.system.mass(M);
-    const auto branches = tracking.follow(shapes, M, M_PI / T);
-    for (unsigned int i = 0; i < modes.size(); ++i)
-      of_speeds->add_row({context.speeds[0],
-                          branches[i],
-                          std::abs(modes[i].multiplier),
-                          modes[i].growth(),
-                          modes[i].frequency(),
-                          std::abs(std::arg(modes[i].multiplier)) / T,
-                          modes[i].content.family,
-                          modes[i].content.pattern});
-  }
-
-
-
-  void
-  FloquetAnalysis::animate(const Context &context, SectionMap &map, const unsigned int k) const
-  {
-    const System                 &system = context.system;
-    const FloquetMode            &mode   = modes[k];
-    std::vector<Eigen::VectorXcd> images;
-    map.follow(mode.shape, mode.of_section, [&](const unsigned int, const Eigen::VectorXcd &x) {
-      images.push_back(x);
-    });
-    // without growth, the largest displacement a twentieth of the model
-    images.resize(map.map.settings.n_steps);
-    double largest = 0;
-    for (unsigned int i = 0; i < images.size(); ++i)
-      {
-        images[i] *= std::exp(-mode.growth() * map.map.settings.period / map.map.settings.n_steps * double(i));
-        for (int j = 0; j < system.layout.of_coordinate(0); ++j)
-          largest = std::max(largest, std::abs(images[i](j)) / map.scales()[j]);
-      }
-    if (!(largest > 0))
-      return;
-    Pictures pictures(context.folder, "floquet_" + std::to_string(k + 1));
-    for (unsigned int i = 0; i < images.size(); ++i)
-      {
-        const Eigen::VectorXd x     = images[i].real() * (0.05 / largest);
-        const State          &state = map.map.states()[i];
-        pictures.add(system.draw(moved(system, state, x.data())), state.time);
-      }
-    pictures.finish();
-  }
-
-
-
-  void
-  FloquetAnalysis::finish(Context &context)
-  {
-    if (of_speeds && !context.folder.empty())
-      of_speeds->write(context.folder + "/floquet_speeds.csv");
   }
 } // namespace samara

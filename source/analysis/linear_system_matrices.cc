@@ -131,10 +131,9 @@ namespace samara
     std::vector<unsigned int>
     moving_states(const LinearSystemSource &source)
     {
-      const auto                algebraic = algebraic_states(source.system.model);
       std::vector<unsigned int> result;
       for (unsigned int i = 0; i < source.system.layout.n_states; ++i)
-        if (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end() &&
+        if (!source.system.model.states[i].is_algebraic &&
             std::find(source.controls.begin(), source.controls.end(), i) == source.controls.end())
           result.push_back(i);
       return result;

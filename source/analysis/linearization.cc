@@ -78,11 +78,9 @@ namespace samara
     units_of(const System &system)
     {
       const double        length = model_length(system.model);
-      std::vector<double> units(system.layout.of_multiplier(0), 1.);
-      for (int i = 0; i < system.layout.n_kinematic(); ++i)
-        units[i] = system.layout.is_length(i) ? length : 1.;
-      for (unsigned int i = 0; i < system.layout.n_states; ++i)
-        units[system.layout.of_state(i)] = system.model.states[i].scale;
+      std::vector<double> units(system.layout.of_multiplier(0));
+      for (unsigned int i = 0; i < units.size(); ++i)
+        units[i] = system.layout.scale_of(i, length);
       return units;
     }
   } // namespace

@@ -356,7 +356,7 @@ namespace samara
       double                        whole = 0, most = 0;
       int                           unknown = 0;
       const auto                    look    = [&](const int i, const std::string &name) {
-        const double move = z(i) / (system.layout.is_length(i) ? length : 1.);
+        const double move = z(i) / system.layout.scale_of(i, length);
         share[name] += move * move;
         whole += move * move;
         if (std::abs(move) > most)

@@ -33,7 +33,7 @@ namespace samara
           {
             const double steady = std::abs(rates[row] - of_time[row]), smallest = equal_rates * std::abs(of_time[row]);
             const double beside = std::abs(rates[row] - (steady > smallest ? first[row] : 0.));
-            const double rate   = beside / (system.model.coordinate_units[coordinate] == "m" ? length : 1.);
+            const double rate   = beside / system.layout.scale_of(system.layout.of_coordinate(coordinate), length);
             if (beside > std::max(smallest, equal_rates * steady) && rate > result.rate)
               result = {system.model.coordinates[coordinate], rate};
           }

@@ -37,8 +37,10 @@ namespace samara
           look((D_to - D).norm() / M_SQRT2, system.layout.of_node(node) + 3);
         }
       for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        look((to.coordinates[i] - from.coordinates[i]) / (system.model.coordinate_units[i] == "m" ? length : 1.),
-             system.layout.of_coordinate(i));
+        {
+          const int unknown = system.layout.of_coordinate(i);
+          look((to.coordinates[i] - from.coordinates[i]) / system.layout.scale_of(unknown, length), unknown);
+        }
       return result;
     }
 

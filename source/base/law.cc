@@ -73,6 +73,19 @@ namespace samara
 
 
   Law
+  Law::times(const std::string &path) const
+  {
+    std::vector<std::string> all = signals();
+    const std::string        own = all.empty() ? of_time().formula_text() : parts->words;
+    const unsigned int       i   = std::find(all.begin(), all.end(), path) - all.begin();
+    if (i == all.size())
+      all.push_back(path);
+    return Law("(" + own + ")*" + word(i), all);
+  }
+
+
+
+  Law
   Law::combination(const std::array<Law, 3> &laws, const Eigen::RowVector3d &c, const double offset)
   {
     std::vector<std::string> all, terms;
@@ -82,8 +95,8 @@ namespace samara
         constant += c(j) * laws[j].of_time()(0.);
       else if (c(j) != 0)
         {
-          const auto &own  = laws[j].signals();
-          std::string term = own.empty() ? laws[j].of_time().formula_text() : laws[j].parts->words;
+          const auto              &own  = laws[j].signals();
+          std::string              term = own.empty() ? laws[j].of_time().formula_text() : laws[j].parts->words;
           std::vector<std::string> among_all; // words of its signals
           for (const auto &path : own)
             {

@@ -13,7 +13,7 @@ namespace samara
   namespace
   {
     constexpr unsigned int n_points     = 8;
-    constexpr unsigned int most_halving = 50; ///< towards a jump of the curvature, say, of which nobody tells
+    constexpr unsigned int most_halving = 50;  ///< towards a jump of the curvature, say, of which nobody tells
     constexpr unsigned int most_parts   = 500; ///< where the force itself is less exact than what is asked for
 
     const dealii::QGauss<1> &
@@ -143,6 +143,47 @@ namespace samara
         begin = end;
       }
     return result;
+  }
+
+
+
+  template <typename Weight>
+  double
+  SpringLaw::weighted_stiffness(const double from, const double to, const Weight &w) const
+  {
+    const double        way  = to - from;
+    std::vector<double> ends = way != 0 ? corners(from, to) : std::vector<double>();
+    for (double &end : ends)
+      end = (end - from) / way;
+    ends.push_back(1);
+    const auto   value     = [&](const double x) { return w(x) * stiffness(from + x * way); };
+    const auto   size      = [&](const double x) { return std::abs(value(x)); };
+    const double round_off = 2e-15 * by_rule(size, 0, 1);
+    double       result = 0, begin = 0;
+    for (const double end : ends)
+      {
+        unsigned int left_over = most_parts;
+        result += by_halves(value, begin, end, by_rule(value, begin, end), round_off, most_halving, left_over);
+        begin = end;
+      }
+    return result;
+  }
+
+
+
+  SpringLaw::MeanChange
+  SpringLaw::mean_change(const double from, const double way) const
+  {
+    const double rest = weighted_stiffness(from, from + way, [](const double x) { return 1 - x; });
+    return {way * rest, rest, weighted_stiffness(from, from + way, [](const double x) { return x; })};
+  }
+
+
+
+  double
+  SpringLaw::rise(const double from, const double way) const
+  {
+    return way * weighted_stiffness(from, from + way, [](const double) { return 1.; });
   }
 
 

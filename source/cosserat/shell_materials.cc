@@ -5,6 +5,8 @@
 #include <samara/section/elasticity.h>
 #include <samara/section/layup.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace samara
@@ -179,5 +181,114 @@ namespace samara
       {
         model->complaints.add(parameters.where("Region layups"), problem.what());
       }
+  }
+
+
+
+  namespace
+  {
+    /** Stiffness of Γ₁₂ − Γ₂₁ over A₆₆: rotations about the normal follow those of the surface. */
+    constexpr double beta = 0.1;
+
+    /** The tension over A₆₆ up to which rotations about the normal are stable; see doc/theory/shell.md. */
+    constexpr double tension_held = 0.01;
+  } // namespace
+
+
+
+  double
+  Shell::stiffness_about_normal(const unsigned int cell) const
+  {
+    double a2 = 0, b2 = 0; // squares of the sides
+    for (unsigned int a = 0; a < table->n_nodes; ++a)
+      {
+        const auto g = mesh->tangents(mesh->cells[cell], a);
+        a2 += g[0].squaredNorm() / table->n_nodes;
+        b2 += g[1].squaredNorm() / table->n_nodes;
+      }
+    const Laminate &l = laminates[laminate_of(cell)];
+    const double    p = degree, A66 = l.ABD(1, 1);
+    return A66 * std::max(beta * l.thickness * l.thickness / 12,
+                          tension_held * (2 * p + 1) / (2 * p * p * p * (p + 1)) / (1 / a2 + 1 / b2));
+  }
+
+
+
+  unsigned int
+  Shell::material_of(const unsigned int cell)
+  {
+    const unsigned int laminate     = laminate_of(cell);
+    const double       about_normal = stiffness_about_normal(cell);
+    // cells alike but for round-off share it
+    const auto [found, is_new] = material_numbers.insert(
+      {{laminate, std::lround(1e9 * std::log(about_normal))}, static_cast<unsigned int>(materials.size())});
+    if (is_new)
+      {
+        const MatrixN C = stiffness(laminates[laminate], about_normal);
+        materials.push_back({C, relaxation_time * C});
+      }
+    return found->second;
+  }
+
+
+
+  Shell::MatrixN
+  Shell::stiffness(const Laminate &laminate, const double about_normal) const
+  {
+    // columns of Γ_αi and K_αi
+    const auto gamma = [](const int alpha, const int i) { return 6 * (alpha - 1) + i - 1; };
+    const auto K     = [](const int alpha, const int i) { return 6 * (alpha - 1) + 3 + i - 1; };
+
+    // ε₁₁, γ₁₂, ε₂₂, κ₁₁, 2κ₁₂, κ₂₂, γ₁₃, γ₂₃ of the twelve strains, as in doc/theory/shell.md; the other four
+    // follow below
+    Eigen::Matrix<double, 8, n> plate = Eigen::Matrix<double, 8, n>::Zero();
+    plate(0, gamma(1, 1))             = 1;
+    plate(1, gamma(1, 2)) = plate(1, gamma(2, 1)) = 1;
+    plate(2, gamma(2, 2))                         = 1;
+    plate(3, K(1, 2))                             = 1;
+    plate(4, K(2, 2))                             = 1;
+    plate(4, K(1, 1))                             = -1;
+    plate(5, K(2, 1))                             = -1;
+    plate(6, gamma(1, 3))                         = 1;
+    plate(7, gamma(2, 3))                         = 1;
+    // strains of the middle from those of the reference surface
+    plate.topRows<3>() += offset * plate.middleRows<3>(3);
+
+    Eigen::Matrix<double, 8, 8> C = Eigen::Matrix<double, 8, 8>::Zero();
+    C.topLeftCorner<6, 6>()       = laminate.ABD;
+    C.bottomRightCorner<2, 2>()   = laminate.shear;
+    MatrixN      result           = plate.transpose() * C * plate;
+    const double drilling         = beta * laminate.ABD(1, 1);
+    const double of_curvature     = drilling * laminate.thickness * laminate.thickness / 12;
+    VectorN      skew_membrane = VectorN::Zero(), twist = VectorN::Zero();
+    skew_membrane(gamma(1, 2)) = 1;
+    skew_membrane(gamma(2, 1)) = -1;
+    twist(K(1, 1)) = twist(K(2, 2)) = 1;
+    result += drilling * skew_membrane * skew_membrane.transpose() + of_curvature * twist * twist.transpose();
+    result(K(1, 3), K(1, 3)) += about_normal;
+    result(K(2, 3), K(2, 3)) += about_normal;
+    return result;
+  }
+
+
+
+  unsigned int
+  Shell::laminate_of(const unsigned int cell) const
+  {
+    return laminate_of_cell.empty() ? 0 : laminate_of_cell[cell];
+  }
+
+
+
+  Matrix6
+  Shell::inertia(const Laminate &l) const
+  {
+    const double moment = l.mass_moment + offset * l.mass,
+                 rotary = l.rotary_inertia + 2 * offset * l.mass_moment + offset * offset * l.mass;
+    const Matrix3 c     = skew(Vector3(0, 0, moment));
+    Matrix6       M;
+    // about the normal as well: rotations about it have no other inertia
+    M << l.mass * Matrix3::Identity(), -c, c, rotary * Matrix3::Identity();
+    return M;
   }
 } // namespace samara

@@ -173,9 +173,9 @@ namespace samara
           for (unsigned int i = 0; i < locked.size(); ++i)
             if (locked[i].function.kind == PairFunction::gap)
               friction.multipliers.push_back(first_multiplier + i);
-          if (const auto *const line = dynamic_cast<const HasSlipLine *>(this))
-            for (unsigned int i = 0; i < 3; ++i)
-              friction.multipliers.push_back(line->multiplier_of_force() + i);
+          friction.line = slip_line();
+          for (unsigned int i = 0; friction.line != nullptr && i < 3; ++i)
+            friction.multipliers.push_back(friction.line->multiplier_of_force() + i);
           contacts.add_friction(layout, *this, friction);
         }
   }

@@ -15,8 +15,7 @@ namespace samara
                               is_length() ? "Length" :
                                             "Displacement",
                       unit = turns ? "[rad]" : "[m]", stiffness = turns ? "[N*m/rad]" : "[N/m]",
-                      damping = turns ? "[N*m*s/rad]" : "[N*s/m]",
-                      none    = " a stop is touched; not given: there is none " + unit + ".";
+                      none = " a stop is touched; not given: there is none " + unit + ".";
     prm.add("Spring", spring, "Stiffness " + stiffness + ".", Double(0));
     prm.add("Rest",
             rest,
@@ -26,7 +25,10 @@ namespace samara
             spring_law,
             std::string("With which a nonlinear spring pulls back: an expression of this motion alone, whose energy ") +
               "steps in time keep exactly " + (turns ? "[N*m]." : "[N]."));
-    prm.add("Damper", damper, "Viscous damping " + damping + ".", Double(0));
+    prm.add("Damper",
+            damping,
+            std::string("Viscous damping, not negative; an expression of time t and signals is a law of the ") +
+              (turns ? "moment [N*m*s/rad]." : "force [N*s/m]."));
     prm.add("Lower stop", lower_stop, what + " below which" + none);
     prm.add("Upper stop", upper_stop, what + " above which" + none);
     stop.add_parameters(prm, "Stop ", turns);
@@ -63,6 +65,10 @@ namespace samara
     is_prescribed  = prm.is_set("Prescribed");
     has_lower_stop = prm.is_set("Lower stop");
     has_upper_stop = prm.is_set("Upper stop");
+    if (damping.is_constant())
+      damper = damping.of_time()(0.);
+    if (damper < 0)
+      complaints.add(prm.where("Damper"), "the <Damper> of the " + name + " must not be negative");
     if ((has_lower_stop || has_upper_stop) && !stop.is_given())
       complaints.add(prm.where(prm.is_set("Stop stiffness") ? "Stop stiffness" :
                                has_upper_stop               ? "Upper stop" :
@@ -80,8 +86,8 @@ namespace samara
   bool
   FreeMotion::is_used() const
   {
-    return spring != 0 || damper != 0 || !spring_law.is_zero() || !force.is_zero() || is_prescribed || has_lower_stop ||
-           has_upper_stop || friction.is_given();
+    return spring != 0 || !damping.is_zero() || !spring_law.is_zero() || !force.is_zero() || is_prescribed ||
+           has_lower_stop || has_upper_stop || friction.is_given();
   }
 
 

@@ -426,6 +426,12 @@ namespace samara
       {
         if (!motion.spring_law.is_zero())
           find_nonlinear_spring(model, motion);
+        // of a damper that is a law, the force is one
+        if (!motion.damping.is_constant() &&
+            (!motion.damping.depends_on_state() || find(motion, "Damper", motion.damping)))
+          motion.force = Law::combination({motion.force, motion.damping.times(name + "." + motion.name + " rate"), {}},
+                                          Eigen::RowVector3d(1, -1, 0),
+                                          0);
         motion.response = find(motion, motion.is_angle() ? "Moment" : "Force", motion.force);
         motion.drive    = find(motion, "Prescribed", motion.prescribed);
         if (motion.drive && !motion.drive->is_of_states())

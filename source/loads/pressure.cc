@@ -9,7 +9,7 @@ namespace samara
     prm.add("Region", region, "The part of it on which it acts: region skin, patch 2; not given: all of it.");
     prm.add("Pressure",
             pressure,
-            "Force per deformed area along the normal, axis 3 of the shell; a function of time t [Pa].");
+            "Force per deformed area along the normal, axis 3 of the shell; an expression of time t and signals [Pa].");
   }
 
 
@@ -25,11 +25,29 @@ namespace samara
         const SurfaceBody &surface = surface_body(model, body);
         where                      = parameters.is_set("Region") ? "Region" : "Body";
         for (const auto &cell : surface.surface(region))
-          cells.push_back({cell, {}});
+          cells.push_back({cell});
       }
     catch (const std::invalid_argument &problem)
       {
         model.complaints.add(parameters.where(where), problem.what());
+      }
+  }
+
+
+
+  void
+  Pressure::find_signals(Model &model)
+  {
+    if (!pressure.depends_on_state())
+      return;
+    try
+      {
+        for (auto &cell : cells)
+          cell.response = std::make_unique<Response>(pressure, model);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where("Pressure"), problem.what());
       }
   }
 
@@ -43,9 +61,48 @@ namespace samara
         for (auto &frame : cell.surface.frames)
           frame = layout.model.resolved(frame);
         layout.couple(cell.block, cell.surface.frames);
+        if (cell.response)
+          cell.response->connect(layout, {cell.surface.frames, {}, {}, {}});
       }
     if (!cells.empty())
       layout.add(*this, *this);
+  }
+
+
+
+  template <typename Number>
+  Number
+  Pressure::value(const Point<Number> &point) const
+  {
+    const Response *const of_state = cells.front().response.get();
+    return point.factor * (of_state != nullptr ? (*of_state)(point) : Number(pressure.of_time()(point.time)));
+  }
+
+
+
+  template <typename Number>
+  void
+  Pressure::local_residual(const Cell                               &cell,
+                           const Number                             &p,
+                           const Number                             *q,
+                           Eigen::Matrix<Number, Eigen::Dynamic, 1> &r) const
+  {
+    static thread_local std::vector<Vec3<Number>> x;
+    const auto                                   &frames = cell.surface.frames;
+    const SurfaceRule                            &rule   = *cell.surface.rule;
+    x.clear();
+    for (const auto &frame : frames)
+      x.push_back(frame.position(q));
+    r.setZero(6 * frames.size());
+    for (unsigned int g = 0; g < rule.weights.size(); ++g)
+      {
+        // p x,₁ × x,₂: the normal times the deformed area, so that thinner or longer shells need no factor
+        const Vec3<Number> f = rule.weights(g) * p * cell.surface.area_vector(g, x);
+        for (unsigned int a = 0; a < frames.size(); ++a)
+          r.template segment<3>(6 * a) -= rule.N(g, a) * f;
+      }
+    for (unsigned int a = 0; a < frames.size(); ++a)
+      r.template segment<3>(6 * a) = (frames[a].triad(q).transpose() * r.template segment<3>(6 * a)).eval();
   }
 
 
@@ -55,28 +112,12 @@ namespace samara
   Pressure::residual_at(const Point<Number> &point, Number *r) const
   {
     static thread_local Eigen::Matrix<Number, Eigen::Dynamic, 1> local;
-    static thread_local std::vector<Vec3<Number>>                x;
-    const double                                                 p = point.factor * pressure(point.time);
-    if (p == 0)
+    const Number                                                 p = value(point);
+    if (p == Number(0))
       return;
     for (const auto &cell : cells)
       {
-        const auto        &frames = cell.surface.frames;
-        const SurfaceRule &rule   = *cell.surface.rule;
-        x.clear();
-        for (const auto &frame : frames)
-          x.push_back(frame.position(point.q));
-        local.setZero(6 * frames.size());
-        for (unsigned int g = 0; g < rule.weights.size(); ++g)
-          {
-            // p x,₁ × x,₂: the normal times the deformed area, so that thinner or longer shells need no factor
-            const Vec3<Number> f = rule.weights(g) * p * cell.surface.area_vector(g, x);
-            for (unsigned int a = 0; a < frames.size(); ++a)
-              local.template segment<3>(6 * a) -= rule.N(g, a) * f;
-          }
-        for (unsigned int a = 0; a < frames.size(); ++a)
-          local.template segment<3>(6 * a) =
-            (frames[a].triad(point.q).transpose() * local.template segment<3>(6 * a)).eval();
+        local_residual(cell, p, point.q, local);
         cell.block.add(local, r);
       }
   }
@@ -86,7 +127,8 @@ namespace samara
   void
   Pressure::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    const double p = point.factor * pressure(point.time);
+    add_responses(point, false, K);
+    const double p = value(point);
     if (p == 0)
       return;
     Eigen::MatrixXd      local;
@@ -133,6 +175,40 @@ namespace samara
           }
         cell.block.add(local, K);
       }
+  }
+
+
+
+  void
+  Pressure::damping(const Point<double> &point, SparseMatrix &C) const
+  {
+    add_responses(point, true, C);
+  }
+
+
+
+  void
+  Pressure::add_responses(const Point<double> &point, const bool by_velocity, SparseMatrix &A) const
+  {
+    Eigen::VectorXd coefficients;
+    for (const auto &cell : cells)
+      if (cell.response)
+        {
+          local_residual(cell, point.factor, point.q, coefficients);
+          if (by_velocity)
+            cell.response->add_damping(point, coefficients, A);
+          else
+            cell.response->add_tangent(point, coefficients, A);
+        }
+  }
+
+
+
+  void
+  Pressure::pieces(const Point<double> &point, std::vector<double> &result) const
+  {
+    if (cells.front().response)
+      cells.front().response->pieces(point, result);
   }
 
 

@@ -209,6 +209,17 @@ namespace samara
 
 
   std::string
+  Layout::unit_of(const int unknown) const
+  {
+    return unknown >= of_multiplier(0) ? "" :
+           unknown >= of_state(0)      ? model.states[unknown - of_state(0)].unit :
+           is_length(unknown)          ? "m" :
+                                         "rad";
+  }
+
+
+
+  std::string
   Layout::name_of(const unsigned int unknown) const
   {
     static const std::array<std::string, 6> directions = {

@@ -110,7 +110,7 @@ namespace samara
   unsigned int
   Model::add_state(const std::string &name, const std::string &unit, const double initial, const double scale)
   {
-    states.push_back({name, unit, initial, scale});
+    states.push_back({name, unit, initial, scale, false});
     return states.size() - 1;
   }
 
@@ -138,7 +138,7 @@ namespace samara
         return state_signal(i);
     const auto  dot  = path.find('.');
     std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
-    const auto all = full_names(name);
+    const auto  all = full_names(name);
     if (dot == std::string::npos &&
         std::all_of(all.begin(), all.end(), [&](const auto &full_name) { return named(full_name).empty(); }))
       split_number(path, name, rest);

@@ -138,9 +138,7 @@ namespace samara
     const Layout       &layout = system.layout;
     std::vector<double> disorder(layout.n_kinematic());
     for (unsigned int i = 0; i < disorder.size(); ++i)
-      {
-        disorder[i] = speed * (layout.is_length(i) ? length : 1.) * std::cos(1. + 2.4 * i);
-      }
+      disorder[i] = speed * layout.scale_of(i, length) * std::cos(1. + 2.4 * i);
     const auto stresses = [&](const std::vector<double> &y) {
       std::vector<double> twists(6 * layout.n_nodes, 0.), e(layout.n_strains, 0.), none(e), result(e);
       std::copy_n(y.begin(), twists.size() - 6, twists.begin() + 6);
@@ -170,8 +168,7 @@ namespace samara
   JointMotion::find_moving()
   {
     for (const auto &rate : rates)
-      if (std::abs(value_of(rate)) > no_rate * speed * (rate.in_metres ? length : 1.) &&
-          line_moves(rate) > no_rate)
+      if (std::abs(value_of(rate)) > no_rate * speed * (rate.in_metres ? length : 1.) && line_moves(rate) > no_rate)
         findings.moving.push_back(rate.name);
   }
 

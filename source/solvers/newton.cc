@@ -40,12 +40,8 @@ namespace samara
         const Eigen::Map<const Vector6> z(&step[system.layout.of_node(node)]);
         size = std::max({size, z.head<3>().norm() / length, z.tail<3>().norm()});
       }
-    for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-      size = std::max(size,
-                      std::abs(step[system.layout.of_coordinate(i)]) /
-                        (system.model.coordinate_units[i] == "m" ? length : 1.));
-    for (unsigned int i = 0; i < system.layout.n_states; ++i)
-      size = std::max(size, std::abs(step[system.layout.of_state(i)]) / system.model.states[i].scale);
+    for (int i = system.layout.of_coordinate(0); i < system.layout.of_multiplier(0); ++i)
+      size = std::max(size, std::abs(step[i]) / system.layout.scale_of(i, length));
     return size;
   }
 

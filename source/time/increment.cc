@@ -69,13 +69,10 @@ namespace samara
     const Layout       &layout = system.layout;
     const double        length = model_length(system.model);
     std::vector<double> result(size_of_increment(layout), 1.);
+    for (int i = 0; i < layout.of_multiplier(0); ++i)
+      result[i] = layout.scale_of(i, length);
     for (int i = 0; i < layout.n_kinematic(); ++i)
-      {
-        result[i]                           = layout.is_length(i) ? length : 1.;
-        result[layout.of_multiplier(0) + i] = result[i] / time;
-      }
-    for (unsigned int i = 0; i < layout.n_states; ++i)
-      result[layout.of_state(i)] = system.model.states[i].scale;
+      result[layout.of_multiplier(0) + i] = result[i] / time;
     return result;
   }
 } // namespace samara

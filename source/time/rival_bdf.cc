@@ -200,7 +200,7 @@ namespace samara
         }
     for (unsigned int k = 0; k < system.layout.n_coordinates; ++k)
       {
-        const double unit      = system.model.coordinate_units[k] == "m" ? measure.length : 1.;
+        const double unit      = system.layout.scale_of(system.layout.of_coordinate(k), measure.length);
         tolerance[n_poses + k] = rtol * unit;
         tolerance[of_velocities + 6 * (system.layout.n_nodes - 1) + k] = rtol * scale * unit;
       }

@@ -118,7 +118,7 @@ namespace samara
           size = std::max(size, s);
         }
       for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
-        size = std::max(size, std::abs(rates[i]) / (system.model.coordinate_units[i] == "m" ? length : 1.));
+        size = std::max(size, std::abs(rates[i]) / system.layout.scale_of(system.layout.of_coordinate(i), length));
       return size;
     }
 

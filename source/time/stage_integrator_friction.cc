@@ -42,7 +42,7 @@ namespace samara
     const unsigned int n = friction.multipliers.size();
     if (n == 0)
       return;
-    const HasSlipLine *const       line = slip_line_of(system.layout, friction);
+    const HasSlipLine *const       line = friction.line;
     std::array<Eigen::MatrixXd, 3> across; // of each stage: what of its reactions presses
     for (unsigned int k = 0; k < s; ++k)
       {

@@ -1,7 +1,6 @@
 // The stages of a step: where they are, and how far their equations are from being satisfied.
 
 #include <samara/base/threads.h>
-#include <samara/time/algebraic_states.h>
 #include <samara/time/four_nodes.h>
 #include <samara/time/stage_integrator.h>
 
@@ -451,8 +450,7 @@ namespace samara
     evaluate_stresses(h);
     if (is_exact)
       use_strains_of_stages();
-    kinetic_energy       = 0;
-    const auto algebraic = algebraic_states(system.model);
+    kinetic_energy = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
@@ -466,7 +464,7 @@ namespace samara
           {
             for (unsigned int l = 0; l < tableau.s; ++l)
               stage.state_rates[i] += tableau.w(k, l) / h * (stages[l].states[i] - state.states[i]);
-            if (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end())
+            if (!system.model.states[i].is_algebraic)
               stage.residual[system.layout.of_state(i)] += stage.state_rates[i];
           }
       }

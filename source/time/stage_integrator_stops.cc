@@ -245,10 +245,8 @@ namespace samara
     constexpr unsigned int max_iterations = 30;
     const unsigned int     s = tableau.s, n = s * touched_ports.size();
     // what would not be noticed in a step counts as small, as in the corrections of all unknowns
-    double     scale = 1e-3 / h, size = 0;
-    const auto unit = [&](const Port &port) {
-      return system.model.coordinate_units[port.row - system.layout.of_coordinate(0)] == "m" ? length : 1.;
-    };
+    double          scale = 1e-3 / h, size = 0;
+    const auto      unit = [&](const Port &port) { return system.layout.scale_of(port.row, length); };
     Eigen::VectorXd values(n);
     Eigen::MatrixXd slopes;
     port_changes = from_free ? touched_free : Eigen::VectorXd::Zero(n).eval();

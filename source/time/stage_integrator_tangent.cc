@@ -23,8 +23,6 @@ namespace samara
       throw NotConverged(pair + " touch in the step that is to be linearised");
     if (!system.layout.frictions.empty())
       throw NotConverged("dry friction in a step is not linearised");
-    if (!system.layout.nonlinear_springs.empty())
-      throw NotConverged("what keeps the energy of nonlinear springs in a step is not linearised");
     if (!has_factors(h))
       {
         freeze(start, h);

@@ -1,7 +1,6 @@
 // What a change at the start of a step, and of its stages, changes in the equations of the stages.
 
 #include <samara/base/errors.h>
-#include <samara/time/algebraic_states.h>
 #include <samara/time/step_tangent.h>
 
 #include <algorithm>
@@ -344,7 +343,7 @@ namespace samara
     for (unsigned int i = 12; i < q.size(); ++i)
       motion = std::max(motion, std::abs(q[i]) / (i % 12 < 3 ? integrator.length : 1.));
     for (unsigned int i = 0; i < c.size(); ++i)
-      motion = std::max(motion, std::abs(c[i]) / (system.model.coordinate_units[i] == "m" ? integrator.length : 1.));
+      motion = std::max(motion, std::abs(c[i]) / layout.scale_of(layout.of_coordinate(i), integrator.length));
     for (unsigned int i = 0; i < layout.n_states; ++i)
       motion = std::max(motion,
                         std::abs(at_end ? change.end_states[i] : X[k * system.size() + layout.of_state(i)]) /
@@ -437,9 +436,8 @@ namespace samara
           acceleration += tableau.w(k, l) / h * (of_node(X, l, node) - from);
         Eigen::Map<Vector6>(r + at) += M * acceleration - ad_star<double>(dy, M * y) - ad_star<double>(y, M * dy);
       }
-    const auto algebraic = algebraic_states(system.model);
     for (unsigned int i = 0; i < layout.n_states; ++i)
-      if (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end())
+      if (!system.model.states[i].is_algebraic)
         r[layout.of_state(i)] += change.state_rates[k][i];
   }
 
@@ -494,5 +492,6 @@ namespace samara
       }
     differentiate_constraints(s, X, change.gaps, checks);
     add_corrections(X, result);
+    add_springs(x, X, result);
   }
 } // namespace samara

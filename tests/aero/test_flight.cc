@@ -4,6 +4,7 @@
 #include <samara/time/projection.h>
 #include <samara/time/stage_integrator.h>
 
+#include "../orders.h"
 #include "../output/scratch_folder.h"
 #include "../scene.h"
 #include "../time/systems.h"
@@ -103,22 +104,9 @@ TEST(ForwardFlight, OrdersOfHubLoads)
   const Scene  scene(two_bladed_rotor("ground", ""));
   const double T     = 0.12; // 0.6 of a turn
   const auto   exact = hub_loads(scene, flown(scene, Tableau(3, 1.), T, 96).state);
-  struct Member
-  {
-    unsigned int s;
-    double       rho;
-    unsigned int n;
-    double       order;
-  };
-  for (const Member &m :
-       {Member{1, 1., 30, 2}, Member{2, 1., 24, 4}, Member{2, 0., 24, 3}, Member{3, 1., 16, 6}, Member{3, 0., 16, 5}})
-    {
-      const Tableau tableau(m.s, m.rho);
-      const double  coarse = distance(hub_loads(scene, flown(scene, tableau, T, m.n).state), exact),
-                   fine    = distance(hub_loads(scene, flown(scene, tableau, T, 2 * m.n).state), exact);
-      EXPECT_NEAR(std::log2(coarse / fine), m.order, 0.45)
-        << "s = " << m.s << ", rho = " << m.rho << ", errors " << coarse << " " << fine;
-    }
+  expect_orders(orders_in_flight, exact, 0.45, [&](const Tableau &tableau, const unsigned int n) {
+    return hub_loads(scene, flown(scene, tableau, T, n).state);
+  });
 }
 
 

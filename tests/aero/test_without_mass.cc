@@ -9,6 +9,7 @@
 #include <samara/time/period_map.h>
 #include <samara/time/projection.h>
 
+#include "../orders.h"
 #include "../scene.h"
 #include "../time/systems.h"
 #include <gtest/gtest.h>
@@ -136,22 +137,9 @@ TEST(InflowWithoutMass, OrdersOfHubLoads)
   const Scene  scene(one_bladed_rotor(at_once));
   const double T     = 0.12;
   const auto   exact = hub_loads_after(scene, Tableau(3, 1.), T, 96);
-  struct Member
-  {
-    unsigned int s;
-    double       rho;
-    unsigned int n;
-    double       order;
-  };
-  for (const Member &m :
-       {Member{1, 1., 30, 2}, Member{2, 1., 24, 4}, Member{2, 0., 24, 3}, Member{3, 1., 16, 6}, Member{3, 0., 16, 5}})
-    {
-      const Tableau tableau(m.s, m.rho);
-      const double  coarse = distance(hub_loads_after(scene, tableau, T, m.n), exact),
-                   fine    = distance(hub_loads_after(scene, tableau, T, 2 * m.n), exact);
-      EXPECT_NEAR(std::log2(coarse / fine), m.order, 0.5)
-        << "s = " << m.s << ", rho = " << m.rho << ", errors " << coarse << " " << fine;
-    }
+  expect_orders(orders_in_flight, exact, 0.5, [&](const Tableau &tableau, const unsigned int n) {
+    return hub_loads_after(scene, tableau, T, n);
+  });
 }
 
 

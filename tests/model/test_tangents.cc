@@ -265,6 +265,12 @@ subsection Joints
       "subsection States\n subsection z\n set Rate = 3*z - z^2*block.far.velocity y + rod.end.position x*t\n"
       " end\nend\n";
     s["gravity"].rest         = "subsection Loads\n subsection w\n set Type = gravity\n set Acceleration = 1, 2, -9\n end\nend\n";
+    s["gravity of the state"].rest =
+      "subsection Loads\n subsection w\n set Type = gravity\n"
+      " set Acceleration = 1 + rod.end.displacement y, 2*block.far.velocity x, -9 + 3*sin(rod.end.position z)\n end\nend\n";
+    s["damper of the state"].rest =
+      "subsection Joints\n subsection a\n set Type = revolute\n set Body A = block.far\n set Body B = rod.start\n"
+      " subsection rotation\n set Damper = 0.4 + a.rotation^2 + rod.end.velocity z^2\n set Moment = 0.3*t\n end\n end\nend\n";
     s["point load"].rest      = "subsection Loads\n subsection f\n set Type = point load\n set At = block.far\n set Force = 1, t, 3\n"
                            " set Moment = 2, 1, t^2\n end\n subsection g\n set Type = point load\n set At = rod.end\n"
                            " set Force = 1, 2, 3\n set Axes = body\n end\nend\n";
@@ -327,6 +333,10 @@ subsection Joints
                      walls,
                      "subsection Loads\n subsection p\n set Type = pressure\n set Body = wall\n"
                      " set Pressure = 2 + t\n end\nend\n"};
+    s["pressure of the state"] = {"",
+                                  walls,
+                                  "subsection Loads\n subsection p\n set Type = pressure\n set Body = wall\n"
+                                  " set Pressure = 2 + t - rod.end.displacement x + block.far.velocity y^2\n end\nend\n"};
     s["steady rotation"].rest = hinge + "end\nsubsection Loads\n subsection r\n set Type = steady rotation\n set Joint = a\n"
                                    " set Speed = 3\n end\nend\n";
     return s;
@@ -532,5 +542,5 @@ TEST(Placements, EveryKindIsTurnedWithItsSubsystem)
           EXPECT_LT((R * a.triad(n) - b.triad(n)).norm(), 1e-12) << kind;
         }
     }
-  EXPECT_EQ(n_refused, 3u); // gravity, groups of contacts
+  EXPECT_EQ(n_refused, 4u); // gravity, twice, groups of contacts
 }

@@ -1,9 +1,9 @@
 // What is hard for an eigenvalue solver: free motions (double zeros without a full set of eigenvectors) and many modes
 // of the same frequency, both usual in rotorcraft models.
 
-#include "modes.h"
-
 #include <gtest/gtest.h>
+
+#include "modes.h"
 
 using namespace samara;
 
@@ -95,6 +95,51 @@ TEST(EqualCantilevers, EveryModeIsFound)
       found[i] += std::abs(mode.frequency() / (beta[i] * beta[i]) - 1) < 2e-5;
   EXPECT_EQ(found[0], 8u);
   EXPECT_EQ(found[1], 8u);
+}
+
+
+
+// Of cantilevers whose masses are multiplied by 1 + δ frequencies are divided by √(1 + δ), whatever the mesh: those of
+// four arms, each twice, that differ by parts in 1e5 to 1e10, or not at all.
+TEST(EqualCantilevers, NearlyEqualFrequenciesToNineDigits)
+{
+  for (const double delta : {1e-5, 1e-7, 1e-9, 1e-10, 0.})
+    for (const std::string shift : {"0", "30"})
+      {
+        SCOPED_TRACE("delta = " + number_to_text(delta) + ", shift " + shift);
+        std::string       model = star(), sections;
+        const std::string whole =
+          model.substr(model.find("  subsection slender"),
+                       model.find("subsection Bodies") - model.find("  subsection slender") - 4);
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            std::string own = whole;
+            for (const std::string entry : {"Mass = 1", "I2   = 1e-8", "I3   = 1e-8"})
+              own.replace(own.find(entry),
+                          entry.size(),
+                          entry + "*(1 + " + std::to_string(i) + "*" + number_to_text("%.17g", delta) + ")");
+            own.replace(own.find("slender"), 7, "slender" + std::to_string(i));
+            sections += own;
+            const auto arm = model.find("Section = slender", model.find("arm" + std::to_string(i)));
+            model.insert(arm + 17, std::to_string(i));
+          }
+        model.replace(model.find(whole), whole.size(), sections);
+        Scene               scene(model, {"Modal/Shift = " + shift});
+        std::vector<double> found;
+        for (const auto &mode : scene.modes())
+          found.push_back(mode.frequency());
+        for (const double beta : {1.875104068711961, 4.694091132974174})
+          {
+            std::vector<double> group;
+            for (const double f : found)
+              if (std::abs(f / (beta * beta) - 1) < 1e-3)
+                group.push_back(f);
+            ASSERT_EQ(group.size(), 8u);
+            std::sort(group.rbegin(), group.rend());
+            for (unsigned int i = 0; i < 8; ++i)
+              EXPECT_NEAR(group[i] / group[0] * std::sqrt(1 + (i / 2) * delta), 1, 1e-9) << i;
+          }
+      }
 }
 
 

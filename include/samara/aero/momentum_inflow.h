@@ -3,7 +3,6 @@
 
 #include <samara/aero/finite_state.h>
 #include <samara/aero/inflow.h>
-#include <samara/model/algebraic_states.h>
 #include <samara/model/counted_states.h>
 #include <samara/model/doubts.h>
 
@@ -21,8 +20,7 @@ namespace samara
   class MomentumInflow : public Inflow,
                          public Evaluated<MomentumInflow, StateEquation>,
                          public Doubtful,
-                         public HasCountedStates,
-                         public HasAlgebraicStates
+                         public HasCountedStates
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -38,8 +36,6 @@ namespace samara
 
     /** By the energy of the air, ½ρR³ Σ M_k z_k²/load_weights[k]; a flow without mass has none. */
     std::vector<CountedStates> counted_states() const override;
-
-    std::vector<unsigned int> algebraic_states() const override;
 
   protected:
     virtual FiniteStateInflow make() const = 0;

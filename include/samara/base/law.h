@@ -117,6 +117,9 @@ namespace samara
      */
     double next_corner(double from, double to) const;
 
+    /** The product of this law and a signal. */
+    Law times(const std::string &path) const;
+
     /** Σ cⱼ lawsⱼ + offset, in SI units. */
     static Law combination(const std::array<Law, 3> &laws, const Eigen::RowVector3d &c, double offset);
 
@@ -139,8 +142,8 @@ namespace samara
 
   /**
    * What may be named in laws: the objects of a model, whose signals are known by the words they end with, and the
-   * states of first order with their units. In a subsystem, its objects and states have short names, too, and components
-   * x, y, z are those along its axes.
+   * states of first order with their units. In a subsystem, its objects and states have short names, too, and
+   * components x, y, z are those along its axes.
    */
   class SignalNames
   {

@@ -40,12 +40,27 @@ namespace samara
     };
     Mean mean(double from, double to) const;
 
+    /** What is linear in a small way, to round-off of that however short it is: for exact tangents. */
+    struct MeanChange
+    {
+      double rise;           ///< mean(from, from + way).force − F(from)
+      double by_from, by_to; ///< derivatives of that mean by both ends
+    };
+    MeanChange mean_change(double from, double way) const;
+
+    /** F(from + way) − F(from), in the same way. */
+    double rise(double from, double way) const;
+
     /** Where its stiffness jumps, see ScalarFunction::next_corner(). */
     std::vector<double> corners(double from, double to) const;
 
   private:
     ScalarFunction function;
     double         origin;
+
+    /** ∫ w(x) F'(from + x (to − from)) dx, x from 0 to 1. */
+    template <typename Weight>
+    double weighted_stiffness(double from, double to, const Weight &w) const;
   };
 } // namespace samara
 

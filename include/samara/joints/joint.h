@@ -27,7 +27,7 @@ namespace samara
     /** The functions that tell it: d is the first; θ = atan2(second, first); l is the root of the first. */
     PairFunction first, second;
     double       reference = 0; ///< of a length: its value in the reference configuration, where the coordinate is zero
-    unsigned int axis      = 2;     ///< joint axis along or about which the force or moment of this motion acts
+    unsigned int axis      = 2; ///< joint axis along or about which the force or moment of this motion acts
     bool         is_on_b   = false; ///< whether that is an axis of B, not of A
 
     // entries
@@ -36,7 +36,7 @@ namespace samara
     bool            has_lower_stop = false, has_upper_stop = false;
     ContactEntries  stop;
     FrictionEntries friction;
-    Law             force, prescribed, spring_law;
+    Law             force, prescribed, spring_law, damping;
     bool            is_prescribed = false;
     bool            may_rub       = true; ///< whether it knows dry friction
 
@@ -200,15 +200,16 @@ namespace samara
   class Joint : public Item, public RelativeMotions, public Connection
   {
   public:
-    void add_parameters(Parameters &prm) override;
-    void be_placed(const Placement &placement) override;
-    void be_moved(const MotionOf &motion_of) override;
-    void initialize(Model &model) override;
-    void find_signals(Model &model) override;
-    void connect(Layout &layout) override;
+    void               add_parameters(Parameters &prm) override;
+    void               be_placed(const Placement &placement) override;
+    void               be_moved(const MotionOf &motion_of) override;
+    void               initialize(Model &model) override;
+    void               find_signals(Model &model) override;
+    void               connect(Layout &layout) override;
     std::vector<Frame> connected_frames() const override;
 
-    /** Whether bodies are to be moved until the two points of the joint meet: it says so, or the model of all joints. */
+    /** Whether bodies are to be moved until the two points of the joint meet: it says so, or the model of all joints.
+     */
     bool closes_gap() const;
 
     std::optional<unsigned int> use_coordinate(Model &model, const std::string &motion) override;
@@ -263,13 +264,13 @@ namespace samara
       std::string  name;
       unsigned int axis = 0; ///< joint axis of its force
     };
-    std::vector<Locked>    locked;
-    std::list<FreeMotion>  free; // parameters keep references to what is in it
-    std::vector<NoSlip>    no_slip;
+    std::vector<Locked>   locked;
+    std::list<FreeMotion> free; // parameters keep references to what is in it
+    std::vector<NoSlip>   no_slip;
 
     void lock_displacement(unsigned int axis);
     /** Keep E_iᴬ normal to E_jᴮ. */
-    void        lock_rotation(unsigned int i, unsigned int j);
+    void lock_rotation(unsigned int i, unsigned int j);
     /** Keep E₁ᴬ·E₂ᴮ and E₂ᴬ·E₁ᴮ the same: no twist about E₃, however that bends. */
     void        lock_twist();
     FreeMotion &free_displacement(unsigned int axis, const std::string &name = "displacement");
@@ -334,6 +335,12 @@ namespace samara
     void add_springs(Layout &layout);
     /** By the forces of rows that hold a displacement, and the preload. */
     void add_friction(Layout &layout);
+    /** The line along which it slips, of a joint whose force presses across it; null of others. */
+    virtual const HasSlipLine *
+    slip_line() const
+    {
+      return nullptr;
+    }
     void complain(Model &model, const std::string &entry, const std::string &text) const;
     /** @} */
 
@@ -357,7 +364,7 @@ namespace samara
 
     unsigned int      first_row      = 0;     ///< of the multipliers in the residual
     bool              with_axes_of_b = false; ///< whether any function needs them
-    std::vector<Stop> stops; ///< linear ones
+    std::vector<Stop> stops;                  ///< linear ones
     ContactTerms      contacts;
 
     /** What acts along (force) or about (moment) joint axis @p axis; nothing if nothing does. */

@@ -46,7 +46,7 @@ namespace samara
   public:
     NormalForce(const Layout &layout, const Layout::Friction &friction)
       : friction(friction)
-      , line(slip_line_of(layout, friction))
+      , line(friction.line)
       , has_stop(friction.stop >= 0)
     {
       if (has_stop)

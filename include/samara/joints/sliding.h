@@ -48,6 +48,11 @@ namespace samara
     std::vector<Bend> bends() const override;
 
     /** @name The tangent of the beam where B is, along the axes of the rows of the position @{ */
+    const HasSlipLine *
+    slip_line() const override
+    {
+      return this;
+    }
     unsigned int
     multiplier_of_force() const override
     {
@@ -159,9 +164,9 @@ namespace samara
     bool find_rail(Model &model);
     /** Pieces of a shell's edge, of a line of its mesh, or of another curve on it. */
     std::vector<LinePiece> line_of_shell(const std::string &line) const;
-    bool              find_start(Model &model, const Frame &b);
-    bool              check_corners(Model &model);
-    bool              check_bodies();
+    bool                   find_start(Model &model, const Frame &b);
+    bool                   check_corners(Model &model);
+    bool                   check_bodies();
     /** Stops at the ends of the beam, where those are wanted and the user has set none. */
     void add_stops_at_ends(Model &model);
 

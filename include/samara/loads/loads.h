@@ -8,11 +8,6 @@
 
 namespace samara
 {
-  /** Three components, functions of time. */
-  using VectorOfTime = std::array<FunctionOfTime, 3>;
-
-
-
   /** The first time in (from, to) where any component has a corner, see ScalarFunction::next_corner(). */
   template <typename Function>
   double
@@ -32,8 +27,11 @@ namespace samara
   public:
     void   add_parameters(Parameters &prm) override;
     void   initialize(Model &model) override;
+    void   find_signals(Model &model) override;
     void   connect(Layout &layout) override;
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void   damping(const Point<double> &point, SparseMatrix &C) const override;
+    void   pieces(const Point<double> &point, std::vector<double> &result) const override;
     bool   has_potential() const override;
     double potential_energy(const Point<double> &point) const override;
 
@@ -50,9 +48,19 @@ namespace samara
     void residual_at(const Point<Number> &point, Number *r) const;
 
   private:
-    VectorOfTime       acceleration{{FunctionOfTime(0), FunctionOfTime(0), FunctionOfTime(-9.80665)}};
+    std::array<Law, 3> acceleration{{Law(0.), Law(0.), Law(-9.80665)}};
     const Model       *model = nullptr;
     std::vector<Block> blocks; // of all nodes but the ground
+
+    /** Of the components that depend on the model's state; null of others. */
+    using Responses = std::array<std::unique_ptr<Response>, 3>;
+    std::vector<Responses> responses; ///< of each node, as of blocks; empty if no component does
+
+    template <typename Number>
+    Vec3<Number> acceleration_at(const Point<Number> &point) const;
+
+    /** What comes from the change of the acceleration. */
+    void add_responses(const Point<double> &point, bool by_velocity, SparseMatrix &A) const;
 
     /** [m I; m c~] of a node: what has weight, without virtual mass. */
     Eigen::Matrix<double, 6, 3> weighed(unsigned int node) const;
@@ -162,7 +170,8 @@ namespace samara
 
 
   /**
-   * A force p(s) f and a moment p(s) m per length along a beam or an edge of a shell, p its variation. The virtual work is
+   * A force p(s) f and a moment p(s) m per length along a beam or an edge of a shell, p its variation. The virtual work
+   * is
    *
    *     ∫ p (f · δx + m · δθ) ds,   x = Σ N_a x_a,  δθ = Σ N_a D_a θ_a,   of a follower with d f, d m for d = Σ N_a
    * D_a,

@@ -37,23 +37,40 @@ namespace samara
   public:
     void   add_parameters(Parameters &prm) override;
     void   initialize(Model &model) override;
+    void   find_signals(Model &model) override;
     void   connect(Layout &layout) override;
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
+    void   damping(const Point<double> &point, SparseMatrix &C) const override;
+    void   pieces(const Point<double> &point, std::vector<double> &result) const override;
     double next_corner(double from, double to) const override;
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 
   private:
-    std::string    body, region;
-    FunctionOfTime pressure;
+    std::string body, region;
+    Law         pressure;
 
     struct Cell
     {
-      SurfaceCell surface;
-      Block       block;
+      SurfaceCell               surface;
+      Block                     block    = {};
+      std::unique_ptr<Response> response = {}; ///< of a pressure that depends on the state
     };
     std::vector<Cell> cells;
+
+    template <typename Number>
+    Number value(const Point<Number> &point) const;
+
+    /** The residual of a cell under the pressure @p p, 6 a frame. */
+    template <typename Number>
+    void local_residual(const Cell                               &cell,
+                        const Number                             &p,
+                        const Number                             *q,
+                        Eigen::Matrix<Number, Eigen::Dynamic, 1> &r) const;
+
+    /** What comes from the change of the pressure. */
+    void add_responses(const Point<double> &point, bool by_velocity, SparseMatrix &A) const;
   };
 
   /** The body of that name as one with a surface. @throws std::invalid_argument if it is none. */

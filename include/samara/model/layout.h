@@ -9,6 +9,7 @@
 namespace samara
 {
   class ContactGroup;
+  class HasSlipLine;
 
   /**
    * The numbering of all unknowns: 6 twists of each node but the ground, joint coordinates, states of first order,
@@ -62,6 +63,19 @@ namespace samara
     is_length(const int unknown) const
     {
       return unknown < of_coordinate(0) ? unknown % 6 < 3 : model.coordinate_units[unknown - of_coordinate(0)] == "m";
+    }
+
+    /** In what an unknown is measured: "m", "rad", the unit of a state. Multipliers have that of what they hold: "". */
+    std::string unit_of(int unknown) const;
+
+    /**
+     * The size of an unknown that matters, in its unit: @p length [m] of displacements, 1 of rotations, the scale of a
+     * state. Not of multipliers: row_scale() says what theirs are.
+     */
+    double
+    scale_of(const int unknown, const double length) const
+    {
+      return unknown < of_state(0) ? (is_length(unknown) ? length : 1.) : model.states[unknown - of_state(0)].scale;
     }
 
     /** @name For Item::connect() @{ */
@@ -131,8 +145,9 @@ namespace samara
       FrictionLaw               law;
       int                       stop = -1; ///< number in stops; -1: none
       std::vector<unsigned int> multipliers;
-      double                    preload = 0; ///< [N], not negative
-      std::string               name;        ///< for messages: "joint hinge, friction of the rotation"
+      const HasSlipLine        *line    = nullptr; ///< whose force the multipliers are; null: they press as they are
+      double                    preload = 0;       ///< [N], not negative
+      std::string               name;              ///< for messages: "joint hinge, friction of the rotation"
     };
     std::vector<Friction> frictions;
 

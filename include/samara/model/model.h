@@ -127,14 +127,17 @@ namespace samara
     };
     std::vector<Rotation> rotations;
 
-    std::vector<std::unique_ptr<Item>>         items;
-    std::vector<Node>                          nodes; ///< after close(): those that are left
-    std::vector<std::string>                   coordinates, coordinate_units;
+    std::vector<std::unique_ptr<Item>> items;
+    std::vector<Node>                  nodes; ///< after close(): those that are left
+    std::vector<std::string>           coordinates, coordinate_units;
 
     struct StateOfFirstOrder
     {
       std::string name, unit;
       double      initial, scale;
+
+      /** Whether it has no rate, 0 = g(q, y, z, t) in place of ż = g: it follows at once. Its item says so. */
+      bool is_algebraic = false;
     };
     std::vector<StateOfFirstOrder> states;
 
@@ -154,8 +157,8 @@ namespace samara
     Complaints complaints;
 
     /**
-     * The subsystem from which names are looked up, "rotor:blade 1:", or "": first those in it, "rotor:blade 1:flap", then
-     * those around it, "rotor:flap", then "flap".
+     * The subsystem from which names are looked up, "rotor:blade 1:", or "": first those in it, "rotor:blade 1:flap",
+     * then those around it, "rotor:flap", then "flap".
      */
     std::string scope;
 

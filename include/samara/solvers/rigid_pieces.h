@@ -43,7 +43,7 @@ namespace samara
     double
     coordinate_unit(const unsigned int i) const
     {
-      return system.model.coordinate_units[i] == "m" ? length : 1.;
+      return system.layout.scale_of(system.layout.of_coordinate(i), length);
     }
     unsigned int
     column_of_coordinate(const unsigned int i) const

@@ -85,14 +85,15 @@ namespace samara
     Vector e, moved_q, moved_coordinates, moved_y, moved_rates, moved_states, moved_state_rates;
 
     /**
-     * R_x x + J X: the change of the residuals of all stages, in the order of the layout; @p x null: zero. If @p checks,
-     * constraints that are not smooth along it are refused.
+     * R_x x + J X: the change of the residuals of all stages, in the order of the layout; @p x null: zero. If @p
+     * checks, constraints that are not smooth along it are refused.
      */
     void residual(const double *x, const double *X, Vector &result, bool checks = false);
     void move_nodes(const double *x, const double *X);
     void move_others(const double *x, const double *X);
     void find_stresses(const double *x, const double *X);
-    /** Rates of products of strains from those of the others; returns the changes of their factors, a column a stage. */
+    /** Rates of products of strains from those of the others; returns the changes of their factors, a column a stage.
+     */
     Eigen::MatrixXd change_products();
     /** Of ġ of stage @p k, or with stages.size(), of g at the end. */
     void differentiate_constraints(unsigned int k, const double *X, Vector &result, bool checks);
@@ -101,6 +102,8 @@ namespace samara
     void add_terms(unsigned int k, const double *X, double *r);
     void add_inertia(unsigned int k, const double *x, const double *X, double *r) const;
     void add_corrections(const double *X, Vector &result) const;
+    /** What keeps the energy of nonlinear springs; their forces are among the terms. */
+    void add_springs(const double *x, const double *X, Vector &result) const;
     void solve(const Vector &right, Vector &X);
 
     Eigen::Map<const Vector6>
