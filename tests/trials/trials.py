@@ -14,8 +14,8 @@ from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
 from outline import render
 from program import LIMIT, Run
-from shells import Sheller, shelled_mechanism
-from touching import Group, Toucher, rough_touching, touching_mechanism
+from shells import Sheller, edged_mechanism, shelled_mechanism
+from touching import Group, Toucher, pressed_mechanism, rough_touching, touching_mechanism
 from world import World
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -100,6 +100,10 @@ def touching_trial(seed):
     return MechanismTrial(f"touching {seed}", touching_mechanism(seed))
 
 
+def pressed_trial(seed):
+    return MechanismTrial(f"pressed {seed}", pressed_mechanism(seed))
+
+
 def placed_trials(seed):
     """What slides, touches and rubs, turned and in another unit: a few steps, as contacts amplify. Stiff balls at beams take a
     thousand steps, whose sizes round-off decides."""
@@ -130,6 +134,19 @@ def further_relatives(seed):
 
 def shelled_trial(seed):
     return MechanismTrial(f"shelled {seed}", shelled_mechanism(seed))
+
+
+def edged_trial(seed):
+    return MechanismTrial(f"edged {seed}", edged_mechanism(seed))
+
+
+def edged_relatives(seed):
+    """The same turned and in another unit, for a short time."""
+    model = edged_mechanism(seed).with_(steps=5, newton=1e-13)
+    model.step /= 5
+    model.radius = 0.5 if model.stages == 1 else model.radius
+    yield ShelledRelativeTrial(f"edged-turned {seed}", model, relatives.turned(Sheller(f"turned {seed}")), 1e-7)
+    yield ShelledRelativeTrial(f"edged-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-7)
 
 
 def shelled_relatives(seed):
@@ -217,7 +234,10 @@ def endless(program, start):
         yield from (curved_trial(10 * seed + k) for k in range(3))
         yield from further_relatives(seed)
         yield from (RoughTrial(f"rough-further {10 * seed + k}", rough_further(10 * seed + k)) for k in range(5))
+        yield from (pressed_trial(10 * seed + k) for k in range(5))
         yield from (shelled_trial(10 * seed + k) for k in range(5))
+        yield from (edged_trial(10 * seed + k) for k in range(3))
+        yield from edged_relatives(seed)
         yield from shelled_relatives(seed)
         yield from (RoughTrial(f"rough-touching {10 * seed + k}", rough_touching(10 * seed + k)) for k in range(5))
         yield from (mutant_trial(10 * seed + k) for k in range(10))
