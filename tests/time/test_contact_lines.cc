@@ -160,7 +160,7 @@ TEST(ContactLines, BeamOnARod)
   const double a = 0.63, L = 1, w = M_PI * 0.02 * 0.02 * 1000 * 9.80665;
   Scene        scene("prm/examples/beam_on_rod.prm");
   scene.equilibrium();
-  EXPECT_NEAR(scene.value("touching.ground.force z") / (-w * (6 * L * L - 4 * a * L + a * a) / (8 * a)), 1, 0.01);
+  EXPECT_NEAR(scene.value("touching.bar.force z") / (-w * (6 * L * L - 4 * a * L + a * a) / (8 * a)), 1, 0.01);
 }
 
 
