@@ -162,13 +162,13 @@ end
       " set Laws = block with ground stiffness 3 exponent 2 restitution 0.7 speed 2 friction 0.4 static 0.4 rolling 0,"
       " ro* with block friction 0.1 static 0.2 turning 0.3, rod with ground exponent 1.5 restitution 1 friction 0\n" +
       law + "end\n";
-    // a ball on a beam, and a beam across a rod, at places within all of them; the ends of a rod on another ball
+    // a ball on a beam, and a rod across it, at places within them
     s["contacts at nearest places"] = {
       "",
       rail_of_all,
       "subsection Joints\n subsection j\n set Type = contacts\n set Balls = block.centre radius 0.2\n"
-      " set Beams = rail radius 0.15, rod radius 0.3\n set Overlap = allowed\n set Stiffness = 2\n set Exponent = 1.5\n"
-      " set Rods = block from 1.92 1.11 -0.21 to 1.08 1.61 0.47 radius 0.3\n set Line stiffness = 1\n"
+      " set Beams = rail radius 0.15\n set Overlap = allowed\n set Stiffness = 2\n set Exponent = 1.5\n"
+      " set Rods = block from 1.2876 0.3357 0.9448 to 1.3056 -0.5839 0.5042 radius 0.2\n set Line stiffness = 1\n"
       " set Restitution = 0.5\n set Impact speed = 3\n set Friction = 0.3\n set Sticking speed = 0.09\n"
       " set Rolling friction = 0.1\n set Turning friction = 0.2\n end\nend\n"};
     const std::string bounces = "set Stop exponent = 1.5\n set Stop restitution = 0.5\n set Stop speed = 3\n",

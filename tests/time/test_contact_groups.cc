@@ -179,7 +179,7 @@ namespace
     couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
     std::vector<int>  from;
     const auto        pattern = wider_pattern(*layout.pattern, couplings, from);
-    std::vector<bool> is_late(pattern->n(), false);
+    std::vector<bool> is_late(scene.system.size(), false);
     for (unsigned int i = 0; i < layout.n_multipliers; ++i)
       is_late[layout.of_multiplier(i)] = true;
     return DiagonalOrder(*pattern, is_late).n_operations;
