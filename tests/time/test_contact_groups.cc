@@ -229,12 +229,12 @@ namespace
 
 
 // The factors of what is long cost in proportion to its length: of chains in the air, on a drum that is one body, and,
-// once it is longer than wide, of a pile. A heap in space is not long: twice as many balls cost between two and four
-// times as much.
+// once it is longer than wide, of a pile. A heap in space is not long: its factors grow as n^1.5 to n^2.5. (Of fewer
+// than 45 balls, a thousand pairs, all are in the pattern, for statics.)
 TEST(ContactGroups, WorkOfFactors)
 {
-  EXPECT_NEAR(operations_of_factors(tower_of_balls(1, 80)) / operations_of_factors(tower_of_balls(1, 40)), 2, 0.1);
-  EXPECT_NEAR(operations_of_factors(chain_around_drum(60)) / operations_of_factors(chain_around_drum(30)), 2, 0.1);
+  EXPECT_NEAR(operations_of_factors(tower_of_balls(1, 120)) / operations_of_factors(tower_of_balls(1, 60)), 2, 0.1);
+  EXPECT_NEAR(operations_of_factors(chain_around_drum(120)) / operations_of_factors(chain_around_drum(60)), 2, 0.1);
   const double n_8 = operations_of_factors(tower_of_balls(3, 8)), n_16 = operations_of_factors(tower_of_balls(3, 16)),
                n_32 = operations_of_factors(tower_of_balls(3, 32));
   EXPECT_NEAR((n_32 - n_16) / (n_16 - n_8), 2, 0.3);
