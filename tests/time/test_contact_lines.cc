@@ -204,6 +204,33 @@ TEST(ContactLines, ParallelBeamsAreRefused)
 
 
 
+// Neither have they modes.
+TEST(ContactLines, ParallelBeamsHaveNoModes)
+{
+  const auto clamp = [](const std::string &name) {
+    return joint("clamp " + name, "rigid", "set Body A = ground\n set Body B = " + name + ".start\n");
+  };
+  Scene scene(
+    tube_section +
+    model(beam_of("a", "-0.5, 0, 0; 0.5, 0, 0", "set Elements = 1\n") +
+            beam_of("b", "-0.5, 0, 0.0399; 0.5, 0, 0.0399", "set Elements = 1\n"),
+          clamp("a") + clamp("b") +
+            joint("touching",
+                  "contacts",
+                  "set Beams = a radius 0.02, b radius 0.02\n set Stiffness = 1e3\n set Overlap = allowed\n")));
+  try
+    {
+      scene.modes();
+      ADD_FAILURE() << "modes of what is not determined";
+    }
+  catch (const NotConverged &problem)
+    {
+      EXPECT_NE(std::string(problem.what()).find("parallel"), std::string::npos) << problem.what();
+    }
+}
+
+
+
 // The rope on a turning drum in statics: exp(μ π R/(R + r)) times the weight at the hold. Friction acts at the surface
 // of the drum, the force of the rope on its line.
 TEST(ContactLines, Eytelwein)
