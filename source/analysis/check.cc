@@ -42,12 +42,7 @@ namespace samara
   require_couplings(const System &system, const bool for_statics)
   {
     for (const ContactGroup *group : system.layout.contact_groups)
-      if (group->has_nearest_places() && !for_statics)
-        throw InputError(group->item->parameters.where() + ": " + group->name +
-                         " has beams that balls or other beams touch; where they do moves along the beams, which the "
-                         "matrices of modes and linear systems do not know: they would be wrong. Look at the motion in "
-                         "time, or hold balls to single contacts");
-      else if (group->has_bristles() && !for_statics)
+      if (group->has_bristles() && !for_statics)
         throw InputError(group->item->parameters.where() + ": " + group->name +
                          " has bristles, which come and go with touches; the matrices of modes and linear systems do "
                          "not know them: they would be wrong. Take a <Sticking speed>, or single contacts");
@@ -56,6 +51,19 @@ namespace samara
           group->item->parameters.where() + ": " + group->name +
           " may touch in more pairs of nodes than the matrices of statics and modes hold (a thousand): make "
           "smaller groups, or let a damped motion come to rest");
+  }
+
+
+
+  void
+  require_nearest_places(const System &system, const State &state)
+  {
+    for (const ContactGroup *group : system.layout.contact_groups)
+      if (group->has_nearest_places())
+        if (const std::string pair = group->without_nearest_places(state.q.data()); !pair.empty())
+          throw NotConverged(group->item->parameters.where() + ": " + group->name + ": the nearest places of " + pair +
+                             " are not determined, as where beams are parallel: there is no force between them that "
+                             "could be told. Cross them by more than 0.01 rad");
   }
 
 

@@ -309,22 +309,26 @@ namespace samara
   {
     // what sticks has velocities that change their sign from step to step; Newton's method finds none, and steps are
     // halved
-    constexpr unsigned int times_more = 20, not_at_once = 200;
+    constexpr unsigned int times_more = 20, not_at_once = 200, most_times_more = 100, most_at_once = 500;
     const Layout          &layout = system.layout;
-    if (is_ringing || is_adaptive || analysis.spectral_radius < 1 ||
-        analysis.report.n_steps < not_at_once + times_more * (analysis.n_grid + 1) ||
+    const double           asked = analysis.n_grid + 1, made = analysis.report.n_steps;
+    const bool             is_end = made >= most_at_once + most_times_more * asked;
+    if ((is_ringing && !is_end) || is_adaptive || analysis.spectral_radius < 1 ||
+        made < not_at_once + times_more * asked ||
         (layout.frictions.empty() && std::none_of(layout.contact_groups.begin(),
                                                   layout.contact_groups.end(),
                                                   [](const ContactGroup *group) { return group->has_friction(); })))
       return;
     is_ringing = true;
-    context.log.warning(
-      "",
-      "t = " + number_to_text("%.6g", state.time) + " s: " + std::to_string(analysis.report.n_steps) +
-        " steps were made instead of " + number_to_text("%.0f", double(analysis.n_grid + 1)) +
-        ", halves and smaller parts of them: with <Spectral radius = 1> what sticks by dry friction "
-        "vibrates about its creep, and needs steps much shorter than that. Take <Spectral radius = 0.5>, a "
-        "larger <Sticking speed>, or bristles");
+    const std::string text =
+      "t = " + number_to_text("%.6g", state.time) + " s: " + number_to_text("%.0f", made) +
+      " steps were made instead of " + number_to_text("%.0f", asked) +
+      ", halves and smaller parts of them: with <Spectral radius = 1> what sticks by dry friction "
+      "vibrates about its creep, and needs steps much shorter than that. Take <Spectral radius = "
+      "0.5>, a larger <Sticking speed>, or bristles";
+    if (is_end)
+      throw NotConverged(text + "; or a <Step> as short as these, if that is meant");
+    context.log.warning("", text);
   }
 
 

@@ -97,6 +97,7 @@ namespace samara
                    units_of(system)}
   {
     require_couplings(system);
+    require_nearest_places(system, state);
     system.mass(M);
     system.damping(state, gyroscopic, false);
     system.tangent(state, S, false);

@@ -196,6 +196,7 @@ namespace samara
       follow_path(context);
     else
       follow_load(context);
+    require_nearest_places(context.system, context.state);
     context.is_equilibrium = true;
     tell_motion(context);
     tell_instability(context);

@@ -94,7 +94,7 @@ namespace samara
     prm.add(
       "Beams",
       beams,
-      "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, not in modes, and surfaces at stations.");
+      "Beams of circular section: rope radius 0.01. They touch balls and each other at nearest places, and surfaces at stations.");
     prm.add("Rods",
             rods,
             "Rigid cylinders between two points, with round ends: drum from 0 -0.1 0 to 0 0.1 0 radius 0.05, in the "

@@ -1,5 +1,4 @@
 #include <samara/joints/joint.h>
-#include <samara/model/slip_line.h>
 
 #include <algorithm>
 #include <cmath>
@@ -170,12 +169,7 @@ namespace samara
           friction.law     = m->friction_law;
           friction.preload = m->friction.preload;
           friction.name    = "joint " + name + ", friction of the " + m->name;
-          for (unsigned int i = 0; i < locked.size(); ++i)
-            if (locked[i].function.kind == PairFunction::gap)
-              friction.multipliers.push_back(first_multiplier + i);
-          friction.line = slip_line();
-          for (unsigned int i = 0; friction.line != nullptr && i < 3; ++i)
-            friction.multipliers.push_back(friction.line->multiplier_of_force() + i);
+          add_pressing(friction.multipliers);
           contacts.add_friction(layout, *this, friction);
         }
   }

@@ -225,7 +225,7 @@ namespace samara
   void
   Joint::add_motions(Parameters &prm)
   {
-    // on a plane friction acts against the slip in both directions at once; the force on a thread is no reaction
+    // on a plane friction acts against the slip in both directions at once, on a thread along it: subsection <thread>
     const auto is_displacement = [](const FreeMotion &m) { return m.first.kind == PairFunction::gap; };
     const bool is_on_plane     = std::count_if(free.begin(), free.end(), is_displacement) > 1;
     for (auto &motion : free)
@@ -402,6 +402,7 @@ namespace samara
           check_friction(m, motion);
         motion.add_bristles(m, name);
       }
+    check_bearing_length(m);
   }
 
 

@@ -11,6 +11,7 @@ namespace samara
     lock_rotation(2, 1);
     free_rotation_about_3();
     Joint::add_parameters(prm);
+    add_bearing_length(prm);
   }
 
 
@@ -25,6 +26,7 @@ namespace samara
     lock_rotation(0, 1);
     free_displacement(2);
     Joint::add_parameters(prm);
+    add_bearing_length(prm);
   }
 
 
@@ -41,6 +43,27 @@ namespace samara
     is_screw = true;
     Joint::add_parameters(prm);
     prm.add("Pitch", pitch, "Displacement along axis 3 per rotation about it [m/rad].");
+    thread.add_parameters(prm);
+  }
+
+
+
+  void
+  Screw::initialize(Model &m)
+  {
+    Joint::initialize(m);
+    thread.initialize(m, *this, parameters.subsection("thread"));
+  }
+
+
+
+  void
+  Screw::connect(Layout &layout)
+  {
+    Joint::connect(layout);
+    if (rows.empty())
+      return; // it has complained
+    thread.connect(layout, *this, used[0]->coordinate, used[1]->coordinate, first_multiplier + rows.size() - 1, pitch);
   }
 
 
@@ -55,6 +78,7 @@ namespace samara
     free_displacement(2);
     free_rotation_about_3();
     Joint::add_parameters(prm);
+    add_bearing_length(prm);
   }
 
 
@@ -82,9 +106,7 @@ namespace samara
     if (rows.empty())
       return; // it has complained
     std::vector<unsigned int> pressing;
-    for (unsigned int i = 0; i < locked.size(); ++i)
-      if (locked[i].function.kind == PairFunction::gap)
-        pressing.push_back(first_multiplier + i);
+    add_pressing(pressing);
     plane.connect(layout, *this, frame_a, frame_b, pressing);
     ball.connect(layout, *this, frame_a, frame_b, pressing);
   }

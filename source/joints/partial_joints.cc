@@ -55,6 +55,7 @@ namespace samara
       lock_displacement(i);
     lock_twist();
     Joint::add_parameters(prm);
+    ball.add_parameters(prm);
     prm.add("Second axis",
             second_axis,
             "Direction of the shaft on body B in the reference configuration; 0, 0, 0: that of Axis [1].");
@@ -114,6 +115,46 @@ namespace samara
         rate.on_b.tail<3>() = frame_b.in_node<double>(q, e);
         rates.push_back(rate);
       }
+  }
+
+
+
+  void
+  ConstantVelocity::add_pressing(std::vector<unsigned int> &multipliers) const
+  {
+    for (unsigned int i = 0; i < locked.size(); ++i)
+      multipliers.push_back(first_multiplier + i); // three forces, and the twist
+  }
+
+
+
+  bool
+  ConstantVelocity::presses(const Layout::Friction &friction) const
+  {
+    return friction.multipliers.front() == first_multiplier;
+  }
+
+
+
+  PressingParts<double>
+  ConstantVelocity::pressing_parts(const Layout::Friction &friction, const Point<double> &) const
+  {
+    PressingParts<double> parts;
+    parts.add(4).leftCols<3>().setIdentity();
+    parts.add(4)(0, 3) = 2 / friction.arm;
+    return parts;
+  }
+
+
+
+  PressingParts<std::complex<double>>
+  ConstantVelocity::pressing_parts(const Layout::Friction &friction, const Point<std::complex<double>> &) const
+  {
+    const auto                          real = pressing_parts(friction, Point<double>());
+    PressingParts<std::complex<double>> parts;
+    for (unsigned int p = 0; p < real.n; ++p)
+      parts.add(4) = real.of[p].cast<std::complex<double>>();
+    return parts;
   }
 
 

@@ -57,6 +57,7 @@ namespace samara
   {
     cosines = {{1, 0, false, "rotation 3"}, {2, 0, false, "rotation 2"}};
     SlidingJoint::add_parameters(prm);
+    add_bearing_length(prm);
   }
 
 
@@ -66,6 +67,7 @@ namespace samara
   {
     cosines = {{1, 0, false, "rotation 3"}, {2, 0, false, "rotation 2"}, {2, 1, false, "rotation 1"}};
     SlidingJoint::add_parameters(prm);
+    add_bearing_length(prm);
   }
 
 
@@ -75,6 +77,7 @@ namespace samara
   {
     cosines = {{1, 0, false, "rotation 3"}, {2, 0, false, "rotation 2"}, {1, 1, true, "rotation 1"}};
     SlidingJoint::add_parameters(prm);
+    add_bearing_length(prm);
     prm.add("Turn per length",
             turn,
             "Rotation of B about axis 1 of the beam against its sections, right-handed, per length it slides towards "
@@ -109,6 +112,7 @@ namespace samara
     frame_a         = m.frame_at(rail->pieces()[rail->piece_at(start)].frames.front(), at.x[0], E);
     frame_b         = m.frame_at(b, at.x[0], E);
     free.front().check_parameters(parameters.subsection("displacement"), m.complaints);
+    check_bearing_length(m);
     if (ends == "stop")
       add_stops_at_ends(m);
     if (may_leave())

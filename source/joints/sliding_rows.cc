@@ -393,18 +393,54 @@ namespace samara
 
 
 
-  Vector3
-  SlidingJoint::direction_of_slip(const Point<double> &point) const
+  void
+  SlidingJoint::add_pressing(std::vector<unsigned int> &multipliers) const
   {
-    return tangent_in_rows(point);
+    // the rows of the position, and those of both tilts behind them
+    for (unsigned int i = 0; i < (bearing_length > 0 ? 5 : 3); ++i)
+      multipliers.push_back(first_multiplier + i);
   }
 
 
 
-  Vec3<std::complex<double>>
-  SlidingJoint::direction_of_slip(const Point<std::complex<double>> &point) const
+  template <typename Number>
+  PressingParts<Number>
+  SlidingJoint::parts_at(const Point<Number> &point) const
   {
-    return tangent_in_rows(point);
+    const Vec3<Number>    t      = tangent_in_rows(point);
+    const Mat3<Number>    across = Mat3<Number>::Identity() - t * t.transpose();
+    PressingParts<Number> parts;
+    if (bearing_length == 0)
+      {
+        parts.add(3) = across;
+        return parts;
+      }
+    // multipliers of the position are the force of B on A; those of the tilts make the moment λ₄ E₃ − λ₅ E₂ on B, and
+    // that times E₁ is λ₄ E₂ + λ₅ E₃
+    const Mat3<Number> E = axes_of_rows.transpose() * frame_b.triad(point.q);
+    for (const double side : {-1., 1.})
+      {
+        auto &part                   = parts.add(5);
+        part.template leftCols<3>()  = -0.5 * across;
+        part.template rightCols<2>() = side / bearing_length * across * E.template rightCols<2>();
+      }
+    return parts;
+  }
+
+
+
+  PressingParts<double>
+  SlidingJoint::pressing_parts(const Layout::Friction &, const Point<double> &point) const
+  {
+    return parts_at(point);
+  }
+
+
+
+  PressingParts<std::complex<double>>
+  SlidingJoint::pressing_parts(const Layout::Friction &, const Point<std::complex<double>> &point) const
+  {
+    return parts_at(point);
   }
 
 

@@ -51,7 +51,10 @@ namespace samara
   {
     sides.b.clear();
     sides.a.clear();
+    sides.slopes_b.clear();
+    sides.slopes_a.clear();
     sides.is_parallel = false;
+    sides.inverse.setZero();
     if (pair.a_is_line)
       {
         const ContactLine &line_a = lines[pair.other], *const line_b = pair.b_is_line ? &lines[pair.bead] : nullptr;
@@ -62,9 +65,10 @@ namespace samara
         if (!found)
           return false;
         sides.is_parallel = found->is_parallel;
-        line_a.add_frames(found->a, sides.a);
+        sides.inverse     = found->inverse;
+        line_a.add_frames(found->a, sides.a, &sides.slopes_a);
         if (line_b != nullptr)
-          line_b->add_frames(found->b, sides.b);
+          line_b->add_frames(found->b, sides.b, &sides.slopes_b);
       }
     else if (pair.with_surface)
       sides.a.push_back({surfaces[pair.other].frame, 1.});
@@ -94,6 +98,21 @@ namespace samara
     const auto is_ball = [](const Bead &bead) { return bead.is_ball; };
     return balls_touch_balls && !lines.empty() &&
            (lines.size() > 1 || std::any_of(beads.begin(), beads.end(), is_ball));
+  }
+
+
+
+  std::string
+  ContactGroup::without_nearest_places(const double *const q) const
+  {
+    std::vector<Pair> pairs;
+    Margins           margins;
+    Sides             sides;
+    find_pairs(q, nullptr, 0, pairs, margins);
+    for (const Pair &pair : pairs)
+      if (!find_sides(pair, q, sides) || sides.is_parallel)
+        return name_of(pair);
+    return "";
   }
 
 
@@ -347,6 +366,93 @@ namespace samara
         turn.block<3, 3>(3, 3) += e_skew * skew(Vector3(D.transpose() * local.value.segment<3>(12)));
       }
     };
+
+
+
+    /** Nearest places go along their lines as nodes move: by the derivatives of ½ |Δ|² by both abscissae staying zero.
+     */
+    struct MovingPlaces
+    {
+      Vector3                           delta = Vector3::Zero(), slope_b = Vector3::Zero(), slope_a = Vector3::Zero();
+      Eigen::Matrix<double, n_local, 2> changes = Eigen::Matrix<double, n_local, 2>::Zero(); ///< of local unknowns
+
+      /** Of a node: ways of b and a by ζ, and its forces by the way of its own side. */
+      struct OfNode
+      {
+        Eigen::Matrix<double, 2, 6> ways  = Eigen::Matrix<double, 2, 6>::Zero();
+        Vector6                     force = Vector6::Zero();
+      };
+      std::vector<OfNode> nodes; ///< of a, then of b
+
+      MovingPlaces(const ContactGroup::Sides &sides,
+                   const PairPlaces<double>  &places,
+                   const Point<double>       &point,
+                   const LocalForces         &local)
+      {
+        if (sides.inverse.isZero(0.))
+          return;
+        delta = places.x_b - places.x_a;
+        add_changes(sides.b, sides.slopes_b, point, true);
+        add_changes(sides.a, sides.slopes_a, point, false);
+        nodes.resize(sides.a.size() + sides.b.size());
+        for (unsigned int i = 0; i < sides.a.size(); ++i)
+          set_node(sides.a[i], slope_at(sides.slopes_a, i), false, sides.inverse, point, local, nodes[i]);
+        for (unsigned int i = 0; i < sides.b.size(); ++i)
+          set_node(
+            sides.b[i], slope_at(sides.slopes_b, i), true, sides.inverse, point, local, nodes[sides.a.size() + i]);
+      }
+
+    private:
+      static double
+      slope_at(const std::vector<double> &slopes, const unsigned int i)
+      {
+        return slopes.empty() ? 0. : slopes[i];
+      }
+
+      void
+      add_changes(const std::vector<WeightedFrame> &side,
+                  const std::vector<double>        &slopes,
+                  const Point<double>              &point,
+                  const bool                        is_b)
+      {
+        const int x = is_b ? 0 : 3, v = is_b ? 9 : 15, column = is_b ? 0 : 1;
+        for (unsigned int i = 0; i < slopes.size(); ++i)
+          {
+            const Frame                    &frame = side[i].frame;
+            const Matrix3                   D     = Frame{frame.node}.triad(point.q);
+            const Eigen::Map<const Vector3> speed(point.y + 6 * frame.node), spin(point.y + 6 * frame.node + 3);
+            const Vector3                   along = slopes[i] * frame.position(point.q);
+            (is_b ? slope_b : slope_a) += along;
+            changes.col(column).segment<3>(x) += along;
+            changes.col(column).segment<3>(v) += slopes[i] * D * (speed + spin.cross(frame.arm));
+            changes.col(column).segment<3>(v + 3) += slopes[i] * D * spin;
+          }
+      }
+
+      void
+      set_node(const WeightedFrame   &of,
+               const double           slope,
+               const bool             is_b,
+               const Eigen::Matrix2d &inverse,
+               const Point<double>   &point,
+               const LocalForces     &local,
+               OfNode                &node) const
+      {
+        const Frame                &frame = of.frame;
+        const Matrix3               D     = Frame{frame.node}.triad(point.q);
+        Eigen::Matrix<double, 3, 6> place;
+        place << D, -D * skew(frame.arm);
+        const double                sign = is_b ? of.weight : -of.weight;
+        Eigen::Matrix<double, 2, 6> first; // of the derivatives of ½ |Δ|²
+        first.row(0)        = (sign * slope_b + (is_b ? slope : 0.) * delta).transpose() * place;
+        first.row(1)        = (-sign * slope_a - (is_b ? 0. : slope) * delta).transpose() * place;
+        node.ways           = -inverse * first;
+        const int     f     = is_b ? 0 : 6;
+        const Vector3 force = D.transpose() * local.value.segment<3>(f);
+        node.force << force, Vector3(frame.arm.cross(force)) + D.transpose() * local.value.segment<3>(f + 3);
+        node.force *= slope;
+      }
+    };
   } // namespace
 
 
@@ -360,9 +466,11 @@ namespace samara
     Sides sides;
     if (!find_sides(pair, point.q, sides))
       return;
-    const LocalForces local(*this, pair, places(pair, sides, point.q, point.y), bent);
+    const auto        at = places(pair, sides, point.q, point.y);
+    const LocalForces local(*this, pair, at, bent);
     if (!local.is_touched)
       return;
+    const MovingPlaces      moving(sides, at, point, local);
     const Vector3           e = sides.a[0].frame.rotation.col(2);
     std::vector<NodeOfPair> nodes;
     nodes.reserve(sides.a.size() + sides.b.size());
@@ -370,14 +478,18 @@ namespace samara
       nodes.emplace_back(frame, weight, false, pair.with_surface ? &e : nullptr, point, local);
     for (const auto &[frame, weight] : sides.b)
       nodes.emplace_back(frame, weight, true, nullptr, point, local);
-    for (const NodeOfPair &row : nodes)
-      for (const NodeOfPair &column : nodes)
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (unsigned int j = 0; j < nodes.size(); ++j)
         {
+          const NodeOfPair                       &row = nodes[i], &column = nodes[j];
           const Eigen::Matrix<double, 6, n_local> slope = row.force * local.slope;
           Matrix6                                 K     = slope * column.by_place;
+          if (!moving.nodes.empty())
+            K += slope * moving.changes * moving.nodes[j].ways +
+                 moving.nodes[i].force * moving.nodes[j].ways.row(i < sides.a.size() ? 1 : 0);
           if (local.has_ways)
             K += row.force * local.by_way * column.by_rate;
-          if (&row == &column)
+          if (i == j)
             K += row.turn;
           add(row.node, column.node, K, slope * column.by_rate);
         }

@@ -91,16 +91,25 @@ namespace samara
 
 
   void
-  ContactLine::add_frames(const Place &place, std::vector<WeightedFrame> &frames) const
+  ContactLine::add_frames(const Place                &place,
+                          std::vector<WeightedFrame> &frames,
+                          std::vector<double> *const  slopes) const
   {
-    for_frames(spans, place, [&](const Frame &frame, const double N, double, double) {
-      for (auto &known : frames)
-        if (known.frame.node == frame.node && known.frame.arm == frame.arm)
-          {
-            known.weight += N;
-            return;
-          }
-      frames.push_back({frame, N});
+    if (slopes != nullptr)
+      slopes->resize(frames.size(), 0.);
+    for_frames(spans, place, [&](const Frame &frame, const double N, const double slope, double) {
+      unsigned int i = 0;
+      while (i < frames.size() && !(frames[i].frame.node == frame.node && frames[i].frame.arm == frame.arm))
+        ++i;
+      if (i == frames.size())
+        {
+          frames.push_back({frame, 0.});
+          if (slopes != nullptr)
+            slopes->push_back(0.);
+        }
+      frames[i].weight += N;
+      if (slopes != nullptr)
+        (*slopes)[i] += slope;
     });
   }
 
@@ -231,8 +240,14 @@ namespace samara
         const Hessian H(b, a, there);
         if ((!b.is_held && !(H.bb > 0)) || (!a.is_held && !(H.aa > 0)))
           return {}; // no minimum
-        const bool is_parallel = !b.is_held && !a.is_held && H.bb * H.aa - H.ba * H.ba < parallel * H.bb * H.aa;
-        return NearestPlaces{b.place, a.place, there.norm(), is_parallel};
+        const double  determinant = H.bb * H.aa - H.ba * H.ba;
+        const bool    both        = !b.is_held && !a.is_held;
+        NearestPlaces result{b.place, a.place, there.norm(), both && determinant < parallel * H.bb * H.aa};
+        if (both && !result.is_parallel)
+          result.inverse << H.aa / determinant, -H.ba / determinant, -H.ba / determinant, H.bb / determinant;
+        else if (!both)
+          result.inverse.diagonal() << (b.is_held ? 0. : 1 / H.bb), (a.is_held ? 0. : 1 / H.aa);
+        return result;
       }
     return {};
   }

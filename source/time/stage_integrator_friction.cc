@@ -3,11 +3,12 @@
 //     f_k = −N_k c(|w_k|²) w_k,     so that the work in each stage is a loss, whatever N_k ≥ 0.
 //
 // The normal force of a stop is that of the stage. Multipliers of a single stage are good for three stages; for one and
-// two their mean over the step is better. Of what slides along a beam they are those across it, as it is in the stages.
+// two their mean over the step is better. Of what slides along a beam they are those across it, as it is in the stages;
+// a guide with a length is pressed at both of its ends (HasPressing).
 //
 // Bristles (stage_bristles.h) have states of first order, which follow from the slips: they are set, not solved for.
 
-#include <samara/model/slip_line.h>
+#include <samara/model/pressing.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -42,33 +43,25 @@ namespace samara
     const unsigned int n = friction.multipliers.size();
     if (n == 0)
       return;
-    const HasSlipLine *const       line = friction.line;
-    std::array<Eigen::MatrixXd, 3> across; // of each stage: what of its reactions presses
+    std::array<PressingParts<double>, 3> parts; // of each stage: what of its reactions presses, and where
     for (unsigned int k = 0; k < s; ++k)
-      {
-        across[k].setIdentity(n, n);
-        if (line == nullptr)
-          continue;
-        const Vector3 along = line->direction_of_slip(stages[k].point());
-        across[k] -= along * along.transpose();
-      }
+      parts[k] = device.pressing != nullptr ? device.pressing->pressing_parts(friction, stages[k].point()) :
+                                              PressingParts<double>(n);
     for (unsigned int k = 0; k < s; ++k)
-      {
-        // the reactions that count in this stage are Σ_l weight(l) λ_l
-        const auto      weight   = [&](const unsigned int l) { return s < 3 ? tableau.b(l) : k == l ? 1. : 0.; };
-        Eigen::VectorXd reaction = Eigen::VectorXd::Zero(n);
-        for (unsigned int l = 0; l < s; ++l)
-          for (unsigned int i = 0; i < n; ++i)
-            reaction += weight(l) * values[first + s * i + l] * across[l].col(i);
-        const double size = reaction.norm();
-        normal[k] += size;
-        for (unsigned int l = 0; l < s && slopes != nullptr && size > 0; ++l)
-          {
-            const Eigen::VectorXd slope = weight(l) / size * (across[l].transpose() * reaction);
+      for (unsigned int p = 0; p < parts[k].n; ++p)
+        {
+          // the reactions that count in this stage are Σ_l weight(l) λ_l
+          const auto weight   = [&](const unsigned int l) { return s < 3 ? tableau.b(l) : k == l ? 1. : 0.; };
+          Vector3    reaction = Vector3::Zero();
+          for (unsigned int l = 0; l < s; ++l)
             for (unsigned int i = 0; i < n; ++i)
-              (*slopes)(k, first + s * i + l) = slope(i);
-          }
-      }
+              reaction += weight(l) * values[first + s * i + l] * parts[l].of[p].col(i);
+          const double size = reaction.norm();
+          normal[k] += size;
+          for (unsigned int l = 0; l < s && slopes != nullptr && size > 0; ++l)
+            for (unsigned int i = 0; i < n; ++i)
+              (*slopes)(k, first + s * i + l) += weight(l) / size * parts[l].of[p].col(i).dot(reaction);
+        }
   }
 
 

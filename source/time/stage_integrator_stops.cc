@@ -9,6 +9,7 @@
 
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/pressing.h>
 #include <samara/time/stage_integrator.h>
 
 #include <algorithm>
@@ -42,6 +43,7 @@ namespace samara
           }
         for (const auto multiplier : friction.multipliers)
           ports.push_back({layout.of_multiplier(multiplier), 1., true, false});
+        devices.back().pressing = pressing_of(layout, friction);
       });
     columns.resize(layout.n_coordinates);
     free_changes.resize(tableau.s * ports.size());

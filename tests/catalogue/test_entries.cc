@@ -144,7 +144,19 @@ TEST_F(Catalogued, Prototypes)
 
 namespace
 {
-  /** What the entries of a friction against several motions at once are worth trying with, in their subsection. */
+  /** Moments press where something rubs. */
+  Changes
+  bearing_length(const std::string &motion)
+  {
+    const std::string        path = "Joints/it/" + motion + "/";
+    std::vector<std::string> rubs = {path + "Friction = 0.3"};
+    if (motion == "rotation")
+      rubs.push_back(path + "Friction radius = 0.1");
+    return {{"Bearing length", "0.3", rubs}};
+  }
+
+  /** What the entries of a friction against several motions at once, or of a thread, are worth trying with, in their
+   * subsection. */
   Changes
   changes_of_vector_friction(const std::string &motion)
   {
@@ -155,6 +167,11 @@ namespace
       {
         slips.push_back(path + "Friction radius = 0.1");
         changes.push_back({"Friction radius", "0.2", slips});
+      }
+    if (motion == "thread")
+      {
+        slips.push_back(path + "Radius = 0.1");
+        changes = {{"Radius", "0.2", slips}, {"Flank angle", "0.5", slips}};
       }
     std::vector<std::string> sticks = slips, bends = slips;
     sticks.insert(sticks.end(), {path + "Static friction = 0.5", path + "Stribeck speed = 0.5"});
@@ -177,15 +194,26 @@ namespace
 
 TEST_F(Catalogued, LowerPairs)
 {
-  check_joint("revolute", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"rotation"});
-  check_joint("prismatic", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"displacement"});
+  check_joint("revolute",
+              tilted,
+              "it.force 1",
+              joined(ends, {gap, axis, on_b, axis_1, bearing_length("rotation")}),
+              {"rotation"});
+  check_joint("prismatic",
+              tilted,
+              "it.force 1",
+              joined(ends, {gap, axis, on_b, axis_1, bearing_length("displacement")}),
+              {"displacement"});
   check_joint("screw",
               tilted + "\n    set Pitch = 0.2",
               "it.force 1",
-              joined(ends, {gap, axis, on_b, axis_1, {{"Pitch", "0.3"}}}),
+              joined(ends, {gap, axis, on_b, axis_1, {{"Pitch", "0.3"}}, changes_of_vector_friction("thread")}),
               {"displacement", "rotation"});
-  check_joint(
-    "cylindrical", tilted, "it.force 1", joined(ends, {gap, axis, on_b, axis_1}), {"displacement", "rotation"});
+  check_joint("cylindrical",
+              tilted,
+              "it.force 1",
+              joined(ends, {gap, axis, on_b, axis_1, bearing_length("displacement")}),
+              {"displacement", "rotation"});
   check_joint("planar",
               tilted,
               "it.force 3, it.displacement 1",
@@ -212,7 +240,7 @@ TEST_F(Catalogued, OtherJoints)
   check_joint("constant velocity",
               tilted,
               "it.force 1",
-              joined(ends, {gap, axis, axis_1, {{"Second axis", "1, 2, 0"}}}));
+              joined(ends, {gap, axis, axis_1, {{"Second axis", "1, 2, 0"}}, changes_of_vector_friction("rotation")}));
   check_joint("in line",
               tilted,
               "it.force 1",
@@ -379,7 +407,8 @@ TEST_F(Catalogued, SlidingJoints)
           "Joints/it",
           joined(ends,
                  {changes_of_motion("displacement", "Joints/it", true),
-                  kind == "sliding screw" ? of_screw : Changes{}}));
+                  kind == "sliding screw" ? of_screw : Changes{},
+                  kind == "sliding point" ? Changes{} : bearing_length("displacement")}));
 }
 
 

@@ -122,6 +122,48 @@ namespace
     };
   }
 
+  /** What touches rods, at places that move along them. The ball lies in the trough of two rods, pressed by f against
+   * each at an angle ψ; a rod on the body lies across one of the ground, held by weak springs. */
+  std::map<std::string, CountedModes>
+  at_nearest_places()
+  {
+    const double k = stiffness_of_touch, psi = 0.6, f = weight_of_body / (2 * std::cos(psi)), D = 0.5 - f / k,
+                 s = std::sin(psi), c = std::cos(psi);
+    const auto rod = [](const double x, const double z) {
+      return "ground from " + number_in_text(x) + " -1 " + number_in_text(z) + " to " + number_in_text(x) + " 1 " +
+             number_in_text(z) + " radius 0.3";
+    };
+    // across: D is what the axes are apart; coordinates x along the body's rod and θ about the one of the ground
+    const double k_x = 500, k_y = 300, k_t = 40, D_2 = 0.5 - depth_of_body;
+    const double a = k_x / 2, b = (k_t + weight_of_body * D_2) / 0.4, e = weight_of_body * weight_of_body / (2 * 0.4),
+                 root      = std::sqrt(std::pow((a - b) / 2, 2) + e);
+    const std::string bush = " subsection bush\n set Type = flexible joint\n set Body A = ground\n set Body B = b\n"
+                             " set Axis = 1, 0, 0\n set Axis 2 = 0, 1, 0\n set Stiffness = 500, 300, 0\n"
+                             " set Rotational stiffness = 40, 40, 40\n end\n";
+    return {
+      {"ball in the trough of two rods",
+       {with_body(0,
+                  joint_of("contacts",
+                           " set Stiffness = 1e5\n set Overlap = allowed\n set Balls = b radius 0.2\n set Rods = " +
+                             rod(-D * s, -D * c) + ", " + rod(D * s, -D * c) + "\n")),
+        4,
+        {std::sqrt((2 * k * c * c - 2 * f / D * s * s) / 2), std::sqrt((2 * k * s * s - 2 * f / D * c * c) / 2)}}},
+      {"rod across a rod",
+       {with_body(0,
+                  bush + joint_of("contacts",
+                                  " set Stiffness = 1e5\n set Overlap = allowed\n"
+                                  " set Rods = b from -1 0 0 to 1 0 0 radius 0.2, " +
+                                    rod(0, -D_2) + "\n")),
+        0,
+        {std::sqrt(k / 2),
+         std::sqrt(k_y / 2),
+         std::sqrt(k_t / 0.3),
+         std::sqrt(k_t / 0.5),
+         std::sqrt((a + b) / 2 + root),
+         std::sqrt((a + b) / 2 - root)}}},
+    };
+  }
+
   std::map<std::string, CountedModes>
   other_kinds()
   {
@@ -202,6 +244,14 @@ namespace
 TEST(ModesOfContacts, CountMotionsOfWhatTouches)
 {
   for (const auto &[name, expected] : touching_kinds())
+    expect_modes(name, expected);
+}
+
+
+
+TEST(ModesOfContacts, AtNearestPlaces)
+{
+  for (const auto &[name, expected] : at_nearest_places())
     expect_modes(name, expected);
 }
 

@@ -49,6 +49,18 @@ subsection Bodies
 end
 )";
 
+  const std::string rail_of_all = R"(
+  subsection rail
+    set Type = beam
+    set Shape = arc
+    set Points = -1, 0.3, 0; 0.3, 0, 0.2; 2, 0.1, 0.7
+    set Twist = 0.4*s
+    set Elements = 2
+    set Degree = 3
+    set Section = full
+  end
+)";
+
   /** What a scene adds to the sections, to the bodies, and behind them. */
   struct Text
   {
@@ -131,7 +143,6 @@ end
                                                                      {"ball on ball", {}},
                                                                      {"ball on cylinder", {}},
                                                                      {"ellipsoid on plane", {}}};
-    // nearest places on beams are left to motions
     const std::string law = " set Overlap = allowed\n set Restitution = 0.5\n set Impact speed = 3\n set Friction = 0.3\n"
                             " set Static friction = 0.5\n set Stribeck speed = 0.9\n set Sticking speed = 0.09\n"
                             " set Planes = block at 1 0.5 0.3 normal -0.3 0.2 1, ground at 0 0 0 normal 0.1 0 1\n"
@@ -151,6 +162,15 @@ end
       " set Laws = block with ground stiffness 3 exponent 2 restitution 0.7 speed 2 friction 0.4 static 0.4 rolling 0,"
       " ro* with block friction 0.1 static 0.2 turning 0.3, rod with ground exponent 1.5 restitution 1 friction 0\n" +
       law + "end\n";
+    // a ball on a beam, and a rod across it, at places within them
+    s["contacts at nearest places"] = {
+      "",
+      rail_of_all,
+      "subsection Joints\n subsection j\n set Type = contacts\n set Balls = block.centre radius 0.2\n"
+      " set Beams = rail radius 0.15\n set Overlap = allowed\n set Stiffness = 2\n set Exponent = 1.5\n"
+      " set Rods = block from 1.2876 0.3357 0.9448 to 1.3056 -0.5839 0.5042 radius 0.2\n set Line stiffness = 1\n"
+      " set Restitution = 0.5\n set Impact speed = 3\n set Friction = 0.3\n set Sticking speed = 0.09\n"
+      " set Rolling friction = 0.1\n set Turning friction = 0.2\n end\nend\n"};
     const std::string bounces = "set Stop exponent = 1.5\n set Stop restitution = 0.5\n set Stop speed = 3\n",
                       rubs    = "set Friction = 0.3\n set Static friction = 0.5\n set Stribeck speed = 0.9\n"
                                 " set Sticking speed = 0.09\n",
@@ -174,7 +194,10 @@ end
         if (kind == "constant velocity")
           text += "set Second axis = 1, 1, 1\n";
         if (kind == "screw")
-          text += "set Pitch = 0.3\n";
+          text += "set Pitch = 0.3\n subsection thread\n " + rubs +
+                  "set Friction preload = 0.4\n set Radius = 0.5\n set Flank angle = 0.3\n end\n";
+        if (kind == "revolute" || kind == "cylindrical")
+          text += "set Bearing length = 0.4\n";
         if (kind == "rigid")
           text += "set Reaction = true\n";
         if (kind == "rolling ball")
@@ -201,27 +224,16 @@ end
         const std::string presses = rubs + " set Friction preload = 0.4\n";
         if (kind == "planar" || kind == "in plane")
           text += "subsection displacement\n " + presses + " end\n";
-        const bool turns = kind == "spherical" || kind == "in line" || kind == "in plane";
+        const bool turns = kind == "spherical" || kind == "in line" || kind == "in plane" || kind == "constant velocity";
         if (turns)
           text += "subsection rotation\n " + presses + " set Friction radius = 0.7\n end\n";
         s[kind].rest = text + "end\nend\n";
-        if (const auto at = text.find(rubs); at != std::string::npos && (kind == "revolute" || kind == "spherical" || is_contact))
+        if (const auto at = text.find(rubs); at != std::string::npos && (kind == "revolute" || kind == "screw" || kind == "spherical" || is_contact))
           s[kind + " with bristles"].rest = text.substr(0, at) + sticks + text.substr(at + rubs.size()) + "end\nend\n";
       }
-    const std::string rail = R"(
-  subsection rail
-    set Type = beam
-    set Shape = arc
-    set Points = -1, 0.3, 0; 0.3, 0, 0.2; 2, 0.1, 0.7
-    set Twist = 0.4*s
-    set Elements = 2
-    set Degree = 3
-    set Section = full
-  end
-)";
     for (const std::string kind : {"point", "sleeve", "prismatic", "screw"})
       s["sliding " + kind] = {"",
-                              rail,
+                              rail_of_all,
                               "subsection Joints\n subsection j\n set Type = sliding " + kind +
                                 "\n set Body A = rail\n set Body B = block.far\n set Position = 0.3, 0, 0.2\n" +
                                 (kind == "screw" ? "set Turn per length = 2.3\n" : "") +
@@ -237,7 +249,7 @@ end
           (line == "curve" ? "0.5, 0.4, 0.04" : "0.3, 0, 0") +
           "\n subsection displacement\n set Damper = 0.3\n set Force = -0.2*j.force*j.displacement rate\n end\n end\nend\n"};
     s["buffer"] = {"",
-                   rail,
+                   rail_of_all,
                    "subsection Joints\n subsection j\n set Type = sliding point\n set Body A = rail\n set Body B = block.far\n"
                    " set Gap = allowed\n set Position = 0.3, 0, 0.2\n end\n subsection k\n set Type = sliding point\n set Body A = rail\n"
                    " set Body B = ground\n set Gap = allowed\n set Position = 1, 0, 0.4\n end\n subsection l\n set Type = buffer\n"
@@ -542,5 +554,5 @@ TEST(Placements, EveryKindIsTurnedWithItsSubsystem)
           EXPECT_LT((R * a.triad(n) - b.triad(n)).norm(), 1e-12) << kind;
         }
     }
-  EXPECT_EQ(n_refused, 4u); // gravity, twice, groups of contacts
+  EXPECT_EQ(n_refused, 5u); // gravity, twice, three groups of contacts
 }

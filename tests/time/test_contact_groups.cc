@@ -4,7 +4,9 @@
 // (Landau & Lifshitz, Theory of Elasticity, § 9); restitution of one body; a row of equal balls.
 
 #include <samara/model/contact_group.h>
+#include <samara/solvers/diagonal_order.h>
 #include <samara/time/step_tangent.h>
+#include <samara/time/wider_pattern.h>
 
 #include <gtest/gtest.h>
 
@@ -151,6 +153,96 @@ TEST(ContactGroups, NearPairsAreFew)
   const std::size_t with_bullet = n_near(100, 60) - n_near(100, 0);
   EXPECT_GT(with_bullet, 20u);
   EXPECT_LE(with_bullet, 100u);
+}
+
+
+
+namespace
+{
+  /** Multiplications of the factors of a step in which all pairs that are near touch. */
+  double
+  operations_of_factors(const std::string &text)
+  {
+    const Scene                                        scene(text);
+    const Layout                                      &layout = scene.system.layout;
+    std::vector<std::pair<unsigned int, unsigned int>> couplings;
+    std::vector<unsigned int>                          nodes;
+    for (const auto &pair : near_pairs(scene.system, 0.01))
+      {
+        group_of(scene.system).nodes_of(pair, nodes);
+        for (const auto a : nodes)
+          for (const auto b : nodes)
+            if (a != 0 && b != 0 && a != b)
+              couplings.emplace_back(a, b);
+      }
+    std::sort(couplings.begin(), couplings.end());
+    couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
+    std::vector<int>  from;
+    const auto        pattern = wider_pattern(*layout.pattern, couplings, from);
+    std::vector<bool> is_late(scene.system.size(), false);
+    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+      is_late[layout.of_multiplier(i)] = true;
+    return DiagonalOrder(*pattern, is_late).n_operations;
+  }
+
+  /** Balls that touch, close to each other in layers of @p width × @p width. */
+  std::string
+  tower_of_balls(const unsigned int width, const unsigned int n_layers)
+  {
+    std::string balls;
+    for (unsigned int layer = 0; layer < n_layers; ++layer)
+      for (unsigned int j = 0; j < width; ++j)
+        for (unsigned int i = 0; i < width; ++i)
+          balls += ball("b" + std::to_string((layer * width + j) * width + i),
+                        0.1,
+                        {0.2 * (i + 0.5 * ((j + layer) % 2)),
+                         0.2 * std::sqrt(0.75) * (j + layer % 2 / 3.),
+                         0.2 * std::sqrt(2. / 3) * layer},
+                        {0, 0, 0},
+                        {0, 0, 0});
+    return model(balls,
+                 group("set Balls = b*\n set Ball radius = 0.1\n set Stiffness = 1e6\n set Overlap = allowed\n"));
+  }
+
+  /** Links with ball joints that lie on a drum. */
+  std::string
+  chain_around_drum(const unsigned int n)
+  {
+    std::string bodies = rigid_body("drum", "set Mass = 1\n set Inertia = 1, 1, 1\n set Position = 0, 0, -10.1\n"),
+                joints;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const std::string name = "b" + std::to_string(i);
+        const double      at   = 0.25 / 10.1 * i;
+        bodies += ball(name, 0.1, {10.1 * std::sin(at), 0, 10.1 * (std::cos(at) - 1)}, {0, 0, 0}, {0, 0, 0});
+        if (i > 0)
+          joints += joint("j" + std::to_string(i),
+                          "spherical",
+                          "set Body A = b" + std::to_string(i - 1) + ".centre\n set Body B = " + name + ".centre\n");
+      }
+    return model(bodies,
+                 joints + group("set Balls = b*\n set Ball radius = 0.1\n set Stiffness = 1e6\n"
+                                " set Cylinders = drum at 0 0 -10.1 axis 0 1 0 radius 10\n"));
+  }
+} // namespace
+
+
+
+// The factors of what is long cost in proportion to its length: of chains in the air, on a drum that is one body, and,
+// once it is longer than wide, of a pile. A heap in space is not long: its factors grow as n^1.5 to n^2.5. (Of fewer
+// than 45 balls, a thousand pairs, all are in the pattern, for statics.)
+TEST(ContactGroups, WorkOfFactors)
+{
+  EXPECT_NEAR(operations_of_factors(tower_of_balls(1, 120)) / operations_of_factors(tower_of_balls(1, 60)), 2, 0.1);
+  EXPECT_NEAR(operations_of_factors(chain_around_drum(120)) / operations_of_factors(chain_around_drum(60)), 2, 0.1);
+  const double n_8 = operations_of_factors(tower_of_balls(3, 8)), n_16 = operations_of_factors(tower_of_balls(3, 16)),
+               n_32 = operations_of_factors(tower_of_balls(3, 32));
+  EXPECT_NEAR((n_32 - n_16) / (n_16 - n_8), 2, 0.3);
+  const double exponent =
+    std::log(operations_of_factors(tower_of_balls(6, 6)) / operations_of_factors(tower_of_balls(4, 4))) /
+    std::log(216. / 64);
+  EXPECT_GT(exponent, 1.5);
+  EXPECT_LT(exponent, 2.5);
 }
 
 

@@ -160,7 +160,7 @@ TEST(ContactLines, BeamOnARod)
   const double a = 0.63, L = 1, w = M_PI * 0.02 * 0.02 * 1000 * 9.80665;
   Scene        scene("prm/examples/beam_on_rod.prm");
   scene.equilibrium();
-  EXPECT_NEAR(scene.value("touching.ground.force z") / (-w * (6 * L * L - 4 * a * L + a * a) / (8 * a)), 1, 0.01);
+  EXPECT_NEAR(scene.value("touching.bar.force z") / (-w * (6 * L * L - 4 * a * L + a * a) / (8 * a)), 1, 0.01);
 }
 
 
@@ -195,6 +195,33 @@ TEST(ContactLines, ParallelBeamsAreRefused)
     {
       contact_motion(scene.system, Tableau(2, 1.), 2e-3, 0.1);
       ADD_FAILURE() << "they went through each other";
+    }
+  catch (const NotConverged &problem)
+    {
+      EXPECT_NE(std::string(problem.what()).find("parallel"), std::string::npos) << problem.what();
+    }
+}
+
+
+
+// Neither have they modes.
+TEST(ContactLines, ParallelBeamsHaveNoModes)
+{
+  const auto clamp = [](const std::string &name) {
+    return joint("clamp " + name, "rigid", "set Body A = ground\n set Body B = " + name + ".start\n");
+  };
+  Scene scene(
+    tube_section +
+    model(beam_of("a", "-0.5, 0, 0; 0.5, 0, 0", "set Elements = 1\n") +
+            beam_of("b", "-0.5, 0, 0.0399; 0.5, 0, 0.0399", "set Elements = 1\n"),
+          clamp("a") + clamp("b") +
+            joint("touching",
+                  "contacts",
+                  "set Beams = a radius 0.02, b radius 0.02\n set Stiffness = 1e3\n set Overlap = allowed\n")));
+  try
+    {
+      scene.modes();
+      ADD_FAILURE() << "modes of what is not determined";
     }
   catch (const NotConverged &problem)
     {

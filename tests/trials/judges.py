@@ -90,6 +90,8 @@ def rows(model, joint, table, world):
     if joint.kind in further_judges.ROWS:
         yield from further_judges.ROWS[joint.kind](model, joint, table, world)
         return
+    if joint.kind in ("distributing", "support"):
+        return  # of nodes that are not in the tables
     a, b = Frame(model, joint.a, joint, table, world), Frame(model, joint.b, joint, table, world)
     gap = b.x - a.x
     d = np.einsum("nki,nk->ni", a.D, gap)  # in axes of A

@@ -30,6 +30,8 @@ MOTIONS = {
     "springs in fixed axes": {},
     "point on curve": {},
     "rolling disc": {},
+    "distributing": {},
+    "support": {},
     "sliding point": {"displacement": (False, None)},
     "sliding sleeve": {"displacement": (False, None)},
     "sliding prismatic": {"displacement": (False, None)},
@@ -186,7 +188,7 @@ class Joint:
     motions: dict = field(default_factory=dict)  # name -> {entry: number or Function}
     entries: dict = field(default_factory=dict)  # pitch, radius, stiffness, ...
     arm: bool = False  # the place is at neither point: written out
-    common: dict = field(default_factory=dict)  # friction against several motions: "displacement" or "rotation" -> entries
+    common: dict = field(default_factory=dict)  # friction against several motions, of a thread: name of the subsection -> entries
 
     DIMENSIONS = {  # of a displacement, of an angle
         "Spring": (SPRING, HINGE_SPRING), "Rest": (LENGTH, NUMBER), "Damper": (DAMPER, HINGE_DAMPER), "Force": (FORCE, None),
@@ -194,8 +196,8 @@ class Joint:
         "Stop damping": (DAMPER, HINGE_DAMPER), "Moment": (None, MOMENT), "Prescribed": (LENGTH, NUMBER),
         "Friction": (NUMBER, NUMBER), "Static friction": (NUMBER, NUMBER), "Stribeck speed": (SPEED, SPEED),
         "Sticking speed": (SPEED, SPEED), "Bristle stiffness": (SPRING, SPRING), "Bristle damping": (DAMPER, DAMPER),
-        "Friction radius": (LENGTH, LENGTH), "Friction preload": (FORCE, FORCE)}
-    OWN = {"Pitch": LENGTH, "Radius": LENGTH, "Stiffness": SPRING, "Rotational stiffness": HINGE_SPRING, "Damping": DAMPER,
+        "Friction radius": (LENGTH, LENGTH), "Friction preload": (FORCE, FORCE), "Radius": (LENGTH, LENGTH), "Flank angle": (NUMBER, NUMBER)}
+    OWN = {"Bearing length": LENGTH, "Pitch": LENGTH, "Radius": LENGTH, "Stiffness": SPRING, "Rotational stiffness": HINGE_SPRING, "Damping": DAMPER,
            "Rotational damping": HINGE_DAMPER}
 
     def text(self, world):

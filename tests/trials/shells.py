@@ -159,3 +159,50 @@ class Sheller(Generator):
 
 def shelled_mechanism(seed):
     return Sheller(seed).put_on(copy.deepcopy(mechanism(seed)))
+
+
+@dataclass
+class AlongEdge(Joint):
+    """`distributing`, of the body `b` to an edge, or `support` of an edge by what is `Fixed`."""
+
+    along: str = ""
+
+    def text(self, world):
+        yield "Type", self.kind
+        yield "Along", self.along
+        if self.kind == "distributing":
+            yield "Body", self.b
+        else:
+            yield "Fixed", self.entries["Fixed"]
+            yield "Axis", world.vector(self.axes[:, 2])
+            yield "Axis 1", world.vector(self.axes[:, 0])
+
+
+class Edger(Generator):
+    """Bodies at the mean motion of edges, and edges that are held, by a stream of their own."""
+
+    def __init__(self, seed):
+        super().__init__(f"edges {seed}")
+        self.planar = False
+
+    def put_on(self, model):
+        model.title += " at edges"
+        for number, shell in enumerate([body for body in model.bodies if isinstance(body, Shell) and not body.edges]):
+            last = len(shell.patches)
+            place = shell.patches[-1].place(1, 0.5)
+            if self.chance(0.7):
+                end = self.rigid_body(f"eb{number}", place + (0 if self.chance(0.5) else 0.2) * self.direction())
+                model.bodies.append(end)
+                model.joints.append(AlongEdge(f"ed{number}", "distributing", f"{shell.name}.a", f"{end.name}.j", place, np.eye(3),
+                                              along=f"{shell.name}.{f'patch {last} ' if last > 1 else ''}edge u1"))
+            if self.chance(0.4):
+                fixed = self.random.sample([f"{kind} {i}" for kind in ("displacement", "rotation") for i in (1, 2, 3)], self.random.randint(1, 3))
+                corner = shell.points["c"]
+                model.joints.append(AlongEdge(f"es{number}", "support", "ground", f"{shell.name}.c", corner, axes(self.direction()),
+                                              entries={"Fixed": ", ".join(sorted(fixed))}, along=f"{shell.name}.patch 1 edge v1"
+                                              if last > 1 else f"{shell.name}.edge v1"))
+        return model
+
+
+def edged_mechanism(seed):
+    return Edger(seed).put_on(shelled_mechanism(seed))

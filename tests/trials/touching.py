@@ -35,6 +35,8 @@ class Slider(Joint):
             yield "Turn per length", world.number(self.entries["Turn per length"], PER_LENGTH)
         if "At the ends" in self.entries:
             yield "At the ends", self.entries["At the ends"]
+        if "Bearing length" in self.entries:
+            yield "Bearing length", world.number(self.entries["Bearing length"], LENGTH)
         for name, entries in self.motions.items():
             yield name, [(key, self.motion_value(world, key, value, False)) for key, value in entries.items()]
 
@@ -226,6 +228,34 @@ class Player(Generator):
                         joint.common[motion]["Friction radius"] = self.power(-2, -0.7)
                     if self.chance(0.4):
                         joint.common[motion]["Friction preload"] = self.power(-1, 2)
+
+
+class Presser(Generator):
+    """Friction of threads and of constant velocity joints, guides that are pressed at their ends, by a stream of their own."""
+
+    GUIDES = ("revolute", "prismatic", "cylindrical", "sliding sleeve", "sliding prismatic", "sliding screw")
+
+    def __init__(self, seed):
+        super().__init__(f"presses {seed}")
+
+    def put_on(self, model, friction):
+        model.title += ", pressed"
+        for joint in model.joints:
+            rubs = any("Friction" in entries for entries in joint.motions.values())
+            if joint.kind in self.GUIDES and not rubs and self.chance(0.3):
+                name, entries = next(iter(joint.motions.items()), ("rotation" if joint.kind == "revolute" else "displacement", {}))
+                if "Prescribed" not in entries:
+                    joint.motions[name] = {**entries, **friction(0.5)}
+                    if name == "rotation":
+                        joint.motions[name]["Friction radius"] = self.power(-2, -0.7)
+                    rubs = True
+            if joint.kind in self.GUIDES and rubs and self.chance(0.7):
+                joint.entries["Bearing length"] = self.power(-1.5, 0)
+            elif joint.kind == "screw" and self.chance(0.8):
+                joint.common["thread"] = {**friction(0.5), "Radius": self.power(-2, -0.5), "Flank angle": self.random.choice((0.0, 0.26, 0.5))}
+            elif joint.kind == "constant velocity" and self.chance(0.8):
+                joint.common["rotation"] = {**friction(0.5), "Friction radius": self.power(-2, -0.7)}
+        return model
 
 
 class Toucher(Generator):
@@ -463,3 +493,7 @@ def rough_touching(seed):
             if name != "centre" and isinstance(body, RigidBody) and f"{body.name}.{name}" not in used:
                 body.points[name] = body.points[name] + generator.vector(size)
     return model.with_(is_rough=True)
+
+
+def pressed_mechanism(seed):
+    return Presser(seed).put_on(touching_mechanism(seed), Toucher(f"pressed {seed}").friction)

@@ -14,9 +14,9 @@ from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
 from outline import render
 from program import LIMIT, Run
-from shells import Sheller, shelled_mechanism
+from shells import Sheller, edged_mechanism, shelled_mechanism
 from surfaces import compare_panels, compare_sections, judge_section, panel, section, spoilt_mesh
-from touching import Group, Toucher, rough_touching, touching_mechanism
+from touching import Group, Toucher, pressed_mechanism, rough_touching, touching_mechanism
 from world import World
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -174,6 +174,10 @@ def touching_trial(seed):
     return MechanismTrial(f"touching {seed}", touching_mechanism(seed))
 
 
+def pressed_trial(seed):
+    return MechanismTrial(f"pressed {seed}", pressed_mechanism(seed))
+
+
 def placed_trials(seed):
     """What slides, touches and rubs, turned and in another unit: a few steps, as contacts amplify. Stiff balls at beams take a
     thousand steps, whose sizes round-off decides."""
@@ -204,6 +208,19 @@ def further_relatives(seed):
 
 def shelled_trial(seed):
     return MechanismTrial(f"shelled {seed}", shelled_mechanism(seed))
+
+
+def edged_trial(seed):
+    return MechanismTrial(f"edged {seed}", edged_mechanism(seed))
+
+
+def edged_relatives(seed):
+    """The same turned and in another unit, for a short time."""
+    model = edged_mechanism(seed).with_(steps=5, newton=1e-13)
+    model.step /= 5
+    model.radius = 0.5 if model.stages == 1 else model.radius
+    yield ShelledRelativeTrial(f"edged-turned {seed}", model, relatives.turned(Sheller(f"turned {seed}")), 1e-7)
+    yield ShelledRelativeTrial(f"edged-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-7)
 
 
 def shelled_relatives(seed):
@@ -296,7 +313,10 @@ def endless(program, start):
         yield from (curved_trial(10 * seed + k) for k in range(3))
         yield from further_relatives(seed)
         yield from (RoughTrial(f"rough-further {10 * seed + k}", rough_further(10 * seed + k)) for k in range(5))
+        yield from (pressed_trial(10 * seed + k) for k in range(5))
         yield from (shelled_trial(10 * seed + k) for k in range(5))
+        yield from (edged_trial(10 * seed + k) for k in range(3))
+        yield from edged_relatives(seed)
         yield from shelled_relatives(seed)
         for k in range(3):
             yield from panel_trials(10 * seed + k)

@@ -7,10 +7,14 @@ namespace samara
 {
   /**
    * Refuse groups of contacts of which matrices do not hold all pairs: statics would not converge, modes be wrong.
-   * Those with nearest places on beams, of which matrices do not know that they move, are good for statics only.
    * @throws InputError
    */
   void require_couplings(const System &system, bool for_statics = false);
+
+  /** Refuse a state in which lines touch side by side: which places of theirs do is not determined. @throws
+   * NotConverged
+   */
+  void require_nearest_places(const System &system, const State &state);
 
   /** What can be said of a model before anything is computed with it, in its reference configuration. */
   struct ModelCheck

@@ -6,6 +6,7 @@
 #include <samara/joints/contact_terms.h>
 #include <samara/joints/pair.h>
 #include <samara/model/moved.h>
+#include <samara/model/pressing.h>
 #include <samara/model/relative_motion.h>
 #include <samara/model/response.h>
 
@@ -197,7 +198,7 @@ namespace samara
    * stops, 0 while the stop is not touched; contacts that are not linear, and friction. In time steps of the integrator
    * family Layout::stops and Layout::frictions stand for them.
    */
-  class Joint : public Item, public RelativeMotions, public Connection
+  class Joint : public Item, public RelativeMotions, public Connection, public HasPressing
   {
   public:
     void               add_parameters(Parameters &prm) override;
@@ -229,6 +230,20 @@ namespace samara
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
+
+    /**
+     * @name Edge pressure. A guide of the length L on B, about its origin and along axis 3, takes the force F and the
+     * moment M as two forces at its ends,
+     *
+     *     F/2 ± M × E₃/L
+     *
+     * each of which presses for its friction. @{
+     */
+    bool                  presses(const Layout::Friction &friction) const override;
+    PressingParts<double> pressing_parts(const Layout::Friction &friction, const Point<double> &point) const override;
+    PressingParts<std::complex<double>> pressing_parts(const Layout::Friction            &friction,
+                                                       const Point<std::complex<double>> &point) const override;
+    /** @} */
 
   protected:
     /** @name What a kind of joint says in add_parameters() @{ */
@@ -280,6 +295,10 @@ namespace samara
     /** Bind the entries of the two bodies and the position, those of the free motions; add_parameters() does both. */
     void add_ends(Parameters &prm);
     void add_motions(Parameters &prm);
+    /** Of kinds whose axis 3 of B may only go along that of A. */
+    void add_bearing_length(Parameters &prm);
+    /** Complain of one that nothing uses. */
+    void check_bearing_length(Model &model) const;
 
     /** The same for what goes from a point of A to a point of B: "Position" is that of its end on A. */
     void add_two_points(Parameters &prm);
@@ -316,9 +335,10 @@ namespace samara
     Vector3     axis_on_b = Vector3::Zero(); ///< where the drawing of B is turned
 
     /** d = pitch θ for the first free displacement and rotation, if not zero [m/rad]. */
-    double pitch     = 0;
-    bool   is_screw  = false;
-    double draw_size = 0.05;
+    double pitch          = 0;
+    bool   is_screw       = false;
+    double draw_size      = 0.05;
+    double bearing_length = 0; ///< [m]; 0: what presses are forces alone
 
     Frame        frame_a, frame_b;
     unsigned int first_multiplier = 0;
@@ -335,13 +355,9 @@ namespace samara
     void add_springs(Layout &layout);
     /** By the forces of rows that hold a displacement, and the preload. */
     void add_friction(Layout &layout);
-    /** The line along which it slips, of a joint whose force presses across it; null of others. */
-    virtual const HasSlipLine *
-    slip_line() const
-    {
-      return nullptr;
-    }
-    void complain(Model &model, const std::string &entry, const std::string &text) const;
+    /** The multipliers that press; of a guide with a length those of its tilts, too, behind the forces. */
+    virtual void add_pressing(std::vector<unsigned int> &multipliers) const;
+    void         complain(Model &model, const std::string &entry, const std::string &text) const;
     /** @} */
 
   private:

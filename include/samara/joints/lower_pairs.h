@@ -2,6 +2,7 @@
 #define samara_joints_lower_pairs_h
 
 #include <samara/joints/joint.h>
+#include <samara/joints/thread_friction.h>
 #include <samara/joints/vector_friction.h>
 
 namespace samara
@@ -25,11 +26,16 @@ namespace samara
     void add_parameters(Parameters &prm) override;
   };
 
-  /** θ₃ free, d₃ = p θ₃ with the pitch p [m/rad]. */
+  /** θ₃ free, d₃ = p θ₃ with the pitch p [m/rad]; "thread" holds the friction of its flanks. */
   class Screw : public Joint
   {
   public:
     void add_parameters(Parameters &prm) override;
+    void initialize(Model &model) override;
+    void connect(Layout &layout) override;
+
+  private:
+    ThreadFriction thread;
   };
 
   /** d₃ and θ₃ free. */

@@ -1,7 +1,7 @@
 #ifndef samara_joints_normal_force_h
 #define samara_joints_normal_force_h
 
-#include <samara/model/slip_line.h>
+#include <samara/model/pressing.h>
 
 #include <cmath>
 
@@ -36,9 +36,9 @@ namespace samara
 
 
   /**
-   * The force that presses where something rubs, at the state as it is (Layout::Friction): N = preload + |reactions| +
-   * force of the stop. Of reactions of what has a line of slip, what they have across it; that it turns with places is
-   * left out of the slopes, as nothing slips where those are wanted. Local unknowns of who uses it are the slips, the
+   * The force that presses where something rubs, at the state as it is (Layout::Friction): N = preload + Σ |reactions|
+   * + force of the stop, the sum over the places at which they press (HasPressing). That these turn with places is left
+   * out of the slopes, as nothing slips where those are wanted. Local unknowns of who uses it are the slips, the
    * coordinate of the stop, then others, then the multipliers.
    */
   class NormalForce
@@ -46,7 +46,7 @@ namespace samara
   public:
     NormalForce(const Layout &layout, const Layout::Friction &friction)
       : friction(friction)
-      , line(friction.line)
+      , pressing(pressing_of(layout, friction))
       , has_stop(friction.stop >= 0)
     {
       if (has_stop)
@@ -114,10 +114,17 @@ namespace samara
           slopes.push_back({static_cast<unsigned int>(friction.coordinates.size()),
                             (stop.law.slope(g) + damper(point).by_gap) * stop.side});
         }
-      const Eigen::VectorXd across = reactions(point);
-      const double          size   = across.norm();
-      for (unsigned int j = 0; j < friction.multipliers.size() && size > 0; ++j)
-        slopes.push_back({first_multiplier + j, across(j) / size});
+      const unsigned int n     = friction.multipliers.size();
+      const auto         parts = parts_at(point);
+      Eigen::VectorXd    slope = Eigen::VectorXd::Zero(n);
+      for (unsigned int p = 0; p < parts.n; ++p)
+        {
+          const Vector3 force = force_of(parts.of[p], point);
+          if (const double size = force.norm(); size > 0)
+            slope += parts.of[p].transpose() * force / size;
+        }
+      for (unsigned int j = 0; j < n && !slope.isZero(0.); ++j)
+        slopes.push_back({first_multiplier + j, slope(j)});
       return slopes;
     }
 
@@ -130,7 +137,7 @@ namespace samara
 
   private:
     const Layout::Friction   friction;
-    const HasSlipLine *const line;
+    const HasPressing *const pressing;
     const bool               has_stop;
     Layout::Stop             stop{};
 
@@ -140,30 +147,40 @@ namespace samara
       return stop.law.damper(penetration(stop, point), penetration_rate(stop, point));
     }
 
-    /** What they have across the line of the slip. */
     template <typename Number>
-    Eigen::Matrix<Number, Eigen::Dynamic, 1>
-    reactions(const Point<Number> &point) const
+    PressingParts<Number>
+    parts_at(const Point<Number> &point) const
     {
-      Eigen::Matrix<Number, Eigen::Dynamic, 1> result(friction.multipliers.size());
-      for (unsigned int i = 0; i < result.size(); ++i)
-        result(i) = point.multipliers[friction.multipliers[i]];
-      if (line != nullptr)
-        {
-          const Vec3<Number> along = line->direction_of_slip(point);
-          result -= along.cwiseProduct(result).sum() * along;
-        }
-      return result;
+      return pressing != nullptr ? pressing->pressing_parts(friction, point) :
+                                   PressingParts<Number>(friction.multipliers.size());
     }
 
-    /** Their size. */
+    /** That presses at one of the places. */
+    template <typename Number>
+    Vec3<Number>
+    force_of(const typename PressingParts<Number>::Part &part, const Point<Number> &point) const
+    {
+      Vec3<Number> force = Vec3<Number>::Zero();
+      for (unsigned int i = 0; i < friction.multipliers.size(); ++i)
+        force += point.multipliers[friction.multipliers[i]] * part.col(i);
+      return force;
+    }
+
+    /** Their sizes, added up. */
     template <typename Number>
     Number
     reaction(const Point<Number> &point) const
     {
-      const auto   across = reactions(point);
-      const Number square = across.cwiseProduct(across).sum();
-      return std::real(square) > 0 ? std::sqrt(square) : Number(0);
+      Number     sum(0);
+      const auto parts = parts_at(point);
+      for (unsigned int p = 0; p < parts.n; ++p)
+        {
+          const Vec3<Number> force  = force_of(parts.of[p], point);
+          const Number       square = force.cwiseProduct(force).sum();
+          if (std::real(square) > 0)
+            sum += std::sqrt(square);
+        }
+      return sum;
     }
   };
 

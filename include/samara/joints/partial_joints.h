@@ -42,16 +42,29 @@ namespace samara
    * the relative rotation is normal to both, and the balls of a Rzeppa joint are in the plane that halves their angle.
    * The moment is along E₃ᴬ + E₃ᴮ: "moment 1, 2, 3" are its components along the axes of A. Without sense at a bend of
    * half a turn.
+   *
+   * "rotation" holds the friction against both motions that are free, the bend and the turning of its plane, by the
+   * relative angular velocity ω_B − ω_A, as of a ball joint; the balls are on the "Friction radius" r. They are pressed
+   * by the force at the centre and by M/(r cos(β/2)) = 2 |λ|/r of the moment M = 2 λ cos(β/2) at the bend β, as their
+   * grooves lean by β/2 against the plane in which the balls are.
    */
-  class ConstantVelocity : public Joint
+  class ConstantVelocity : public RubbingJoint
   {
   public:
     void add_parameters(Parameters &prm) override;
     void be_moved(const MotionOf &motion_of) override;
     void add_relative_rates(const double *q, std::vector<RelativeRate> &rates) const override;
 
+    /** The force at the centre, and the moment. @{ */
+    bool                  presses(const Layout::Friction &friction) const override;
+    PressingParts<double> pressing_parts(const Layout::Friction &friction, const Point<double> &point) const override;
+    PressingParts<std::complex<double>> pressing_parts(const Layout::Friction            &friction,
+                                                       const Point<std::complex<double>> &point) const override;
+    /** @} */
+
   protected:
     void place(Model &model, const Frame &body_a, const Frame &body_b) override;
+    void add_pressing(std::vector<unsigned int> &multipliers) const override;
 
   private:
     Vector3 second_axis = Vector3::Zero();

@@ -7,8 +7,10 @@
 #include <samara/model/state.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace samara
@@ -153,11 +155,16 @@ namespace samara
     {
       std::vector<WeightedFrame> b, a;
       bool                       is_parallel = false; ///< nearest places are not determined
+
+      /** Of nearest places: how weights change as these move along their lines [1/m], and NearestPlaces::inverse. */
+      std::vector<double> slopes_b, slopes_a;
+      Eigen::Matrix2d     inverse = Eigen::Matrix2d::Zero();
     };
     /** Those at @p q; false if nearest places of lines are not found. */
     bool find_sides(const Pair &pair, const double *q, Sides &sides) const;
 
-    /** Where a pair is, and how it moves if @p y is not null. Places on lines move with their material. */
+    /** Where a pair is, and how it moves if @p y is not null. Places on lines move with their material; of complex
+     * numbers, moved by imaginary steps from where the sides were found, to where they are nearest then. */
     template <typename Number>
     PairPlaces<Number> places(const Pair &pair, const Sides &sides, const Number *q, const Number *y) const;
 
@@ -187,8 +194,11 @@ namespace samara
     /** All nodes of a pair's sides; of lines those of the pieces where it was found. */
     void nodes_of(const Pair &pair, std::vector<unsigned int> &nodes) const;
 
-    /** Whether places of lines may be nearest to others: then matrices do not know that they move. */
+    /** Whether places of lines may be nearest to others. */
     bool has_nearest_places() const;
+
+    /** A pair that touches, or may, and whose nearest places are not determined; empty if there is none. */
+    std::string without_nearest_places(const double *q) const;
 
     /** Speed at the centre of a bead [m/s], and its place. */
     Vector3 position(const Bead &bead, const double *q) const;
@@ -209,7 +219,53 @@ namespace samara
     {
       return !pair.b_is_line && !beads[pair.bead].is_ball;
     }
+
+    /** How far nearest places of b and a go along their lines with imaginary steps of q; nothing of real numbers. */
+    template <typename Number>
+    static std::array<Number, 2> ways_along_lines(const Sides &sides, const Number *q);
+
+    /** The weight of a frame of a side whose place has gone so far. */
+    template <typename Number>
+    static Number
+    weight_behind(const std::vector<WeightedFrame> &side,
+                  const std::vector<double>        &slopes,
+                  const unsigned int                i,
+                  const Number                     &way)
+    {
+      return slopes.empty() ? Number(side[i].weight) : Number(side[i].weight + slopes[i] * way);
+    }
   };
+
+
+
+  template <typename Number>
+  std::array<Number, 2>
+  ContactGroup::ways_along_lines(const Sides &sides, const Number *const q)
+  {
+    if constexpr (!std::is_same<Number, double>::value)
+      if (!sides.inverse.isZero(0.))
+        {
+          // the derivatives of ½ |Δ|² by the abscissae are zero where the places were found
+          Vec3<Number> delta = Vec3<Number>::Zero(), slope_b = delta, slope_a = delta;
+          for (unsigned int i = 0; i < sides.b.size(); ++i)
+            {
+              const Vec3<Number> x = sides.b[i].frame.position(q);
+              delta += sides.b[i].weight * x;
+              slope_b += (sides.slopes_b.empty() ? 0. : sides.slopes_b[i]) * x;
+            }
+          for (unsigned int i = 0; i < sides.a.size(); ++i)
+            {
+              const Vec3<Number> x = sides.a[i].frame.position(q);
+              delta -= sides.a[i].weight * x;
+              slope_a += (sides.slopes_a.empty() ? 0. : sides.slopes_a[i]) * x;
+            }
+          const double by_b = PairMeasure<Number>::dot(delta, slope_b).imag(),
+                       by_a = -PairMeasure<Number>::dot(delta, slope_a).imag();
+          return {{Number(0, -(sides.inverse(0, 0) * by_b + sides.inverse(0, 1) * by_a)),
+                   Number(0, -(sides.inverse(1, 0) * by_b + sides.inverse(1, 1) * by_a))}};
+        }
+    return {{Number(0), Number(0)}};
+  }
 
 
 
@@ -231,18 +287,26 @@ namespace samara
       const Vec3<Number>  arm = f.arm.cast<Number>();
       return turned(f.node, Vec3<Number>(v[0], v[1], v[2]) + cross_of(spin_of(f.node), arm));
     };
-    const auto add = [&](const std::vector<WeightedFrame> &side, Vec3<Number> &x, Vec3<Number> &v, Vec3<Number> &spin) {
-      for (const auto &[frame, weight] : side)
+    const auto ways = ways_along_lines(sides, q);
+    const auto add  = [&](const std::vector<WeightedFrame> &side,
+                         const std::vector<double>        &slopes,
+                         const Number                     &way,
+                         Vec3<Number>                     &x,
+                         Vec3<Number>                     &v,
+                         Vec3<Number>                     &spin) {
+      for (unsigned int i = 0; i < side.size(); ++i)
         {
-          x += Number(weight) * frame.position(q);
+          const Frame &frame  = side[i].frame;
+          const Number weight = weight_behind(side, slopes, i, way);
+          x += weight * frame.position(q);
           if (y == nullptr)
             continue;
-          v += Number(weight) * speed_of(frame);
-          spin += Number(weight) * turned(frame.node, spin_of(frame.node));
+          v += weight * speed_of(frame);
+          spin += weight * turned(frame.node, spin_of(frame.node));
         }
     };
-    add(sides.b, p.x_b, p.v_b, p.spin_b);
-    add(sides.a, p.x_a, p.v_a, p.spin_a);
+    add(sides.b, sides.slopes_b, ways[0], p.x_b, p.v_b, p.spin_b);
+    add(sides.a, sides.slopes_a, ways[1], p.x_a, p.v_a, p.spin_a);
     if (!pair.with_surface)
       return p;
     const Frame       &a = sides.a[0].frame;
@@ -265,9 +329,9 @@ namespace samara
                            Number                      *r) const
   {
     const auto add =
-      [&](const Frame &frame, const double weight, const Vec3<Number> &force, const Vec3<Number> &in_node) {
-        const Vec3<Number> local = Number(weight) * frame.in_node(q, force);
-        const Vec3<Number> about = cross_of<Number>(frame.arm.cast<Number>(), local) + Number(weight) * in_node;
+      [&](const Frame &frame, const Number &weight, const Vec3<Number> &force, const Vec3<Number> &in_node) {
+        const Vec3<Number> local = weight * frame.in_node(q, force);
+        const Vec3<Number> about = cross_of<Number>(frame.arm.cast<Number>(), local) + weight * in_node;
         Number *const      to    = r + of_node(frame.node);
         for (int i = 0; i < 3; ++i)
           {
@@ -275,14 +339,19 @@ namespace samara
             to[3 + i] += about(i);
           }
       };
-    for (const auto &[frame, weight] : sides.b)
-      add(frame, weight, f.force_b, frame.in_node(q, f.moment_b));
-    for (const auto &[frame, weight] : sides.a)
+    const auto ways = ways_along_lines(sides, q);
+    for (unsigned int i = 0; i < sides.b.size(); ++i)
       {
+        const Frame &frame = sides.b[i].frame;
+        add(frame, weight_behind(sides.b, sides.slopes_b, i, ways[0]), f.force_b, frame.in_node(q, f.moment_b));
+      }
+    for (unsigned int i = 0; i < sides.a.size(); ++i)
+      {
+        const Frame &frame  = sides.a[i].frame;
         Vec3<Number> moment = frame.in_node(q, f.moment_a);
         if (pair.with_surface)
           moment += cross_of<Number>(frame.rotation.col(2).template cast<Number>(), frame.in_node(q, f.on_axis));
-        add(frame, weight, f.force_a, moment);
+        add(frame, weight_behind(sides.a, sides.slopes_a, i, ways[1]), f.force_a, moment);
       }
   }
 } // namespace samara

@@ -50,8 +50,9 @@ namespace samara
     };
     Local local(const Place &place, const double *q) const;
 
-    /** The frames of a place, appended. */
-    void add_frames(const Place &place, std::vector<WeightedFrame> &frames) const;
+    /** The frames of a place, appended; in @p slopes what the weights grow by per way along the line [1/m]. */
+    void
+    add_frames(const Place &place, std::vector<WeightedFrame> &frames, std::vector<double> *slopes = nullptr) const;
   };
 
 
@@ -70,6 +71,12 @@ namespace samara
     ContactLine::Place b{0, 0}, a{0, 0};
     double             distance = 0; ///< [m]
     bool is_parallel = false;        ///< along so nearly parallel lines (0.01 rad) that the places are not determined
+
+    /**
+     * Inverse of the second derivatives of ½ d² by the arc lengths of b and a: the places go by minus that times what
+     * the first ones change by when lines move. Zero of those that are held, and where they are not determined.
+     */
+    Eigen::Matrix2d inverse = Eigen::Matrix2d::Zero();
   };
 
   /**

@@ -9,7 +9,6 @@
 namespace samara
 {
   class ContactGroup;
-  class HasSlipLine;
 
   /**
    * The numbering of all unknowns: 6 twists of each node but the ground, joint coordinates, states of first order,
@@ -145,9 +144,8 @@ namespace samara
       FrictionLaw               law;
       int                       stop = -1; ///< number in stops; -1: none
       std::vector<unsigned int> multipliers;
-      const HasSlipLine        *line    = nullptr; ///< whose force the multipliers are; null: they press as they are
-      double                    preload = 0;       ///< [N], not negative
-      std::string               name;              ///< for messages: "joint hinge, friction of the rotation"
+      double                    preload = 0; ///< [N], not negative
+      std::string               name;        ///< for messages: "joint hinge, friction of the rotation"
     };
     std::vector<Friction> frictions;
 

@@ -18,6 +18,7 @@
 
 namespace samara
 {
+  class HasPressing;
   class StepTangent;
 
   /**
@@ -328,6 +329,8 @@ namespace samara
       unsigned int first_port, n_ports;
       bool         is_friction;
       unsigned int number; ///< in Layout::stops or Layout::frictions
+
+      const HasPressing *pressing = nullptr; ///< of a friction: who says how its reactions press
     };
     std::vector<Port>   ports;
     std::vector<Device> devices; ///< stops first
