@@ -17,7 +17,7 @@ namespace samara
     constexpr double allowed_remainder = 1e-6;
 
     /** Multipliers smaller than this, over the size of the map, are round-off of it. */
-    constexpr double round_off = 1e-12;
+    constexpr double round_off_of_multipliers = 1e-12;
 
 
 
@@ -196,7 +196,7 @@ namespace samara
       // equal to round-off: pairs, and modes of equal parts, stay in the order in which they were found
       return std::abs(a.of_section) > std::abs(b.of_section) * (1 + 1e-12);
     });
-    while (!found.empty() && std::abs(found.back().of_section) <= round_off * size)
+    while (!found.empty() && std::abs(found.back().of_section) <= round_off_of_multipliers * size)
       {
         found.pop_back();
         ++modes.n_vanishing;

@@ -26,7 +26,7 @@ namespace samara
     constexpr double meant = 1e-9;
     /** A tangent is symmetric if its geometric part differs no more from its transpose, relative to the largest entry
      * of that and to the largest stiffness [1]. */
-    constexpr double symmetric = 1e-6, round_off = 1e-12;
+    constexpr double symmetric = 1e-6, round_off_of_pivots = 1e-12;
     /** Directions that are looked at one by one. */
     constexpr int most_vectors = 24;
 
@@ -128,7 +128,7 @@ namespace samara
               largest           = std::max({largest, std::abs(a) / size, std::abs(b) / size});
               difference        = std::max(difference, std::abs(a - b) / size);
             }
-      return difference <= symmetric * largest + round_off * kappa;
+      return difference <= symmetric * largest + round_off_of_pivots * kappa;
     }
 
 

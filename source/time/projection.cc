@@ -34,6 +34,31 @@ namespace samara
             states.push_back(i - layout.of_state(0));
       return states;
     }
+
+
+
+    /** On which forces depend: those of signals in laws, and those that press where something rubs. */
+    std::vector<unsigned int>
+    multipliers_that_act(const Layout &layout)
+    {
+      std::vector<unsigned int> result = layout.multipliers_in_laws;
+      for (const auto &friction : layout.frictions)
+        result.insert(result.end(), friction.multipliers.begin(), friction.multipliers.end());
+      std::sort(result.begin(), result.end());
+      result.erase(std::unique(result.begin(), result.end()), result.end());
+      return result;
+    }
+
+
+
+    Eigen::VectorXd
+    values_of(const std::vector<unsigned int> &multipliers, const std::vector<double> &all)
+    {
+      Eigen::VectorXd result(multipliers.size());
+      for (unsigned int i = 0; i < multipliers.size(); ++i)
+        result(i) = all[multipliers[i]];
+      return result;
+    }
   } // namespace
 
 
@@ -338,37 +363,36 @@ namespace samara
   std::vector<double>
   Projection::solve_for_accelerations(State &state)
   {
-    const auto &in_laws = system.layout.multipliers_in_laws;
-    if (in_laws.empty())
-      {
-        std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
-        return accelerations_about_multipliers(state);
-      }
-    // what loads are depends on reactions, which depend on them: a fixed point, from those of the integrator on
+    const std::vector<double>       of_integrator = state.multipliers;
+    const std::vector<unsigned int> acting        = multipliers_that_act(system.layout);
+    rates_of_rows.clear();
+    if (acting.empty())
+      return accelerations_about(acting, Eigen::VectorXd(), state);
+    // forces depend on reactions, which depend on them: a fixed point, from those of the integrator on
     constexpr unsigned int most_passes = 100;
     constexpr double       precision   = 1e-12;
     Anderson               anderson;
-    Eigen::VectorXd        known(in_laws.size()), found(in_laws.size());
-    for (unsigned int i = 0; i < in_laws.size(); ++i)
-      known(i) = state.multipliers[in_laws[i]];
+    Eigen::VectorXd        known = values_of(acting, of_integrator);
     for (unsigned int pass = 0; pass < most_passes; ++pass)
       {
-        std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
-        for (unsigned int i = 0; i < in_laws.size(); ++i)
-          state.multipliers[in_laws[i]] = known(i);
-        const std::vector<double> result  = accelerations_about_multipliers(state);
+        const std::vector<double> result  = accelerations_about(acting, known, state);
+        const Eigen::VectorXd     found   = values_of(acting, state.multipliers);
         double                    largest = 0;
         for (const double lambda : state.multipliers)
           largest = std::max(largest, std::abs(lambda));
-        for (unsigned int i = 0; i < in_laws.size(); ++i)
-          found(i) = state.multipliers[in_laws[i]];
         if (!((found - known).lpNorm<Eigen::Infinity>() > precision * largest))
           return result;
         known = anderson.next(known, found);
+        // rates of states that know reactions are others in each pass, and rows may know them
+        if (!system.layout.multipliers_in_laws.empty())
+          rates_of_rows.clear();
       }
-    throw NotConverged(
-      "t = " + number_to_text("%.6g", state.time) +
-      " s: forces of joints that laws depend on are not found, for they depend on these laws too much");
+    if (!system.layout.multipliers_in_laws.empty())
+      throw NotConverged(
+        "t = " + number_to_text("%.6g", state.time) +
+        " s: forces of joints that laws depend on are not found, for they depend on these laws too much");
+    // what rubs may have no accelerations, or several (Painlevé): those for the reactions of the step are told
+    return accelerations_about(acting, values_of(acting, of_integrator), state);
   }
 
 
@@ -453,8 +477,11 @@ namespace samara
 
 
   std::vector<double>
-  Projection::accelerations_about_multipliers(State &state)
+  Projection::accelerations_about(const std::vector<unsigned int> &acting, const Eigen::VectorXd &known, State &state)
   {
+    std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+    for (unsigned int i = 0; i < acting.size(); ++i)
+      state.multipliers[acting[i]] = known(i);
     system.find_state_rates(state);
     const bool was_held = state.held;
     state.held          = false;
@@ -464,8 +491,12 @@ namespace samara
     for (int i = 0; i < system.layout.of_multiplier(0); ++i)
       b[i] = -r[i];
 
-    if (system.layout.n_multipliers > 0)
-      subtract_rates_of_rows(state);
+    if (rates_of_rows.empty() && system.layout.n_multipliers > 0)
+      {
+        subtract_rates_of_rows(state);
+        rates_of_rows.assign(b.begin() + system.layout.of_multiplier(0), b.end());
+      }
+    std::copy(rates_of_rows.begin(), rates_of_rows.end(), b.begin() + system.layout.of_multiplier(0));
     for (const auto i : system.released_multipliers())
       b[system.layout.of_multiplier(i)] = 0;
     // rates of states are known, and in Ġ y already

@@ -164,6 +164,42 @@ namespace
                const double first = crossing(m, 0, -0.01, -1), second = crossing(m, 0, -0.01, -1, first + 1);
                EXPECT_NEAR((second - first) / ((M_PI + 2 * std::atan2(V / w, D)) / w + 2 * D / V), 1, 0.01);
              }},
+            {"clutch", // the moment that is told is that of the friction
+             {"linings.moment 3"},
+             [](const Motion &m) {
+               const double radius = 2. / 3 * (std::pow(0.1, 3) - std::pow(0.06, 3)) / (0.1 * 0.1 - 0.06 * 0.06);
+               EXPECT_NEAR(std::abs(m.values[10][0]) / (0.3 * 500 * radius), 1, 1e-6);
+             },
+             {"Dynamic/End time = 0.1"}},
+            {"thread", // one holds itself and creeps, the other one sinks as a block on a slope
+             {"held.velocity z", "sinking.displacement z", "sinking.acceleration z"},
+             [](const Motion &m) {
+               const auto on_flank = [](const double t) { // μ/cos β_n
+                 return 0.15 * std::hypot(1, std::tan(M_PI / 12) * std::cos(std::atan(t)));
+               };
+               const double f = on_flank(0.08), creep = 1e-4 * 0.08 / std::sqrt(f * f - 0.08 * 0.08),
+                            across = std::tan(std::atan(0.4) - std::atan(on_flank(0.4)));
+               EXPECT_NEAR(m.values.back()[0] / (-creep * std::sin(std::atan(0.08))), 1, 1e-5);
+               const double a = -g_of_examples / (1 + 0.009 / (5 * 0.02 * 0.02 * 0.4 * across));
+               EXPECT_NEAR(m.values.back()[1] / (0.5 * a), 1, 1e-3);
+               EXPECT_NEAR(m.values.back()[2] / a, 1, 1e-5);
+             }},
+            {"jamming_guide",
+             {"slides.displacement", "jams.displacement rate"},
+             [](const Motion &m) {
+               EXPECT_NEAR(m.values.back()[0] / (0.5 * 2 * 0.5 * 0.5), 1, 1e-3);
+               EXPECT_NEAR(m.values.back()[1] / (1e-4 / std::sqrt(1.2 * 1.2 - 1)), 1, 1e-4);
+             }},
+            {"constant_velocity_friction", // what the drive does, and what is lost, in 2 rad
+             {"second.angular velocity x", "drive.moment 3"},
+             [](const Motion &m) {
+               const double s = std::sin(35 * M_PI / 360), c = std::cos(35 * M_PI / 360), arm = 0.03 / 0.5,
+                            k = 0.1 * (arm * s + 1 / c) / (1 - 0.1 * arm * c), drive = 50 * (c + k * s) / (c - k * s);
+               EXPECT_NEAR(m.budget.drives / (2 * drive), 1, 1e-5);
+               EXPECT_NEAR(m.budget.friction / (2 * (drive - 50)), 1, 1e-4);
+               EXPECT_NEAR(m.values.back()[0], 20 * std::sin(35 * M_PI / 180), 1e-9);
+               EXPECT_NEAR(m.values.back()[1] / drive, 1, 1e-6);
+             }},
             {"backlash", // both flanks are touched, and pressed in by no more than the mesh gives way
              {"teeth.play", "teeth.moment"},
              [](const Motion &m) {

@@ -70,7 +70,7 @@ namespace samara
     std::vector<unsigned int> left_out; ///< in the present matrix: those of the state, at singular positions more
     bool                      is_massless = false; ///< something without mass moves freely, and no choice of rows helps
     std::vector<double> no_multipliers, moved_q, moved_coordinates, moved_states, moved_state_rates, rates, later, r, b,
-      small_b;
+      small_b, rates_of_rows; ///< of the last: −Ġ y of the present state, empty where it is not known yet
 
     void   make_solver_without();
     void   factorize(const State &state, double least_condition = 0);
@@ -80,8 +80,9 @@ namespace samara
     /** The saddle-point matrix's solution for b: in the place of b. */
     void                solve();
     std::vector<double> solve_for_accelerations(State &state);
-    /** The same where laws see the multipliers that the state has, to which those found are added. */
-    std::vector<double> accelerations_about_multipliers(State &state);
+    /** The same where forces see these multipliers as known, and others as zero; the state has those found then. */
+    std::vector<double>
+    accelerations_about(const std::vector<unsigned int> &acting, const Eigen::VectorXd &known, State &state);
     /**
      * Ġ y, taken off the rows of the multipliers: by differences of fourth order over a time in which nothing turns by
      * more than a thousandth; with it, what changes with time alone, however fast that is.
