@@ -110,7 +110,7 @@ namespace samara
     }
 
     Lines
-    number(const double value)
+    constant_line(const double value)
     {
       return {{value, 0, std::abs(value), 0}};
     }
@@ -137,7 +137,7 @@ namespace samara
             for (; !first_branches.empty() && first_branches.back().first == i; first_branches.pop_back())
               stack.back() = either(stack.back(), first_branches.back().second);
             if (instruction.kind == Instruction::number)
-              stack.push_back(number(instruction.value));
+              stack.push_back(constant_line(instruction.value));
             else if (instruction.kind == Instruction::variable && instruction.index == 0)
               stack.push_back({{0, 1, 0, 1}});
             else if (instruction.kind == Instruction::variable)
@@ -193,7 +193,7 @@ namespace samara
           {
             for (unsigned int j = 0; j < arguments.size(); ++j)
               for (const double corner : instruction.table->corners(j))
-                add_places(arguments[j], number(corner));
+                add_places(arguments[j], constant_line(corner));
             return {};
           }
         if (name == "negative")

@@ -38,10 +38,10 @@ namespace samara
 
 
     /** The lines of a file, and what is to be said of one of them. */
-    class Lines
+    class SectionLines
     {
     public:
-      explicit Lines(const std::string &file)
+      explicit SectionLines(const std::string &file)
         : file(file)
       {
         std::ifstream in(file);
@@ -125,7 +125,7 @@ namespace samara
 
     /** Numbers for people, where there are some, are those of the matrices: who edits them edits in vain. */
     void
-    check_remarks(const Lines &lines, const std::vector<Remark> &remarks, const SectionValues &values)
+    check_remarks(const SectionLines &lines, const std::vector<Remark> &remarks, const SectionValues &values)
     {
       const SectionConstants constants(values.stiffness.inverse(), values.inertia);
       const double           size = std::sqrt(constants.principal_bending.larger / constants.EA);
@@ -197,7 +197,7 @@ namespace samara
   {
     /** The @p n numbers behind the colon of line @p i. */
     std::vector<double>
-    behind_colon(const Lines &lines, const std::size_t i, const std::size_t n, const std::string &how_many)
+    behind_colon(const SectionLines &lines, const std::size_t i, const std::size_t n, const std::string &how_many)
     {
       const std::string        &line    = lines.all[i];
       const std::vector<double> numbers = lines.numbers(i, std::min(line.find(':'), line.size() - 1) + 1);
@@ -212,7 +212,7 @@ namespace samara
   SectionFile
   SectionFile::read(const std::string &file)
   {
-    const Lines         lines(file);
+    const SectionLines  lines(file);
     SectionFile         result;
     std::vector<Remark> remarks;
     bool                has_stiffness = false, has_inertia = false;
