@@ -64,8 +64,11 @@ namespace samara
   std::string
   fault_of(const SectionValues &values, const std::string &what)
   {
-    // written so that what is not a number is a fault, too
-    if (!(Eigen::SelfAdjointEigenSolver<Matrix6>(values.stiffness).eigenvalues()(0) > 0.))
+    // written so that what is not a number is a fault, too; scaled, so that it is the same in all units
+    const Vector6 diagonal = values.stiffness.diagonal();
+    const Vector6 scale    = diagonal.cwiseAbs().cwiseSqrt().cwiseInverse();
+    const Matrix6 scaled   = scale.asDiagonal() * values.stiffness * scale.asDiagonal();
+    if (!(diagonal.minCoeff() > 0.) || !(Eigen::SelfAdjointEigenSolver<Matrix6>(scaled).eigenvalues()(0) > 0.))
       return "the stiffness of " + what +
              " is not positive definite: every one of EA, GA2, GA3, GJ, EI2, EI3 must be positive, and couplings must be "
              "small enough";
