@@ -167,19 +167,42 @@ end
       air(wind) + subsection("flow", "    set Type = " + inflow + "\n    set Hub = " + hub + "\n    set Radius = 3\n"));
   }
 
-  /** A hub that is driven at 30 rad/s about z, and a blade on a hinge <@p hinge> with @p motion, 0.2 m from it. */
+  /** A body that turns at 30 rad/s about z, for Bodies. */
   inline std::string
-  blade_on_driven_hub(const std::string &hinge, const std::string &axis, const std::string &motion)
+  turning_hub(const std::string &name)
   {
-    return R"(
-subsection Bodies
-  subsection hub
+    return "  subsection " + name + R"(
     set Type             = rigid body
     set Mass             = 5
     set Inertia          = 1, 1, 2
     set Angular velocity = 0, 0, 30
   end
-  subsection blade
+)";
+  }
+
+  /** What drives it at this speed, for Joints. */
+  inline std::string
+  driven_shaft(const std::string &hub)
+  {
+    return R"(
+  subsection shaft
+    set Type   = revolute
+    set Body A = ground
+    set Body B = )" +
+           hub + R"(.centre
+    set Axis   = 0, 0, 1
+    subsection rotation
+      set Prescribed = 30*t
+    end
+  end
+)";
+  }
+
+  /** A hub that is driven at 30 rad/s about z, and a blade on a hinge <@p hinge> with @p motion, 0.2 m from it. */
+  inline std::string
+  blade_on_driven_hub(const std::string &hinge, const std::string &axis, const std::string &motion)
+  {
+    return "subsection Bodies\n" + turning_hub("hub") + R"(  subsection blade
     set Type             = rigid body
     set Mass             = 3
     set Inertia          = 0.01, 1.5, 1.5
@@ -188,18 +211,8 @@ subsection Bodies
     set Velocity         = 0, 48, 0
   end
 end
-subsection Joints
-  subsection shaft
-    set Type   = revolute
-    set Body A = ground
-    set Body B = hub.centre
-    set Axis   = 0, 0, 1
-    subsection rotation
-      set Prescribed = 30*t
-    end
-  end
-  subsection )" +
-           hinge + R"(
+subsection Joints)" +
+           driven_shaft("hub") + "  subsection " + hinge + R"(
     set Type     = revolute
     set Body A   = hub.centre
     set Body B   = blade.centre

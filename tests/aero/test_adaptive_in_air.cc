@@ -20,27 +20,8 @@ namespace
   std::string
   rotor_that_starts(const std::string &inflow, const std::string &unsteady)
   {
-    return R"(
-subsection Bodies
-  subsection rotor
-    set Type             = rigid body
-    set Mass             = 5
-    set Inertia          = 1, 1, 2
-    set Angular velocity = 0, 0, 30
-  end
-end
-subsection Joints
-  subsection shaft
-    set Type   = revolute
-    set Body A = ground
-    set Body B = rotor.centre
-    set Axis   = 0, 0, 1
-    subsection rotation
-      set Prescribed = 30*t
-    end
-  end
-end
-)" + airfoils() +
+    return "subsection Bodies\n" + turning_hub("rotor") + "end\nsubsection Joints" + driven_shaft("rotor") + "end\n" +
+           airfoils() +
            subsection("Aerodynamics",
                       air("0, 0, -1") + subsection("flow",
                                                    "    set Type = " + inflow +

@@ -21,26 +21,7 @@ namespace
   std::string
   two_bladed_rotor(const std::string &hub, const std::string &entries)
   {
-    std::string bodies = R"(
-  subsection hub
-    set Type             = rigid body
-    set Mass             = 5
-    set Inertia          = 1, 1, 2
-    set Angular velocity = 0, 0, 30
-  end
-)",
-                joints = R"(
-  subsection shaft
-    set Type   = revolute
-    set Body A = ground
-    set Body B = hub.centre
-    set Axis   = 0, 0, 1
-    subsection rotation
-      set Prescribed = 30*t
-    end
-  end
-)",
-                surfaces;
+    std::string bodies = turning_hub("hub"), joints = driven_shaft("hub"), surfaces;
     for (const std::string sign : {"", "-"})
       {
         const std::string name = sign.empty() ? "blade 1" : "blade 2";
