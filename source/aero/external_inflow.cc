@@ -32,7 +32,9 @@ namespace samara
       {
         for (const auto &[state, unit] : names_of_states(model))
           {
-            states.push_back(model.add_state(name + ", " + state, unit, 0., 0.1));
+            // flows are speeds, circulations are speeds times lengths
+            const double scale = 0.1 * air->small_speed() * (unit == "m^2/s" ? radius : 1.);
+            states.push_back(model.add_state(name + ", " + state, unit, 0., scale));
             units.push_back(unit);
           }
       }

@@ -100,7 +100,7 @@ namespace samara
                                            ")",
                                          "m/s",
                                          k == 0 ? initial / unit.nu : 0.,
-                                         0.1));
+                                         0.1 * air->small_speed()));
         model.states.back().is_algebraic = k == 0 && is_algebraic;
         load_weights.push_back(theory.load_weights[k] / (air->density * std::pow(radius, 3) * theory.apparent_mass[k]));
       }

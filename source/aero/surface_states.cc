@@ -83,7 +83,7 @@ namespace samara
         model->add_state(name + ", " + names[i][0] + " at s = " + number_to_text("%.4g", station.s),
                          names[i][1],
                          i == 3 ? 1. : 0., // attached at the start
-                         1.));
+                         i < 2 ? air->small_speed() : 1.));
     if (unsteady == Unsteady::dynamic_stall)
       {
         const SectionOfWing section = station.section;
@@ -111,8 +111,10 @@ namespace samara
     station.radius     = r;
     station.first_flow = element.lags.size();
     for (const std::string axis : {"against the thrust axis", "against the azimuth"})
-      element.lags.push_back(model->add_state(
-        name + ", inflow " + axis + at, "m/s", element.lags.size() == station.first_flow ? flow.initial : 0., 1.));
+      element.lags.push_back(model->add_state(name + ", inflow " + axis + at,
+                                              "m/s",
+                                              element.lags.size() == station.first_flow ? flow.initial : 0.,
+                                              air->small_speed()));
     flow.add_station(element.lags[station.first_flow], r, station.width * station.weight);
   }
 

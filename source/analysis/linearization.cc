@@ -262,7 +262,7 @@ namespace samara
       for (unsigned int i = 0; i < p.size; ++i)
         state.stress[p.first_strain + i] += step.change[p.first_row + i] / p.weight;
 
-    return {size_of_step(system, step.x, model_length(system.model)),
+    return {size_of_step(system, step.x, model_length(system.model), &state.states),
             share_of_energy(motion, step.change, resultants(motion.strains, state.stress)),
             most_changed(system, step)};
   }
@@ -281,7 +281,7 @@ namespace samara
     const MixedStep step(system, state, r, std::vector<double>(system.layout.n_strains, 0.));
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
       state.multipliers[i] += step.x[system.layout.of_multiplier(i)];
-    return {size_of_step(system, step.x, model_length(system.model)),
+    return {size_of_step(system, step.x, model_length(system.model), &state.states),
             share_of_energy(step.motion, step.change, resultants(step.motion.strains, state.stress)),
             most_changed(system, step)};
   }

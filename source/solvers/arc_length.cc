@@ -175,7 +175,7 @@ namespace samara
         const double df = solve_for_increment(from, s, to.state);
         ++result.iterations;
         ++n_iterations;
-        result.last_step = size_of_step(system, increment, length);
+        result.last_step = size_of_step(system, increment, length, &to.state.states);
         // ten radians or sizes of the model, or a thousand times the smallest after some: it leads nowhere
         if (!std::isfinite(result.last_step) || result.last_step > 10. ||
             (result.iterations > 8 && result.last_step > 1e3 * smallest))

@@ -27,7 +27,10 @@ namespace samara
 
 
   double
-  size_of_step(const System &system, const std::vector<double> &step, const double length)
+  size_of_step(const System              &system,
+               const std::vector<double> &step,
+               const double               length,
+               const std::vector<double> *states)
   {
     // a maximum would not see what is no number
     if (const auto bad =
@@ -41,7 +44,13 @@ namespace samara
         size = std::max({size, z.head<3>().norm() / length, z.tail<3>().norm()});
       }
     for (int i = system.layout.of_coordinate(0); i < system.layout.of_multiplier(0); ++i)
-      size = std::max(size, std::abs(step[i]) / system.layout.scale_of(i, length));
+      {
+        double    scale = system.layout.scale_of(i, length);
+        const int state = i - system.layout.of_state(0);
+        if (states != nullptr && state >= 0)
+          scale = std::max({scale, std::abs((*states)[state]), std::abs((*states)[state] + step[i])});
+        size = std::max(size, std::abs(step[i]) / scale);
+      }
     return size;
   }
 
@@ -183,7 +192,7 @@ namespace samara
         ++result.iterations;
         ++n_iterations;
 
-        result.last_step = size_of_step(system, step, length);
+        result.last_step = size_of_step(system, step, length, &state.states);
         // a hundred radians or sizes of the model (later, a thousand times the smallest correction): it leads nowhere
         if (!std::isfinite(result.last_step) || result.last_step > 100.)
           {

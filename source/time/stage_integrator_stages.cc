@@ -383,7 +383,9 @@ namespace samara
   {
     const auto rate       = [&](const unsigned int k) { return stages[k].rates[correction.coordinate]; };
     const auto multiplier = [&](const unsigned int k) { return stages[k].multipliers[correction.multiplier]; };
-    return force_of<double>(tableau, h, rate, multiplier, mean_rates[correction.multiplier]);
+    // less what the iteration has not closed yet: over a small turn a multiple of the gap would keep it from converging
+    const double gap = constraints_at_end[system.layout.of_multiplier(correction.multiplier)];
+    return force_of<double>(tableau, h, rate, multiplier, mean_rates[correction.multiplier] - gap / h);
   }
 
 

@@ -153,6 +153,26 @@ TEST(FirstOrderStates, StaticsFindWhereRatesVanish)
 
 
 
+// States count by what they are where that is more than their scale: a filter of 10⁵ N is no iteration gone astray.
+TEST(FirstOrderStates, StaticsFindLargeOnes)
+{
+  const std::string text = hinged_bar(R"(
+  subsection filter
+    set Rate = (4e8*h.rotation/(1 deg) - filter)/0.05
+    set Unit = N
+  end
+)",
+                                      R"(
+      set Spring = 1e4
+)") + "subsection Loads\n subsection weight\n set Type = gravity\n end\nend\n";
+  Scene             scene(text);
+  scene.equilibrium();
+  EXPECT_NEAR(scene.value("filter"), 4e8 * scene.value("h.rotation"), 1e-9 * std::abs(scene.value("filter")));
+  EXPECT_GT(std::abs(scene.value("filter")), 1e5);
+}
+
+
+
 TEST(FirstOrderStates, OtherIntegratorsSayThatTheyKnowNone)
 {
   const Scene scene(oscillator_with_lag());

@@ -21,13 +21,21 @@ def limits():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
+def number(text):
+    """nan for an empty cell or a name."""
+    try:
+        return float(text)
+    except ValueError:
+        return np.nan
+
+
 class Table:
     """A CSV file: names without units, and numbers (rows, columns)."""
 
     def __init__(self, path):
         head, *rows = path.read_text().splitlines()
         self.names = [re.sub(r" \[[^]]*\]$", "", name) for name in head.split(",")]
-        self.numbers = np.array([[float(x) if x else np.nan for x in row.split(",")] for row in rows]).reshape(-1, len(self.names))
+        self.numbers = np.array([[number(x) for x in row.split(",")] for row in rows]).reshape(-1, len(self.names))
         self.column = {name: k for k, name in enumerate(self.names)}
 
     def __getitem__(self, names):

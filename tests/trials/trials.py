@@ -14,6 +14,7 @@ from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
 from outline import render
 from program import LIMIT, Run
+from flown import Mirror, Rotor, compare_rotors
 from shells import Sheller, edged_mechanism, shelled_mechanism
 from surfaces import compare_panels, compare_sections, judge_section, panel, section, spoilt_mesh
 from touching import Group, Toucher, pressed_mechanism, rough_touching, touching_mechanism
@@ -106,6 +107,25 @@ class PanelTrial(Trial):
         return [*judges.outcome(first), *judges.outcome(second), *compare_panels(thing, first, second, self.world, 1e-6)]
 
 
+class FlownTrial(Trial):
+    """A rotor in air and the same in another world. Steps without solution are halved, which round-off may decide: not compared."""
+
+    def __init__(self, name, thing, world):
+        super().__init__(name, thing)
+        self.world = world
+
+    def text(self, thing):
+        return thing.text(World())
+
+    def complaints(self, program, thing):
+        first, second = Run(program, thing.text(World())), Run(program, thing.text(self.world))
+        self.code, self.seconds = first.code, first.seconds + second.seconds
+        said = [*judges.outcome(first), *judges.outcome(second)]
+        if any(re.search("[1-9][0-9]* without solution", run.output) for run in (first, second)):
+            return said
+        return [*said, *compare_rotors(thing, first, second, self.world, 1e-6)]
+
+
 class SectionTrial(Trial):
     """A section and the same in other units, turned and moved across its beam."""
 
@@ -150,6 +170,13 @@ def section_trials(seed):
     place = tuple(chance.uniform(-1, 1) * size for _ in range(2))
     yield SectionTrial(f"section-turned {seed}", thing, World(), chance.uniform(-3, 3), place)
     yield SectionTrial(f"section-units {seed}", thing, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 0.0, (0.0, 0.0))
+
+
+def flown_trials(seed):
+    rotor = Rotor(seed)
+    yield FlownTrial(f"flown-turned {seed}", rotor, relatives.turned(Sheller(f"turned {seed}")))
+    yield FlownTrial(f"flown-units {seed}", rotor, World(**relatives.UNITS[seed % len(relatives.UNITS)]))
+    yield FlownTrial(f"flown-mirrored {seed}", rotor, Mirror())
 
 
 def mesh_trial(seed):
@@ -291,6 +318,7 @@ def short(program):
     yield RoughTrial("rough-further 200", rough_further(200))
     yield list(panel_trials(0))[-1]
     yield next(section_trials(0))
+    yield from list(flown_trials(4))[1:]
     for seed in range(2):
         yield mesh_trial(seed)
         yield spoilt_trial(seed)
@@ -317,6 +345,8 @@ def endless(program, start):
         yield from (shelled_trial(10 * seed + k) for k in range(5))
         yield from (edged_trial(10 * seed + k) for k in range(3))
         yield from edged_relatives(seed)
+        for k in range(4):
+            yield from flown_trials(10 * seed + k)
         yield from shelled_relatives(seed)
         for k in range(3):
             yield from panel_trials(10 * seed + k)

@@ -30,6 +30,13 @@ namespace samara
     double density = 1.225, speed_of_sound = 340.3; ///< [kg/m^3], [m/s]
     double ground = 0;                              ///< inertial coordinate z [m]
 
+    /** A speed that is small in all units, 1 m/s in the air of the default: below it changes of flows do not count. */
+    double
+    small_speed() const
+    {
+      return speed_of_sound / 340.3;
+    }
+
     template <typename Number>
     Vec3<Number>
     wind(const Vec3<Number> &x, const double time) const

@@ -26,7 +26,7 @@ namespace samara
     double       last_step  = 0; ///< largest displacement relative to the size of the model, or rotation
     double       residual   = 0; ///< largest force left [N] or [N m]
     unsigned int worst      = 0; ///< the unknown where it is
-    Failure      failure = Failure::none;
+    Failure      failure    = Failure::none;
     std::string  reason; ///< in words, if not converged
 
     /** It has not converged; why, by kind and in words. */
@@ -76,8 +76,15 @@ namespace samara
     void check_rows_left_out(const State &state, NewtonResult &result);
   };
 
-  /** Largest displacement of a node in @p step, relative to @p length, or rotation; joint coordinates likewise. */
-  double size_of_step(const System &system, const std::vector<double> &step, double length);
+  /**
+   * Largest displacement of a node in @p step, relative to @p length, or rotation; joint coordinates likewise. States
+   * of first order change by parts of their scale, or of what they are in @p states, before or after the step, if that
+   * is more.
+   */
+  double size_of_step(const System              &system,
+                      const std::vector<double> &step,
+                      double                     length,
+                      const std::vector<double> *states = nullptr);
 
   /** Diagonal of the box around the reference positions of all nodes; 1 for a single node at the origin. */
   double model_length(const Model &model);

@@ -528,7 +528,7 @@ namespace samara
                             const Number     &mean_rate)
   {
     // where the coordinate turns less than this a step, ρ is a quotient of round-off, and the work not worth mentioning
-    constexpr double least_turn = 1e-8;
+    constexpr double least_turn = 1e-7;
     Number           lambda = 0, squares = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
