@@ -15,6 +15,27 @@ namespace samara
 
 
 
+  std::vector<SurfaceCell>
+  cells_of(Model &model, const Parameters &parameters, const std::string &body, const std::string &region)
+  {
+    if (!parameters.require("Body", model.complaints))
+      return {};
+    std::string where = "Body";
+    try
+      {
+        const SurfaceBody &surface = surface_body(model, body);
+        where                      = parameters.is_set("Region") ? "Region" : "Body";
+        return surface.surface(region);
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        model.complaints.add(parameters.where(where), problem.what());
+        return {};
+      }
+  }
+
+
+
   void
   AreaLoad::add_parameters(Parameters &prm)
   {
@@ -30,35 +51,23 @@ namespace samara
   void
   AreaLoad::initialize(Model &model)
   {
-    if (!parameters.require("Body", model.complaints))
-      return;
-    std::string where = "Body";
-    try
+    for (const auto &cell : cells_of(model, parameters, body, region))
       {
-        const SurfaceBody &surface = surface_body(model, body);
-        where                      = parameters.is_set("Region") ? "Region" : "Body";
-        for (const auto &cell : surface.surface(region))
+        const SurfaceRule &rule = *cell.rule;
+        const unsigned int n    = cell.frames.size();
+        AssertDimension(rule.N.cols(), n);
+        std::vector<Vector3> x;
+        for (const auto &frame : cell.frames)
+          x.push_back(model.position(frame));
+        Eigen::VectorXd weights  = Eigen::VectorXd::Zero(n);
+        Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n, n);
+        for (unsigned int g = 0; g < rule.weights.size(); ++g)
           {
-            const SurfaceRule &rule = *cell.rule;
-            const unsigned int n    = cell.frames.size();
-            AssertDimension(rule.N.cols(), n);
-            std::vector<Vector3> x;
-            for (const auto &frame : cell.frames)
-              x.push_back(model.position(frame));
-            Eigen::VectorXd weights  = Eigen::VectorXd::Zero(n);
-            Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n, n);
-            for (unsigned int g = 0; g < rule.weights.size(); ++g)
-              {
-                const double area = rule.weights(g) * cell.area_vector(g, x).norm();
-                weights += area * rule.N.row(g).transpose();
-                products += area * rule.N.row(g).transpose() * rule.N.row(g);
-              }
-            add_part(cell.frames, weights, products);
+            const double area = rule.weights(g) * cell.area_vector(g, x).norm();
+            weights += area * rule.N.row(g).transpose();
+            products += area * rule.N.row(g).transpose() * rule.N.row(g);
           }
-      }
-    catch (const std::invalid_argument &problem)
-      {
-        model.complaints.add(parameters.where(where), problem.what());
+        add_part(cell.frames, weights, products);
       }
   }
 } // namespace samara

@@ -17,20 +17,8 @@ namespace samara
   void
   Pressure::initialize(Model &model)
   {
-    if (!parameters.require("Body", model.complaints))
-      return;
-    std::string where = "Body";
-    try
-      {
-        const SurfaceBody &surface = surface_body(model, body);
-        where                      = parameters.is_set("Region") ? "Region" : "Body";
-        for (const auto &cell : surface.surface(region))
-          cells.push_back({cell});
-      }
-    catch (const std::invalid_argument &problem)
-      {
-        model.complaints.add(parameters.where(where), problem.what());
-      }
+    for (const auto &cell : cells_of(model, parameters, body, region))
+      cells.push_back({cell});
   }
 
 

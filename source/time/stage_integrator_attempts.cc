@@ -208,7 +208,8 @@ namespace samara
     // linear convergence: what is still missing is about last · rate/(1 − rate); at round-off it no longer shrinks
     const double rate         = std::min(progress.n > 1 ? progress.last_rate : first_rate, largest_rate);
     const auto [error, bound] = energy_error(h);
-    if (progress.to_come(rate) < tolerance && error < share_of_energy * tolerance * energy_that_counts() &&
+    // where all bodies are held there is no energy, and no error of it
+    if (progress.to_come(rate) < tolerance && error <= share_of_energy * tolerance * energy_that_counts() &&
         largest_gap(h) < allowed_gap())
       return Verdict::converged;
     progress.add_work(bound);
@@ -219,7 +220,7 @@ namespace samara
     const bool   is_fresh = is_exact || n_steps_with_factors == 0;
     const double scale = std::max(energy_scale, kinetic_energy), work = is_fresh ? 1e-10 : 1e-12,
                  gap = is_fresh ? 1e-9 : 1e-12;
-    return error < work * scale + energy_of_moving(1e-8 * length / h) && largest_gap(h) < gap * length ?
+    return error <= work * scale + energy_of_moving(1e-8 * length / h) && largest_gap(h) < gap * length ?
              Verdict::converged :
              Verdict::failed;
   }
@@ -229,7 +230,24 @@ namespace samara
   bool
   StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
-    Progress progress;
+    Progress   progress;
+    const auto moves_too_far = [&]() {
+      for (const Stage &stage : stages)
+        for (unsigned int i = 6; i < stage.y.size(); ++i)
+          if (!(h * std::abs(stage.y[i]) < lost * (i % 6 < 3 ? length : 1.)))
+            return true;
+      return false;
+    };
+    bool       is_astray          = moves_too_far(); // an attempt may begin with what another one left
+    const auto name_largest_force = [&]() {
+      double largest = 0;
+      for (unsigned int i = 0; i < static_cast<unsigned int>(system.layout.of_multiplier(0)); ++i)
+        if (std::abs(stages[0].residual[i]) > largest)
+          {
+            largest      = std::abs(stages[0].residual[i]);
+            result.worst = i;
+          }
+    };
     while (progress.n < max_iterations)
       {
         move_stages(state, h);
@@ -244,23 +262,22 @@ namespace samara
         const double size = is_exact ? solve_exactly(h) : solve(h);
         ++result.iterations;
         result.last_correction = size;
-        if (!std::isfinite(size))
+        // of stages that have gone astray anything may be infinite: that is no fault of what acts
+        if (!std::isfinite(size) && !is_astray)
           find_infinite(result);
         if (!std::isfinite(size) || size > lost)
-          return false;
+          {
+            if (result.is_finite)
+              name_largest_force();
+            return false;
+          }
+        is_astray = is_astray || (size > near && moves_too_far());
         correct_stresses();
         progress.add(size);
         if (progress.is_too_slow(slow, tolerance))
           return false;
       }
-    // name the place of the largest force that is left
-    double largest = 0;
-    for (unsigned int i = 0; i < static_cast<unsigned int>(system.layout.of_multiplier(0)); ++i)
-      if (std::abs(stages[0].residual[i]) > largest)
-        {
-          largest      = std::abs(stages[0].residual[i]);
-          result.worst = i;
-        }
+    name_largest_force();
     return false;
   }
 } // namespace samara

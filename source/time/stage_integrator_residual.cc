@@ -23,7 +23,7 @@ namespace samara
   {
     const double sources =
       sources_of_energy * (energy_scale + std::abs(result.work_of_loads) + std::abs(result.work_of_drives));
-    if (kinetic_energy < sources)
+    if (kinetic_energy <= sources) // where all bodies are held both are zero
       return true;
     // what moves by a thousandth of the model a step is round-off of something at rest
     return kinetic_energy < sources + energy_of_moving(motion_at_rest * length / h);

@@ -67,6 +67,27 @@ namespace
 
 
 
+// Nothing but a state moves: there is no energy to measure what is left by. ẋ = a (sin wt − x) in closed form.
+TEST(FirstOrderStates, AloneWhereAllBodiesAreHeld)
+{
+  const double a = 20, w = 5, T = 0.5, square = a * a + w * w;
+  const Scene  scene("subsection States\n subsection x\n set Rate = 20*(sin(5*t) - x)\n set Initial = 1\n end\nend\n"
+                     "subsection Bodies\n" +
+                    systems::rigid_body("b", "set Mass = 2\n set Inertia = 1, 1, 1\n") + "end\nsubsection Joints\n" +
+                    systems::joint("held", "rigid", "set Body A = ground\n set Body B = b.centre\n") + "end\n");
+  const double exact =
+    std::exp(-a * T) * (1 + a * w / square) + (a * a * std::sin(w * T) - a * w * std::cos(w * T)) / square;
+  for (const unsigned int s : {1, 2, 3})
+    {
+      const Record coarse = run(scene.system, started(scene.system), Tableau(s, 1.), T / 10, 10),
+                   fine   = run(scene.system, started(scene.system), Tableau(s, 1.), T / 20, 20);
+      ASSERT_EQ(fine.n_steps, 20u) << s;
+      EXPECT_NEAR(std::log2((coarse.state.states[0] - exact) / (fine.state.states[0] - exact)), 2 * s, 0.3) << s;
+    }
+}
+
+
+
 TEST(FirstOrderStates, OrdersOfAnOscillatorWithALag)
 {
   expect_orders(oscillator_with_lag(), 1., 20, 1, 1., 2);

@@ -365,10 +365,8 @@ TEST(Stepper, GivesUpAtTheSmallestStep)
       const std::string text = problem.what();
       EXPECT_NE(text.find("t = 0 s"), std::string::npos) << text;
       EXPECT_NE(text.find("smallest step, 0.5 s"), std::string::npos) << text;
-      // which of the two depends on where the iteration, which diverges, is given up
-      EXPECT_TRUE(text.find("the largest force left is at ") != std::string::npos ||
-                  text.find("what acts is not a finite number") != std::string::npos)
-        << text;
+      // whatever the iteration, which goes astray, ends with: no law is to blame
+      EXPECT_NE(text.find("the largest force left is at "), std::string::npos) << text;
     }
   EXPECT_EQ(state.q, start.q);
   EXPECT_EQ(state.y, start.y);

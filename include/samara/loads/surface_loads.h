@@ -76,6 +76,13 @@ namespace samara
   /** The body of that name as one with a surface. @throws std::invalid_argument if it is none. */
   const SurfaceBody &surface_body(const Model &model, const std::string &name);
 
+  /**
+   * The cells of a region of the body of that name, all of its cells if @p region is empty. If there is none, the entry
+   * Body, or Region, is complained of.
+   */
+  std::vector<SurfaceCell>
+  cells_of(Model &model, const Parameters &parameters, const std::string &body, const std::string &region);
+
   extern template class Evaluated<Pressure, Force>;
 } // namespace samara
 

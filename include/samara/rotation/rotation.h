@@ -72,17 +72,6 @@ namespace samara
     return 0.5 * Vec3<typename A::Scalar>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
   }
 
-  /** axial(Aᵀ B), without the rest of the product. */
-  template <typename A, typename B>
-  auto
-  axial_of_product(const Eigen::MatrixBase<A> &a, const Eigen::MatrixBase<B> &b)
-  {
-    using Number = typename A::Scalar;
-    return Vec3<Number>(Number(0.5) * (dot(a.col(2), b.col(1)) - dot(a.col(1), b.col(2))),
-                        Number(0.5) * (dot(a.col(0), b.col(2)) - dot(a.col(2), b.col(0))),
-                        Number(0.5) * (dot(a.col(1), b.col(0)) - dot(a.col(0), b.col(1))));
-  }
-
   /** Cayley map cay(r) = I + (r~ + ½ r~r~)/(1 + |r|²/4): a rotation by 2 atan(|r|/2) about r. */
   template <typename Number>
   Mat3<Number>
