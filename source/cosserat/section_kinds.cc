@@ -66,7 +66,11 @@ namespace samara
   std::vector<Eigen::Vector2d>
   ClosedFormSection::outline(const double x) const
   {
-    return is_analysed() ? AnalysedSection::outline(x) : closed_form().outline;
+    if (is_analysed())
+      return AnalysedSection::outline(x);
+    if (drawn.empty())
+      drawn = closed_form().outline;
+    return drawn;
   }
 
 

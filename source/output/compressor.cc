@@ -30,47 +30,38 @@ namespace samara
     public:
       explicit Bits(std::vector<unsigned char> &bytes)
         : bytes(bytes)
+        , n_bytes(bytes.size())
       {}
 
+      /** The only one, with fixed codes. */
+      void
+      begin_block()
+      {
+        make_room(8);
+        add(1 | 1 << 1, 3);
+      }
+
+      /** At most 32 of them; there is room for them. */
       void
       add(const std::uint32_t value, const unsigned int n)
       {
         waiting |= std::uint64_t(value) << n_waiting;
         n_waiting += n;
-        while (n_waiting >= 8)
-          {
-            bytes.push_back(waiting & 255);
-            waiting >>= 8;
-            n_waiting -= 8;
-          }
-      }
-
-      void
-      add_literal(const unsigned int byte)
-      {
-        static const std::array<Code, 256> codes = codes_of_literals();
-        add(codes[byte].bits, codes[byte].n);
-      }
-
-      /** The bytes from @p distance ahead of here, at least 3 of them. */
-      void
-      add_copy(const unsigned int length, const unsigned int distance)
-      {
-        // lengths 3 … 10, then four codes for each number of extra bits; distances 1 … 4, then two
-        const auto [code, extra, rest]       = split(length - 3, 4);
-        const auto [of_place, extra_2, more] = split(distance - 1, 2);
-        const Code length_code = length == most_per_copy ? code_of_symbol(285) : code_of_symbol(257 + code);
-        add(length_code.bits, length_code.n);
-        if (length != most_per_copy)
-          add(rest, extra);
-        add(reversed(of_place, 5), 5);
-        add(more, extra_2);
+        if (n_waiting < 32)
+          return;
+        for (unsigned int i = 0; i < 4; ++i)
+          bytes[n_bytes + i] = waiting >> 8 * i & 255;
+        n_bytes += 4;
+        waiting >>= 32;
+        n_waiting -= 32;
       }
 
       /** One of @p size bytes, that many times. */
       void
       add_value(const unsigned char *const value, const std::size_t size, const std::size_t times)
       {
+        // nine bits a literal at most, and 31 a copy
+        make_room(2 * size + 4 * (times * size / most_per_copy + 2) + 4 * least_copy);
         for (std::size_t j = 0; j < size; ++j)
           add_literal(value[j]);
         for (std::size_t done = size; done < times * size;)
@@ -85,12 +76,15 @@ namespace samara
           }
       }
 
+      /** Nothing can follow. */
       void
       end_block()
       {
+        make_room(16);
         add(0, 7);
-        if (n_waiting > 0)
-          add(0, 8 - n_waiting);
+        for (; n_waiting > 0; n_waiting -= std::min(n_waiting, 8u), waiting >>= 8)
+          bytes[n_bytes++] = waiting & 255;
+        bytes.resize(n_bytes);
       }
 
     private:
@@ -104,9 +98,56 @@ namespace samara
         unsigned int code, n_extra, extra;
       };
 
-      std::vector<unsigned char> &bytes;
-      std::uint64_t               waiting   = 0;
-      unsigned int                n_waiting = 0;
+      std::vector<unsigned char> &bytes; ///< with room behind those that are written
+      std::size_t                 n_bytes;
+      std::uint64_t               waiting     = 0;
+      unsigned int                n_waiting   = 0;
+      unsigned int                last_length = 0, last_distance = 0; ///< of the last copy, and its code
+      Code                        last_copy = {0, 0};
+
+      void
+      make_room(const std::size_t n)
+      {
+        if (bytes.size() < n_bytes + n)
+          bytes.resize(2 * n_bytes + n);
+      }
+
+      void
+      add_literal(const unsigned int byte)
+      {
+        static const std::array<Code, 256> codes = codes_of_literals();
+        add(codes[byte].bits, codes[byte].n);
+      }
+
+      /** The bytes from @p distance ahead of here, at least 3 of them. */
+      void
+      add_copy(const unsigned int length, const unsigned int distance)
+      {
+        // outlines of a series mostly have one number of corners
+        if (length != last_length || distance != last_distance)
+          last_copy = code_of_copy(length, distance);
+        last_length   = length;
+        last_distance = distance;
+        add(last_copy.bits, last_copy.n);
+      }
+
+      static Code
+      code_of_copy(const unsigned int length, const unsigned int distance)
+      {
+        // lengths 3 … 10, then four codes for each number of extra bits; distances 1 … 4, then two
+        const auto [code, extra, rest]       = split(length - 3, 4);
+        const auto [of_place, extra_2, more] = split(distance - 1, 2);
+        Code       result = length == most_per_copy ? code_of_symbol(285) : code_of_symbol(257 + code);
+        const auto append = [&result](const std::uint32_t value, const unsigned int n) {
+          result.bits |= value << result.n;
+          result.n += n;
+        };
+        if (length != most_per_copy)
+          append(rest, extra);
+        append(reversed(of_place, 5), 5);
+        append(more, extra_2);
+        return result;
+      }
 
       static std::uint32_t
       reversed(std::uint32_t value, const unsigned int n)
@@ -154,7 +195,7 @@ namespace samara
     {
     public:
       void
-      add(const unsigned char *value, const std::uint64_t n, const std::uint64_t times)
+      add(const unsigned char *const value, const std::uint64_t n, const std::uint64_t times)
       {
         // b grows by a after each byte
         std::uint64_t sum = 0, weighted = 0;
@@ -163,11 +204,15 @@ namespace samara
             sum += value[i];
             weighted += (n - i) * value[i];
           }
-        const std::uint64_t t = times % base, pairs = (times % 2 == 0 ? times / 2 % base * ((times - 1) % base) :
-                                                                        times % base * ((times - 1) / 2 % base)) %
-                                                      base;
-        b = (b + n * t % base * a + t * (weighted % base) + pairs * (n * sum % base)) % base;
-        a = (a + t * (sum % base)) % base;
+        // products of so many stay below 2⁶⁴, so that one remainder will do
+        constexpr std::uint64_t at_once = 65535;
+        for (std::uint64_t left = times; left > 0;)
+          {
+            const std::uint64_t t = std::min(left, at_once);
+            b                     = (b + n * t * a + t * weighted + t * (t - 1) / 2 * n * sum) % base;
+            a                     = (a + t * sum) % base;
+            left -= t;
+          }
       }
 
       std::uint32_t
@@ -274,7 +319,8 @@ namespace samara
   {
     compressed.assign(begin_of_stream.begin(), begin_of_stream.end());
     compressed.reserve(n_bytes + 5 * (n_bytes / most_stored + 1) + 6);
-    for (std::size_t begin = 0; begin < n_bytes; begin += most_stored)
+    for (std::size_t begin = 0; begin == 0 || begin < n_bytes;
+         begin += most_stored) // there is a last block in any case
       {
         const std::size_t   n   = std::min(most_stored, n_bytes - begin);
         const unsigned char low = n & 255, high = n >> 8 & 255;
@@ -294,7 +340,7 @@ namespace samara
     compressed.assign(begin_of_stream.begin(), begin_of_stream.end());
     Bits     bits(compressed);
     Checksum checksum;
-    bits.add(1 | 1 << 1, 3); // the last block, with fixed codes
+    bits.begin_block();
     const unsigned char *const end    = bytes + n_values * size;
     std::size_t                n_runs = 0;
     for (const unsigned char *value = bytes; value < end;)
@@ -316,25 +362,72 @@ namespace samara
 
 
 
+  const std::vector<unsigned char> &
+  Compressor::repeated(const void *const values, const std::vector<unsigned int> &times, const std::size_t size)
+  {
+    Assert(size > 0 && size <= most_bytes, dealii::ExcMessage("Values have a size, which is small."));
+    compressed.assign(begin_of_stream.begin(), begin_of_stream.end());
+    Bits     bits(compressed);
+    Checksum checksum;
+    bits.begin_block();
+    const auto *value = static_cast<const unsigned char *>(values);
+    for (std::size_t i = 0; i < times.size();)
+      {
+        std::size_t n    = times[i];
+        const auto *next = value + size;
+        for (++i; i < times.size() && std::memcmp(next, value, size) == 0; next += size)
+          n += times[i++];
+        if (n > 0)
+          {
+            bits.add_value(value, size, n);
+            checksum.add(value, size, n);
+          }
+        value = next;
+      }
+    bits.end_block();
+    add_checksum(checksum.value(), compressed);
+    return compressed;
+  }
+
+
+
+  const std::vector<unsigned char> &
+  Compressor::as_they_are(const void *const values, const std::size_t n_bytes)
+  {
+    store(static_cast<const unsigned char *>(values), n_bytes);
+    return compressed;
+  }
+
+
+
   void
   add_base64(const unsigned char *const bytes, const std::size_t n, std::string &text)
   {
-    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::size_t begin     = text.size();
+    // two letters, those of twelve bits, at a time
+    static const std::array<std::array<char, 2>, 4096> pairs = [] {
+      const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+      std::array<std::array<char, 2>, 4096> result;
+      for (unsigned int i = 0; i < 4096; ++i)
+        result[i] = {{letters[i >> 6], letters[i & 63]}};
+      return result;
+    }();
+    const std::size_t begin = text.size();
     text.resize(begin + (n + 2) / 3 * 4);
-    char *to = &text[begin];
-    for (std::size_t i = 0; i < n; i += 3, to += 4)
+    char             *to  = &text[begin];
+    const std::size_t all = n - n % 3;
+    for (std::size_t i = 0; i < all; i += 3, to += 4)
       {
-        const unsigned int in_group = n - i < 3 ? n - i : 3;
-        std::uint32_t      group    = bytes[i] << 16;
-        if (in_group > 1)
-          group |= bytes[i + 1] << 8;
-        if (in_group > 2)
-          group |= bytes[i + 2];
-        to[0] = letters[group >> 18];
-        to[1] = letters[group >> 12 & 63];
-        to[2] = in_group > 1 ? letters[group >> 6 & 63] : '=';
-        to[3] = in_group > 2 ? letters[group & 63] : '=';
+        const std::uint32_t group = bytes[i] << 16 | bytes[i + 1] << 8 | bytes[i + 2];
+        std::memcpy(to, pairs[group >> 12].data(), 2);
+        std::memcpy(to + 2, pairs[group & 4095].data(), 2);
       }
+    if (all == n)
+      return;
+    const std::uint32_t group = bytes[all] << 16 | (n - all > 1 ? bytes[all + 1] << 8 : 0);
+    std::memcpy(to, pairs[group >> 12].data(), 2);
+    std::memcpy(to + 2, pairs[group & 4095].data(), 2);
+    if (n - all < 2)
+      to[2] = '=';
+    to[3] = '=';
   }
 } // namespace samara

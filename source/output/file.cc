@@ -1,4 +1,5 @@
 #include <samara/base/errors.h>
+#include <samara/output/fifteen_digits.h>
 #include <samara/output/file.h>
 
 #include <fcntl.h>
@@ -180,8 +181,11 @@ namespace samara
   void
   append_number(std::string &line, const double number, const unsigned int digits)
   {
-    char       buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), number, std::chars_format::general, digits).ptr;
+    static_assert(digits_of_records == 15, "Numbers of records have a way of their own.");
+    char  buffer[64];
+    char *end = digits == digits_of_records ? write_fifteen_digits(number, buffer) : nullptr;
+    if (end == nullptr)
+      end = std::to_chars(buffer, buffer + sizeof(buffer), number, std::chars_format::general, digits).ptr;
     line.append(buffer, end);
   }
 

@@ -381,8 +381,8 @@ namespace samara
     const auto owner  = input.assemble();
     System    &system = *owner;
     check_size(input, system);
-    auto             probes = input.make_probes();
-    const ModelCheck counts = checked(input, system, log);
+    auto       probes = input.make_probes();
+    ModelCheck counts = checked(input, system, log);
     if (input.assembled)
       log.line(input.assembled->text());
     if (options.check)
@@ -401,6 +401,7 @@ namespace samara
     tell(options, input, system, counts, log);
     if (input.pictures && input.has_analysis("static") && !options.restart)
       draw_free(system, counts, folder, log);
+    counts.shapes = {}; // as long as the model is large, each of them
     std::vector<double> speeds;
     for (const auto &rotation : input.model.rotations)
       speeds.push_back(rotation.speed);

@@ -245,10 +245,6 @@ namespace samara
     upper.resize(structure.n_upper_values);
     inverse_pivots.resize(pattern.size());
     x.resize(pattern.size());
-    int largest_width = 0;
-    for (const auto &panel : structure.panels)
-      largest_width = std::max(largest_width, panel.width);
-    rows.resize(largest_width * pattern.size());
   }
 
 
@@ -260,7 +256,10 @@ namespace samara
     smallest_pivot    = std::numeric_limits<double>::infinity();
     largest_pivot     = 0;
     n_negative_pivots = 0;
-    std::fill(rows.begin(), rows.end(), Number());
+    int largest_width = 0;
+    for (const auto &panel : structure.panels)
+      largest_width = std::max(largest_width, panel.width);
+    rows.assign(largest_width * row_order.size(), Number());
     for (const auto &panel : structure.panels)
       {
         int lost = -1;
@@ -269,6 +268,10 @@ namespace samara
           return column_order[panel.first + lost];
       }
     rcond = std::isfinite(largest_pivot) ? std::sqrt(smallest_pivot / largest_pivot) : 0;
+    // of a large model they are in the way of the next matrices
+    constexpr std::size_t worth_freeing = 1 << 17;
+    if (rows.size() > worth_freeing)
+      rows = std::vector<Number>();
     return -1;
   }
 

@@ -133,6 +133,10 @@ namespace samara
       }
     place_values();
     find_runs(pattern, pivots);
+    panel_of = std::vector<int>();
+    for (auto *const list : {&lower_columns, &upper_columns, &sources})
+      list->shrink_to_fit();
+    panels.shrink_to_fit();
   }
 
 

@@ -16,6 +16,17 @@ namespace samara
     constexpr double       worth_remembering = 0.4;
     constexpr unsigned int pause             = 20;
 
+    /** Of models with more numbers a stage, which memory counts for, fewer steps are kept, and orders end with the
+     * second. */
+    constexpr std::size_t  worth_sparing = 20000;
+    constexpr unsigned int few_steps     = 3;
+
+    unsigned int
+    steps_kept(const std::size_t n_values)
+    {
+      return n_values > worth_sparing ? few_steps : StageHistory::most_steps;
+    }
+
     /** Values of the steps before, the last one first; nowhere overlapping. */
     using Past = const double *__restrict__;
 
@@ -81,6 +92,15 @@ namespace samara
         }
       return 2 * n_small > n_changing;
     }
+    /** Of steps that are not kept there is the last one: nothing that is made of it is used. */
+    std::array<const double *, StageHistory::most_steps>
+    past_of(const std::array<std::vector<double>, StageHistory::most_steps> &values)
+    {
+      std::array<const double *, StageHistory::most_steps> past;
+      for (unsigned int j = 0; j < past.size(); ++j)
+        past[j] = values[values[j].empty() ? 0 : j].data();
+      return past;
+    }
   } // namespace
 
 
@@ -91,8 +111,8 @@ namespace samara
     if (n_steps < 2 || pauses())
       return;
     const Stage &stage = stages[k];
-    const Past   a = stage.values[0].data(), b = stage.values[1].data(), c = stage.values[2].data(),
-               d = stage.values[3].data(), e = stage.values[4].data();
+    const auto   past  = past_of(stage.values);
+    const Past   a = past[0], b = past[1], c = past[2], d = past[3], e = past[4];
     const double *const __restrict__ orders = stage.order.data();
     double *const __restrict__ to           = values.data();
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -119,26 +139,28 @@ namespace samara
           n_steps = 0;
         return;
       }
-    Stage &stage = stages[k];
+    Stage             &stage  = stages[k];
+    const unsigned int n_kept = steps_kept(values.size());
     stage.order.assign(values.size(), 0.);
     bool is_worth_it = true;
     if (n_steps > 1)
-      {
-        std::array<const double *, most_steps> past;
-        for (unsigned int j = 0; j < most_steps; ++j)
-          past[j] = stage.values[j].data();
-        is_worth_it = choose(values.size(), values.data(), otherwise.data(), past, n_steps, stage.order.data());
-      }
+      is_worth_it =
+        choose(values.size(), values.data(), otherwise.data(), past_of(stage.values), n_steps, stage.order.data());
     else
-      for (auto &of_step : stage.values)
-        of_step.resize(values.size(), 0.);
-    std::rotate(stage.values.begin(), stage.values.end() - 1, stage.values.end());
+      for (unsigned int j = 0; j < n_kept; ++j)
+        stage.values[j].resize(values.size(), 0.);
+    std::rotate(stage.values.begin(), stage.values.begin() + n_kept - 1, stage.values.begin() + n_kept);
     stage.values[0] = values;
     if (!is_last)
       return;
-    if (n_steps == most_steps && !is_worth_it)
-      n_steps += pause;
-    else
-      n_steps = std::min(n_steps + 1, most_steps);
+    if (n_steps < n_kept || is_worth_it)
+      {
+        n_steps = std::min(n_steps + 1, n_kept);
+        return;
+      }
+    n_steps = most_steps + pause;
+    if (n_kept < most_steps)
+      for (Stage &of_pause : stages)
+        of_pause = Stage();
   }
 } // namespace samara

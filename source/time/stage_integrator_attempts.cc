@@ -146,7 +146,7 @@ namespace samara
   struct StageIntegrator::Progress
   {
     unsigned int n = 0, n_stagnant = 0; ///< corrections, and the last of them without progress
-    double       last = 0, last_rate = 0, worse_rate = 0, smallest = 1e300;
+    double       last = 0, last_rate = 0, worse_rate = 0, rate_of_two = 0, smallest = 1e300;
     double       work_left = 0, rate_of_work = 1;
 
     /** All corrections to come, at this rate. */
@@ -161,6 +161,7 @@ namespace samara
     {
       const double rate = last > 0 ? size / last : 0;
       worse_rate        = std::max(rate, last_rate); // rates may alternate
+      rate_of_two       = std::min(rate, last_rate) < least_rate ? std::sqrt(rate * last_rate) : worse_rate;
       last_rate         = rate;
       if (size > size_of_round_off)
         smallest = std::max(smallest, size); // a first correction may be none by accident
@@ -179,13 +180,14 @@ namespace samara
 
     /**
      * Whether corrections shrink by less than the factor @p slow, and more than a few are missing: log(tolerance/last)
-     * / log(rate) of them, at a rate below one so that this is a number.
+     * / log(rate) of them, at a rate below one so that this is a number. Where one correction is larger than its
+     * neighbours for what vibrates in large models, with rates as 0.8 and 0.002, the mean of two tells how many.
      */
     bool
     is_too_slow(const double slow, const double tolerance) const
     {
-      return n > 2 && worse_rate > slow && last > size_of_slowness &&
-             std::log(tolerance / last) / std::log(std::min(worse_rate, 0.99)) > most_iterations_to_come;
+      return n > 2 && rate_of_two > slow && last > size_of_slowness &&
+             std::log(tolerance / last) / std::log(std::min(rate_of_two, 0.99)) > most_iterations_to_come;
     }
   };
 

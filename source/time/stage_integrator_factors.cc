@@ -37,6 +37,97 @@ namespace samara
     {
       return K.pattern->n_nonzeros() > 300000;
     }
+
+
+
+    std::vector<double>
+    entries_of(const SparseMatrix &K, const std::vector<unsigned int> &numbers)
+    {
+      std::vector<double> result;
+      result.reserve(numbers.size());
+      for (const unsigned int i : numbers)
+        result.push_back(K.values[i]);
+      return result;
+    }
+
+
+
+    /** What matrices of stages have besides hμ C + (hμ)² K: rows and columns of constraints as they are, @p kept,
+     * masses, and contacts in groups. */
+    template <typename Number, typename Masses, typename Pairs>
+    void
+    complete(const Number                    &hm,
+             const std::vector<unsigned int> &of_constraints,
+             const std::vector<double>       &kept,
+             const Masses                    &masses,
+             const Pairs                     &pairs,
+             std::vector<Number>             &values)
+    {
+      for (unsigned int i = 0; i < of_constraints.size(); ++i)
+        values[of_constraints[i]] = kept[i];
+      for (const auto &m : masses)
+        values[m.at] += m.value;
+      for (const auto &p : pairs)
+        values[p.at] += hm * p.C + hm * hm * p.K;
+    }
+
+
+
+    /**
+     * The matrices of a large model, hμ C + (hμ)² K for one real μ and one complex, each where it is not zero, without
+     * C, K and both at once: of 90 000 unknowns each of them has 22 MB, the complex matrix twice as much.
+     */
+    struct MatricesInTurn
+    {
+      const System                      &system;
+      const State                       &state;
+      SparseMatrix                      &K, &C; ///< K is known; both are gone afterwards
+      std::vector<double>               &real;
+      std::vector<std::complex<double>> &complex;
+
+      void
+      combine(const double of_real, const std::complex<double> &of_complex)
+      {
+        const unsigned int n = K.pattern->n_nonzeros();
+        C.values             = std::vector<double>();
+        if (of_complex == 0.)
+          {
+            real.swap(K.values);
+            C.values.resize(n + 1);
+            system.damping(state, C);
+            for (unsigned int i = 0; i < n; ++i)
+              real[i] = of_real * C.values[i] + of_real * of_real * real[i];
+          }
+        else
+          {
+            complex.resize(n);
+            for (unsigned int i = 0; i < n; ++i)
+              complex[i] = of_complex * of_complex * K.values[i];
+            C.values.swap(K.values);
+            system.damping(state, C);
+            for (unsigned int i = 0; i < n; ++i)
+              complex[i] += of_complex * C.values[i];
+            if (of_real != 0.)
+              make_real(of_real, of_complex);
+          }
+        C.values = std::vector<double>();
+        K.values = std::vector<double>();
+      }
+
+      /** In the place of C: K is the real part of z/(hμ)² − C/(hμ) for the complex matrix z. */
+      void
+      make_real(const double h, const std::complex<double> &a)
+      {
+        const std::complex<double> of_z = 1. / (a * a), of_C = 1. / a;
+        real.swap(C.values);
+        for (unsigned int i = 0; i < complex.size(); ++i)
+          {
+            const std::complex<double> &z = complex[i];
+            const double                K = of_z.real() * z.real() - of_z.imag() * z.imag() - of_C.real() * real[i];
+            real[i]                       = h * real[i] + h * h * K;
+          }
+      }
+    };
   } // namespace
 
 
@@ -148,9 +239,15 @@ namespace samara
   void
   StageIntegrator::factorize(const double h)
   {
-    combine_matrices(h);
     const bool is_large = are_large(K);
-    const auto make     = [&](const unsigned int j) {
+    const auto renew    = [&] {
+      if (!frozen_strains)
+        frozen_strains = system.linear_strains();
+      Point<double> point = frozen.point();
+      point.multipliers   = no_multipliers.data();
+      frozen_strains->renew(point);
+    };
+    const auto make = [&](const unsigned int j) {
       if (factors[j].real)
         {
           factors[j].real->factorize(real_matrix);
@@ -164,12 +261,32 @@ namespace samara
             matrix = std::vector<std::complex<double>>();
         }
     };
-    // of a large model the search for pivots needs the most memory of all: for one of them at a time
-    if (is_large && n_factorizations == 0)
-      for (unsigned int j = 0; j < factors.size(); ++j)
-        make(j);
-    else
-      for_factors(make);
+    // Of a large model nothing needs as much memory as this: its matrices become factors, and are gone, one after the
+    // other, the real one first; B, which has 21 MB of 90 000 unknowns, is made anew behind them, and what stages had
+    // in earlier steps, as much, is collected anew.
+    if (is_large)
+      {
+        frozen_strains.reset();
+        for (auto *const history : {&velocity_history, &rate_history, &stress_history, &multiplier_history})
+          *history = StageHistory(tableau.s);
+      }
+    try
+      {
+        combine_matrices(h);
+        if (!is_large)
+          for_factors(make);
+        else
+          for (const bool is_real : {true, false})
+            for (unsigned int j = 0; j < factors.size(); ++j)
+              if ((factors[j].real != nullptr) == is_real)
+                make(j);
+      }
+    catch (const SingularMatrix &)
+      {
+        renew();
+        throw;
+      }
+    renew();
     n_factorizations += factors.size();
     factored_step = step_of_factors = h;
     n_steps_with_factors            = 0;
@@ -186,9 +303,7 @@ namespace samara
     factored_step = step_of_factors = 0;
     if (!contacts.is_empty())
       add_contacts_to_matrices();
-    for (auto *const parts : {&C, &K})
-      parts->values.resize(parts->pattern->n_nonzeros() + 1);
-    system.damping(frozen, C);
+    K.values.resize(K.pattern->n_nonzeros() + 1);
     system.tangent(frozen, K);
     for (const auto i : left_out)
       K.values[K.pattern->position(system.layout.of_multiplier(i), system.layout.of_multiplier(i))] = 1;
@@ -198,9 +313,25 @@ namespace samara
         const double scale = row_scale(system.layout, K, i, length);
         gap_scale[i]       = scale > 0 ? scale : 1.;
       }
-    Point<double> point = frozen.point();
-    point.multipliers   = no_multipliers.data();
-    frozen_strains->renew(point);
+    if (are_large(K) && entries_in_use.empty())
+      {
+        double               of_real = 0; // at most one of each
+        std::complex<double> of_complex(0);
+        for (unsigned int j = 0; j < factors.size(); ++j)
+          if (factors[j].real)
+            of_real = h * tableau.eigenvalues[j].mu.real();
+          else
+            of_complex = h * tableau.eigenvalues[j].mu;
+        const std::vector<double> of_constraints = entries_of(K, constraint_entries);
+        MatricesInTurn{system, frozen, K, C, real_matrix.values, matrix}.combine(of_real, of_complex);
+        if (of_real != 0.)
+          complete(of_real, constraint_entries, of_constraints, mass, entries_of_pairs, real_matrix.values);
+        if (of_complex != 0.)
+          complete(of_complex, constraint_entries, of_constraints, mass, entries_of_pairs, matrix);
+        return;
+      }
+    C.values.resize(C.pattern->n_nonzeros() + 1);
+    system.damping(frozen, C);
     for_factors([&](const unsigned int j) {
       const std::complex<double> hm = h * tableau.eigenvalues[j].mu;
       if (factors[j].real)

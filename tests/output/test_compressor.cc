@@ -16,15 +16,20 @@ namespace
   using Bytes = std::vector<unsigned char>;
 
   void
-  expect_comes_back(Compressor &compressor, const Bytes &bytes, const std::size_t size)
+  expect_inflates_to(const Bytes &bytes, const Bytes &stream, const std::size_t size)
   {
-    const Bytes &stream = compressor(bytes.data(), bytes.size() / size, size);
-    Bytes        found(bytes.size() + 1);
-    uLongf       length = found.size();
+    Bytes  found(bytes.size() + 1);
+    uLongf length = found.size();
     ASSERT_EQ(uncompress(found.data(), &length, stream.data(), stream.size()), Z_OK)
       << bytes.size() << " bytes of values of " << size;
     found.resize(length);
     EXPECT_TRUE(found == bytes) << bytes.size() << " bytes of values of " << size;
+  }
+
+  void
+  expect_comes_back(Compressor &compressor, const Bytes &bytes, const std::size_t size)
+  {
+    expect_inflates_to(bytes, compressor(bytes.data(), bytes.size() / size, size), size);
   }
 
   /** So many values of a size, each that often in a row, of bytes below @p letters. */
@@ -78,6 +83,39 @@ TEST(Compressor, LargeArrays)
   const Bytes tube = runs(12, 120000, 12, 256);
   expect_comes_back(compressor, tube, 12);
   EXPECT_LT(compressor(tube.data(), 120000, 12).size(), tube.size() / 9);
+}
+
+
+
+// Values with how often each comes: once, never, as often as outlines have corners, very often; also where neighbours
+// are the same. The stream is that of the array in which all of them are written down.
+TEST(Compressor, RepeatedValues)
+{
+  Compressor                      compressor;
+  const std::vector<unsigned int> patterns[] = {{12, 12, 12}, {1, 2, 3, 0, 0, 4, 1}, {25}, {0}, {}, {66000, 1}};
+  for (const std::size_t size : {1, 12, 64})
+    for (const auto &times : patterns)
+      for (const std::size_t length : {1, 2}) // of neighbours that are the same
+        {
+          const Bytes values = runs(size, times.size(), length, 256);
+          Bytes       all;
+          for (std::size_t i = 0; i < times.size(); ++i)
+            for (unsigned int k = 0; k < times[i]; ++k)
+              all.insert(all.end(), values.begin() + i * size, values.begin() + (i + 1) * size);
+          expect_inflates_to(all, compressor.repeated(values.data(), times, size), size);
+        }
+}
+
+
+
+TEST(Compressor, StoredAsTheyAre)
+{
+  Compressor compressor;
+  for (const std::size_t n : {0, 1, 65535, 65536, 200000})
+    {
+      const Bytes bytes = runs(1, n, 1, 2);
+      expect_inflates_to(bytes, compressor.as_they_are(bytes.data(), n), 1);
+    }
 }
 
 

@@ -28,6 +28,9 @@ namespace samara
 
     /** What concerns G, shear factors and density is done by the caller of this. */
     virtual SectionValues closed_form() const = 0;
+
+  private:
+    mutable std::vector<Eigen::Vector2d> drawn; ///< the outline, once it has been asked for: a beam does at each sample
   };
 
 

@@ -36,6 +36,13 @@ namespace samara
      */
     const std::vector<unsigned char> &operator()(const void *values, std::size_t n_values, std::size_t size);
 
+    /** The same of values of which each comes times[i] times in a row; of at most 64 bytes each. */
+    const std::vector<unsigned char> &
+    repeated(const void *values, const std::vector<unsigned int> &times, std::size_t size);
+
+    /** The same in stored blocks, whatever the library would make of them. */
+    const std::vector<unsigned char> &as_they_are(const void *values, std::size_t n_bytes);
+
   private:
     z_stream                   stream{};
     std::vector<unsigned char> compressed;
