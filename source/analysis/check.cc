@@ -24,6 +24,18 @@ namespace samara
               return c->parameters.where() + ": ";
       return "";
     }
+
+    /** "model.prm:12: " of the item that a multiplier or a friction of this name belongs to. */
+    std::string
+    place_of_item(const System &system, const std::string &name)
+    {
+      for (const auto *c : system.layout.joints)
+        for (const std::string kind : {"joint ", "gear "})
+          if (const std::string whose = kind + c->name;
+              name.compare(0, whose.size(), whose) == 0 && (name.size() == whose.size() || name[whose.size()] == ','))
+            return c->parameters.where() + ": ";
+      return "";
+    }
   } // namespace
 
 
@@ -215,10 +227,11 @@ namespace samara
                ". Give a joint of the loop more freedom (spherical or cylindrical instead of revolute), or " + or_else;
       };
     if (const auto names = not_unique(system.layout.multipliers_in_laws); !names.empty())
-      return complaint("an expression", names, "take another signal");
+      return place_of_item(system, names.front()) + complaint("an expression", names, "take another signal");
     for (const auto &friction : system.layout.frictions)
       if (const auto names = not_unique(friction.multipliers); !names.empty())
-        return complaint(friction.name, names, "take away the joint that repeats it");
+        return place_of_item(system, friction.name) +
+               complaint(friction.name, names, "take away the joint that repeats it");
     return "";
   }
 

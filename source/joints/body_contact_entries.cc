@@ -177,6 +177,9 @@ namespace samara
     law = contact.law(parameters, "", "joint <" + name + ">", m.complaints);
     if (friction.is_given())
       friction_law = friction.law(parameters, "joint <" + name + ">", m.complaints);
+    else
+      friction.refuse_unused(
+        parameters, "joint <" + name + ">", m.complaints, {}, rolling > 0 || turning > 0 ? "Sticking speed" : "");
     if ((rolling > 0 || turning > 0) && friction.sticking_speed == 0)
       complain(m, "Sticking speed", "the <Sticking speed> must be above zero");
     return is_good;

@@ -25,9 +25,9 @@ namespace samara
     class BristleEquations
     {
     public:
-      BristleEquations(Layout &layout, const Layout::Friction &friction)
+      BristleEquations(Layout &layout, const Item &item, const Layout::Friction &friction)
         : friction(friction)
-        , pressing(layout, friction)
+        , pressing(layout, item, friction)
         , n(friction.coordinates.size())
         , first_state(n + pressing.n_gaps())
       {
@@ -142,8 +142,8 @@ namespace samara
     class BristleTerm : public Evaluated<BristleTerm<Kind, is_rate>, Kind>
     {
     public:
-      BristleTerm(Layout &layout, const Layout::Friction &friction)
-        : equations(layout, friction)
+      BristleTerm(Layout &layout, const Item &item, const Layout::Friction &friction)
+        : equations(layout, item, friction)
       {}
 
       template <typename Number>
@@ -208,16 +208,16 @@ namespace samara
 
 
   std::unique_ptr<Force>
-  bristle_force(Layout &layout, const Layout::Friction &friction)
+  bristle_force(Layout &layout, const Item &item, const Layout::Friction &friction)
   {
-    return std::make_unique<BristleForce>(layout, friction);
+    return std::make_unique<BristleForce>(layout, item, friction);
   }
 
 
 
   std::unique_ptr<StateEquation>
-  bristle_equation(Layout &layout, const Layout::Friction &friction)
+  bristle_equation(Layout &layout, const Item &item, const Layout::Friction &friction)
   {
-    return std::make_unique<BristleRate>(layout, friction);
+    return std::make_unique<BristleRate>(layout, item, friction);
   }
 } // namespace samara

@@ -16,6 +16,33 @@ namespace samara
 
 
 
+  std::string
+  ContactEntries::speed_name(const std::string &prefix)
+  {
+    return prefix.empty() ? "Impact speed" : name(prefix, "speed");
+  }
+
+
+
+  void
+  ContactEntries::refuse_all(const Parameters  &prm,
+                             const std::string &prefix,
+                             const std::string &whose,
+                             const std::string &why,
+                             Complaints        &complaints)
+  {
+    for (const std::string &entry : {name(prefix, "stiffness"),
+                                     name(prefix, "damping"),
+                                     name(prefix, "exponent"),
+                                     name(prefix, "restitution"),
+                                     speed_name(prefix),
+                                     name(prefix, "force")})
+      if (prm.is_set(entry))
+        complaints.add(prm.where(entry), whose + ": <" + entry + "> does nothing: " + why);
+  }
+
+
+
   void
   ContactEntries::add_parameters(Parameters &prm, const std::string &prefix, const bool turns)
   {
@@ -38,7 +65,7 @@ namespace samara
             std::string("Part of its speed with which a body alone leaves; the damping of Hunt and Crossley that ") +
               "does it at the " + (is_stop ? "stop" : "impact") + " speed; 1: none [1].",
             Double(0, 1));
-    prm.add(is_stop ? name(prefix, "speed") : "Impact speed",
+    prm.add(speed_name(prefix),
             speed,
             std::string("Speed of the impact at which the restitution holds ") + (turns ? "[rad/s]." : "[m/s]."),
             Double(0));
@@ -86,8 +113,12 @@ namespace samara
                       const std::string &whose,
                       Complaints        &complaints) const
   {
-    const std::string speed_entry = prefix.empty() ? "Impact speed" : name(prefix, "speed");
+    const std::string speed_entry = speed_name(prefix), restitution_entry = name(prefix, "restitution");
     ContactLaw        law;
+    if (prm.is_set(speed_entry) && !prm.is_set(restitution_entry))
+      complaints.add(prm.where(speed_entry),
+                     whose + ": <" + speed_entry + "> does nothing: it is that at which a <" + restitution_entry +
+                       "> holds, and none is given");
     if (!force.is_zero())
       law = by_expression(prm, prefix, whose, complaints);
     law.stiffness = stiffness;
@@ -96,13 +127,13 @@ namespace samara
     if (restitution == 1)
       return law;
     if (restitution == 0)
-      complaints.add(prm.where(name(prefix, "restitution")),
-                     whose + ": a <" + name(prefix, "restitution") +
+      complaints.add(prm.where(restitution_entry),
+                     whose + ": a <" + restitution_entry +
                        "> of zero would need an infinite damping; a small one, or <" + name(prefix, "damping") +
                        ">, is possible");
     else if (speed == 0)
-      complaints.add(prm.where(name(prefix, "restitution")),
-                     whose + ": the <" + name(prefix, "restitution") + "> holds at some <" + speed_entry +
+      complaints.add(prm.where(restitution_entry),
+                     whose + ": the <" + restitution_entry + "> holds at some <" + speed_entry +
                        ">, which must be given, above zero");
     else
       law.factor = hunt_crossley_factor(restitution, speed);
@@ -135,6 +166,31 @@ namespace samara
 
 
 
+  void
+  FrictionEntries::refuse_unused(const Parameters               &prm,
+                                 const std::string              &whose,
+                                 Complaints                     &complaints,
+                                 const std::vector<std::string> &more,
+                                 const std::string              &but)
+  {
+    if (prm.is_set("Friction") || prm.is_set("Static friction"))
+      return;
+    std::vector<std::string> entries = {"Stribeck speed",
+                                        "Sticking speed",
+                                        "Bristle stiffness",
+                                        "Bristle damping",
+                                        "Friction radius",
+                                        "Friction preload"};
+    entries.insert(entries.end(), more.begin(), more.end());
+    for (const auto &entry : entries)
+      if (entry != but && prm.has(entry) && prm.is_set(entry))
+        complaints.add(prm.where(entry),
+                       whose + ": <" + entry +
+                         "> does nothing: it is for friction, and there is none; give a <Friction>");
+  }
+
+
+
   FrictionLaw
   FrictionEntries::law(const Parameters &prm, const std::string &whose, Complaints &complaints) const
   {
@@ -158,6 +214,11 @@ namespace samara
       }
     else if (sticking_speed == 0)
       complaints.add(prm.where("Sticking speed"), whose + ": the <Sticking speed> must be above zero");
+    if (prm.is_set("Stribeck speed") && !prm.is_set("Static friction"))
+      complaints.add(prm.where("Stribeck speed"),
+                     whose +
+                       ": the <Stribeck speed> does nothing: it leads from a <Static friction> to the <Friction>, and "
+                       "none is given");
     if (law.breakaway < law.kinetic)
       complaints.add(prm.where("Static friction"),
                      whose + ": the <Static friction> must not be below the <Friction> of what slips");

@@ -100,9 +100,9 @@ namespace samara
   class ContactTerms::Friction : public Evaluated<ContactTerms::Friction, Force>
   {
   public:
-    Friction(Layout &layout, const Layout::Friction &friction)
+    Friction(Layout &layout, const Item &item, const Layout::Friction &friction)
       : friction(friction)
-      , pressing(layout, friction)
+      , pressing(layout, item, friction)
       , n(friction.coordinates.size())
     {
       layout.couple(block, {}, pressing.coordinates(), friction.multipliers);
@@ -193,9 +193,9 @@ namespace samara
   {
     layout.frictions.push_back(friction);
     if (friction.states.empty())
-      return add(layout, item, std::make_unique<Friction>(layout, friction));
-    add(layout, item, bristle_force(layout, friction));
-    equations.push_back(bristle_equation(layout, friction));
+      return add(layout, item, std::make_unique<Friction>(layout, item, friction));
+    add(layout, item, bristle_force(layout, item, friction));
+    equations.push_back(bristle_equation(layout, item, friction));
     layout.add(item, *equations.back());
   }
 } // namespace samara

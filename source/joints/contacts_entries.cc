@@ -332,6 +332,34 @@ namespace samara
 
 
   void
+  ContactsItem::refuse_unused() const
+  {
+    const auto does_nothing = [&](const std::vector<std::string> &entries, const std::string &why) {
+      for (const auto &entry : entries)
+        if (parameters.is_set(entry))
+          complain(entry, "<" + entry + "> does nothing: " + why);
+    };
+    if (std::all_of(balls.begin(), balls.end(), [](const std::string &b) {
+          return b.find(" radius ") != std::string::npos;
+        }))
+      does_nothing({"Ball radius"}, balls.empty() ? "there are no <Balls>" : "all <Balls> have a radius of their own");
+    const bool is_on_surface = !beams.empty() && !group.surfaces.empty();
+    if (!is_on_surface)
+      does_nothing({"Line stiffness", "Stations"},
+                   "it is for <Beams> that touch planes, cylinders, tubes or hollow balls");
+    if (is_on_surface && balls.empty() && law_entries.empty() && (n_lines() < 2 || touching != "all"))
+      does_nothing({"Stiffness", "Exponent", "Force"}, "where beams touch surfaces the <Line stiffness> holds");
+    if (law_entries.empty())
+      friction.refuse_unused(parameters,
+                             "contacts <" + name + ">",
+                             model->complaints,
+                             {},
+                             rolling > 0 || turning > 0 ? "Sticking speed" : "");
+  }
+
+
+
+  void
   ContactsItem::check_law()
   {
     const std::string whose = "contacts <" + name + ">";
@@ -342,6 +370,7 @@ namespace samara
     if (!beams.empty() && !group.surfaces.empty() && line_stiffness == 0)
       complain("Line stiffness", "beams need a <Line stiffness> above zero");
     check_stations();
+    refuse_unused();
     PairLaw &all           = group.laws.front();
     all.law                = contact.law(parameters, "", whose, model->complaints);
     all.line_law           = all.law;

@@ -165,6 +165,8 @@ namespace samara
           friction.coordinates = {static_cast<unsigned int>(m->coordinate)};
           if (m->bristles >= 0)
             friction.states = {static_cast<unsigned int>(m->bristles)};
+          friction.coordinates.insert(friction.coordinates.end(), m->beside.begin(), m->beside.end());
+          friction.states.insert(friction.states.end(), m->bristles_beside.begin(), m->bristles_beside.end());
           friction.arm     = m->is_angle() ? m->friction.radius : 1.;
           friction.law     = m->friction_law;
           friction.preload = m->friction.preload;

@@ -60,11 +60,19 @@ namespace samara
 
 
   void
-  FreeMotion::check_parameters(const Parameters &prm, Complaints &complaints)
+  FreeMotion::check_parameters(const Parameters &prm, Complaints &complaints, const bool stops_at_ends)
   {
     is_prescribed  = prm.is_set("Prescribed");
     has_lower_stop = prm.is_set("Lower stop");
     has_upper_stop = prm.is_set("Upper stop");
+    if (!has_lower_stop && !has_upper_stop && !stops_at_ends)
+      ContactEntries::refuse_all(
+        prm, "Stop ", "the " + name, "there is no stop; give a <Lower stop> or an <Upper stop>", complaints);
+    if (prm.is_set("Rest") && !prm.is_set("Spring"))
+      complaints.add(prm.where("Rest"),
+                     "the " + name + ": <Rest> does nothing: it is that of a <Spring>, and there is none");
+    if (may_rub)
+      FrictionEntries::refuse_unused(prm, "the " + name, complaints);
     if (damping.is_constant())
       damper = damping.of_time()(0.);
     if (damper < 0)

@@ -91,9 +91,9 @@ namespace samara
     if (plane.is_given())
       for (const std::string motion : {"displacement 1", "displacement 2"})
         displacements.push_back(*use_coordinate(m, motion));
-    if (plane.is_given())
+    if (plane.is_declared())
       plane.initialize(m, *this, parameters.subsection("displacement"), displacements);
-    if (ball.is_given())
+    if (ball.is_declared())
       ball.initialize(m, *this, parameters.subsection("rotation"), {});
   }
 

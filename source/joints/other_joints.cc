@@ -1,6 +1,8 @@
 #include <samara/joints/other_joints.h>
 #include <samara/model/drawing.h>
 
+#include <cmath>
+
 namespace samara
 {
   void
@@ -271,6 +273,44 @@ namespace samara
             "By which B can turn to and fro while A is held; not given: the teeth are rigid and have none [rad].",
             dealii::Patterns::Double(0));
     mesh.add_parameters(prm, "Mesh ", true);
+    prm.add(
+      "Efficiency",
+      efficiency,
+      "Part of the power that arrives at B where A drives; 2 - 1/Efficiency of it arrives at A where B drives. What "
+      "is lost is friction of the teeth; 1: none [1].",
+      dealii::Patterns::Double(0, 1));
+    prm.add("Pitch radius",
+            pitch_radius,
+            "Of the wheel on A, at which the sticking speed holds [m].",
+            dealii::Patterns::Double(0));
+    prm.add(
+      "Sticking speed",
+      sticking_speed,
+      "Speed at the pitch radius of A below which friction is proportional to it; what should stick creeps with a "
+      "part of it [m/s].",
+      dealii::Patterns::Double(0));
+  }
+
+
+
+  void
+  Gear::check_efficiency(Model &model) const
+  {
+    const auto complain = [&](const std::string &entry, const std::string &text) {
+      model.complaints.add(parameters.where(entry), "gear <" + name + ">: " + text);
+    };
+    if (efficiency == 0)
+      complain("Efficiency", "the <Efficiency> must be above zero");
+    else if (efficiency < 1)
+      for (const std::string entry : {"Pitch radius", "Sticking speed"})
+        if ((entry == "Pitch radius" ? pitch_radius : sticking_speed) == 0)
+          complain(parameters.is_set(entry) ? entry : "Efficiency",
+                   "an <Efficiency> below 1 needs a <" + entry + "> above zero");
+    if (!parameters.is_set("Efficiency"))
+      for (const std::string entry : {"Pitch radius", "Sticking speed"})
+        if (parameters.is_set(entry))
+          complain(entry,
+                   "<" + entry + "> does nothing: it is for friction of the teeth; give an <Efficiency> below 1");
   }
 
 
@@ -294,12 +334,14 @@ namespace samara
         }
     if (are_known && coordinates[0] == coordinates[1])
       model.complaints.add(parameters.where("Joint B"), "gear <" + name + "> connects a rotation to itself");
+    check_efficiency(model);
     has_backlash = parameters.is_set("Backlash");
-    if (!has_backlash && mesh.is_given())
-      model.complaints.add(parameters.where("Mesh stiffness"),
-                           "gear <" + name + ">: teeth that are not rigid need a <Backlash> above zero");
     if (!has_backlash)
-      return;
+      return ContactEntries::refuse_all(parameters,
+                                        "Mesh ",
+                                        "gear <" + name + ">",
+                                        "teeth that are not rigid need a <Backlash> above zero",
+                                        model.complaints);
     if (backlash == 0)
       model.complaints.add(parameters.where("Backlash"), "gear <" + name + ">: the <Backlash> must be above zero");
     if (!mesh.is_given())
@@ -329,6 +371,26 @@ namespace samara
                         law,
                         true,
                         "gear " + name + (side > 0 ? ", teeth in front" : ", teeth behind")});
+    add_friction(layout);
+  }
+
+
+
+  void
+  Gear::add_friction(Layout &layout)
+  {
+    if (efficiency == 1 || efficiency == 0 || pitch_radius == 0)
+      return;
+    // the multiplier is the moment on B: the law's coefficient makes the force at the pitch radius of A
+    Layout::Friction friction;
+    friction.coordinates        = {coordinates[0]};
+    friction.arm                = pitch_radius;
+    friction.law.kinetic        = (1 / efficiency - 1) * std::abs(ratio) / pitch_radius;
+    friction.law.breakaway      = friction.law.kinetic;
+    friction.law.sticking_speed = sticking_speed;
+    friction.multipliers        = {multiplier};
+    friction.name               = "gear " + name + ", friction of the teeth";
+    teeth.add_friction(layout, *this, friction);
   }
 
 

@@ -91,6 +91,8 @@ namespace samara
     prm.turns("Expressions", Turning::position);
     prm.turns("Axis", Turning::direction);
     prm.turns("Axis 1", Turning::direction);
+    friction.add_parameters(prm.subsection("displacement"), true, false);
+    ball.add_parameters(prm);
   }
 
 
@@ -130,6 +132,17 @@ namespace samara
     frame_a    = m.frame_at((*ends)[0], Vector3::Zero(), E);
     frame_b    = m.frame_at((*ends)[1], on_curve, E);
     coordinate = m.add_coordinate(name + ".displacement", "m");
+
+    const Parameters &along = parameters.subsection("displacement");
+    const std::string whose = "joint <" + name + ">, displacement";
+    bristles.clear();
+    if (friction.is_given())
+      friction_law = friction.law(along, whose, m.complaints);
+    else
+      FrictionEntries::refuse_unused(along, whose, m.complaints);
+    if (friction.is_given() && friction_law.has_bristles())
+      bristles = {static_cast<unsigned int>(m.add_state(name + ".displacement bristles", "m", 0., 1.))};
+    ball.initialize(m, *this, parameters.subsection("rotation"), {});
   }
 
 
@@ -151,6 +164,59 @@ namespace samara
       layout.corrections.push_back({first_multiplier + k, coordinate});
     term = std::make_unique<Constraints>(*this);
     layout.add(*this, *term);
+    add_friction_along(layout);
+    ball.connect(layout, *this, frame_a, frame_b, {first_multiplier, first_multiplier + 1, first_multiplier + 2});
+  }
+
+
+
+  void
+  PointOnCurve::add_friction_along(Layout &layout)
+  {
+    rubbing.clear();
+    if (!friction.is_given())
+      return;
+    Layout::Friction along;
+    along.coordinates = {coordinate};
+    along.states      = bristles;
+    along.law         = friction_law;
+    along.preload     = friction.preload;
+    along.multipliers = {first_multiplier, first_multiplier + 1, first_multiplier + 2};
+    along.name        = "joint " + name + ", friction of the displacement";
+    rubbing.add_friction(layout, *this, along);
+  }
+
+
+
+  template <typename Number>
+  PressingParts<Number>
+  PointOnCurve::parts_at(const Point<Number> &point) const
+  {
+    const Number         sigma  = point.coordinates[coordinate] + start;
+    const GuideCurve::At along  = at(std::real(sigma));
+    const Number         beyond = sigma - std::real(sigma); // of a complex step
+    Vec3<Number>         t;
+    for (unsigned int k = 0; k < 3; ++k)
+      t(k) = along.tangent(k) + along.curvature(k) * beyond;
+    PressingParts<Number> parts;
+    parts.add(3) = Mat3<Number>::Identity() - t * t.transpose();
+    return parts;
+  }
+
+
+
+  PressingParts<double>
+  PointOnCurve::pressing_parts(const Layout::Friction &, const Point<double> &point) const
+  {
+    return parts_at(point);
+  }
+
+
+
+  PressingParts<std::complex<double>>
+  PointOnCurve::pressing_parts(const Layout::Friction &, const Point<std::complex<double>> &point) const
+  {
+    return parts_at(point);
   }
 
 

@@ -53,11 +53,28 @@ namespace samara
 
 
   void
+  SlidingPoint::add_parameters(Parameters &prm)
+  {
+    SlidingJoint::add_parameters(prm);
+    ball.add_parameters(prm);
+  }
+
+
+
+  void
   SlidingSleeve::add_parameters(Parameters &prm)
   {
     cosines = {{1, 0, false, "rotation 3"}, {2, 0, false, "rotation 2"}};
     SlidingJoint::add_parameters(prm);
     add_bearing_length(prm);
+    has_bore = true;
+    prm.subsection("displacement")
+      .add(
+        "Friction radius",
+        free.front().friction.radius,
+        "Radius of the bore, where friction acts against the slip of sliding and of turning about the beam together; 0: "
+        "against sliding alone [m].",
+        dealii::Patterns::Double(0));
   }
 
 
@@ -82,6 +99,8 @@ namespace samara
             turn,
             "Rotation of B about axis 1 of the beam against its sections, right-handed, per length it slides towards "
             "the end of the beam [rad/m].");
+    has_thread = true;
+    thread.add_parameters(prm);
   }
 
 
@@ -111,7 +130,7 @@ namespace samara
     axes_of_rows    = E;
     frame_a         = m.frame_at(rail->pieces()[rail->piece_at(start)].frames.front(), at.x[0], E);
     frame_b         = m.frame_at(b, at.x[0], E);
-    free.front().check_parameters(parameters.subsection("displacement"), m.complaints);
+    free.front().check_parameters(parameters.subsection("displacement"), m.complaints, ends == "stop");
     check_bearing_length(m);
     if (ends == "stop")
       add_stops_at_ends(m);
@@ -119,6 +138,36 @@ namespace samara
       check_leaving(m);
     use_coordinate(m, "displacement");
     free.front().add_bristles(m, name);
+    initialize_turning(m);
+  }
+
+
+
+  void
+  SlidingJoint::initialize_turning(Model &m)
+  {
+    FreeMotion &motion = free.front();
+    motion.beside.clear();
+    motion.bristles_beside.clear();
+    if (has_bore && motion.friction.is_given() && motion.friction.radius > 0)
+      {
+        motion.beside = {m.add_coordinate(name + ".slip round the beam", "m")};
+        if (motion.friction_law.has_bristles())
+          motion.bristles_beside = {m.add_state(name + ".bristles round the beam", "m", 0., 1.)};
+      }
+    if (has_thread)
+      thread.initialize(m, *this, parameters.subsection("thread"));
+    if (has_thread && thread.is_given() && turn == 0)
+      m.complaints.add(parameters.subsection("thread").where("Friction"),
+                       "joint <" + name + ">: without a <Turn per length> there is no thread that could rub");
+    if (!ball.is_declared())
+      return;
+    ball.initialize(m, *this, parameters.subsection("rotation"), {});
+    if (ball.is_given() && body_a.find('.') != std::string::npos)
+      m.complaints.add(parameters.subsection("rotation").where("Friction"),
+                       "joint <" + name +
+                         ">: against what would it turn? The axes of a shell do not follow its lines. Let a rigid body "
+                         "without mass slide there, with a <spherical> joint on it that rubs");
   }
 
 

@@ -63,11 +63,13 @@ namespace samara
         m.complaints.add(prm.where(entry),
                          "joint <" + name +
                            ">: a spring along the beam would hold what has left it; <At the ends = leave> has none");
-    if (motion.friction.bristle_stiffness > 0)
-      m.complaints.add(prm.where("Bristle stiffness"),
-                       "joint <" + name +
-                         ">: bristles keep what they have stored; with <At the ends = leave> friction "
-                         "needs a <Sticking speed>");
+    for (const std::string of : {"displacement", "rotation", "thread"})
+      if (const bool is_there = of == "displacement" || (of == "rotation" ? ball.is_declared() : has_thread); is_there)
+        if (const auto &rubs = parameters.subsection(of); rubs.is_set("Bristle stiffness"))
+          m.complaints.add(rubs.where("Bristle stiffness"),
+                           "joint <" + name +
+                             ">: bristles keep what they have stored; with <At the ends = leave> friction "
+                             "needs a <Sticking speed>");
     if (motion.has_lower_stop && motion.has_upper_stop)
       complain(m, "At the ends", "joint <" + name + ">: with stops on both sides nothing leaves");
   }

@@ -1,92 +1,11 @@
 // The constraints of joints that slide along beams.
 
-#include <samara/joints/moment_of.h>
-#include <samara/joints/sliding.h>
+#include <samara/joints/sliding_values.h>
 
 #include <limits>
 
 namespace samara
 {
-  namespace
-  {
-    /** The change of moment_of(H) by a turn θ under forces that stand still: H − tr(H) I. */
-    Matrix3
-    change_of_moment(const Matrix3 &H)
-    {
-      return H - H.trace() * Matrix3::Identity();
-    }
-
-    template <typename Number>
-    Number
-    product(const Mat3<Number> &a, const Mat3<Number> &b)
-    {
-      return a.cwiseProduct(b).sum();
-    }
-
-    /** The rail and the frame of B at a configuration. */
-    template <typename Number>
-    struct SlidingValues
-    {
-      Rail::AllWeights<Number> weights;
-      RailPlace<Number>        at;
-      Vec3<Number>             x_b;
-      Mat3<Number>             E;
-
-      SlidingValues(const Rail &rail, const Frame &b, const Number &S, const Number *q)
-        : weights(rail.weights(S))
-        , at(rail.place(weights, q))
-        , x_b(b.position(q))
-        , E(b.triad(q))
-      {}
-
-      /** Σ of E_i·d_k, of the derivative @p n of d by S. */
-      Mat3<Number>
-      cosines(const unsigned int n) const
-      {
-        return E.transpose() * at.d[n];
-      }
-    };
-
-    /** Multipliers as a force on B and the factors of E_i·d_k, with their derivatives by S. */
-    template <typename Number>
-    struct SlidingForces
-    {
-      Vec3<Number>                force = Vec3<Number>::Zero();
-      std::array<Mat3<Number>, 3> A     = {{Mat3<Number>::Zero(), Mat3<Number>::Zero(), Mat3<Number>::Zero()}};
-
-      /** Add the gradient by the twists of the frames of one part of the rail. */
-      template <typename Vector>
-      void
-      add_to_rail(const SlidingValues<Number> &values,
-                  const Rail::Weights<Number> &part,
-                  const std::vector<Frame>    &frames,
-                  const Number                *q,
-                  Vector                     &&r) const
-      {
-        const Mat3<Number> EA = values.E * A[0];
-        for (unsigned int a = 0; a < frames.size(); ++a)
-          {
-            const Mat3<Number> to_frame = frames[a].triad(q).transpose();
-            r.template segment<3>(6 * a) -= part.of[0][a] * (to_frame * force);
-            r.template segment<3>(6 * a + 3) += part.of[0][a] * moment_of<Number>(to_frame * EA);
-          }
-      }
-
-      /** That by the twist of B and by S. */
-      Eigen::Matrix<Number, 7, 1>
-      of_b_and_s(const SlidingValues<Number> &values) const
-      {
-        Eigen::Matrix<Number, 7, 1> r;
-        r << values.E.transpose() * force, moment_of<Number>(values.cosines(0) * A[0].transpose()),
-          product<Number>(A[0], values.cosines(1)) + product<Number>(A[1], values.cosines(0)) -
-            force.cwiseProduct(values.at.x[1]).sum();
-        return r;
-      }
-    };
-  } // namespace
-
-
-
   class SlidingJoint::Rows : public Evaluated<SlidingJoint::Rows, Constraint>
   {
   public:
@@ -128,18 +47,6 @@ namespace samara
 
     template <typename Number>
     SlidingForces<Number> forces(const Number *multipliers, const Number &sigma) const;
-    /** What turns of the frames, and motions of S, change of the gradient: what the frames of a part of the rail feel,
-     * and what B and S feel, whose unknowns begin with @p b. @{ */
-    void add_turns_of_rail(const SlidingValues<double> &values,
-                           const Rail::Weights<double> &part,
-                           const SlidingForces<double> &forces,
-                           const double                *q,
-                           Eigen::MatrixXd             &K) const;
-    void add_turns_of_b(const SlidingValues<double> &values,
-                        const SlidingForces<double> &forces,
-                        unsigned int                 b,
-                        Eigen::MatrixXd             &K) const;
-    /** @} */
   };
 
 
@@ -206,11 +113,12 @@ namespace samara
 
 
   void
-  SlidingJoint::Rows::add_turns_of_rail(const SlidingValues<double> &values,
-                                        const Rail::Weights<double> &part,
-                                        const SlidingForces<double> &f,
-                                        const double                *q,
-                                        Eigen::MatrixXd             &K) const
+  add_turns_of_rail(const Rail                  &rail,
+                    const SlidingValues<double> &values,
+                    const Rail::Weights<double> &part,
+                    const SlidingForces<double> &f,
+                    const double                *q,
+                    Eigen::MatrixXd             &K)
   {
     const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
     const unsigned int        b = 6 * frames.size(), s = b + 6;
@@ -239,10 +147,10 @@ namespace samara
 
 
   void
-  SlidingJoint::Rows::add_turns_of_b(const SlidingValues<double> &values,
-                                     const SlidingForces<double> &f,
-                                     const unsigned int           b,
-                                     Eigen::MatrixXd             &K) const
+  add_turns_of_b(const SlidingValues<double> &values,
+                 const SlidingForces<double> &f,
+                 const unsigned int           b,
+                 Eigen::MatrixXd             &K)
   {
     const unsigned int s = b + 6;
     const Vector3      with_s =
@@ -273,7 +181,7 @@ namespace samara
         const unsigned int        b = 6 * frames.size(), first = b + 7;
         const bool                is_first = &part == values.weights.begin();
         local.setZero(first + joint.n_rows, first + joint.n_rows);
-        add_turns_of_rail(values, part, f, point.q, local);
+        add_turns_of_rail(rail, values, part, f, point.q, local);
         if (is_first)
           add_turns_of_b(values, f, b, local);
         for (unsigned int i = 0; i < joint.n_rows; ++i)
@@ -323,28 +231,14 @@ namespace samara
         return;
       }
     const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
-    Vector3                     x_rate = v * values.at.x[1];
-    Matrix3                     d_rate = v * values.at.d[1];
-    for (const Rail::Weights<double> &part : values.weights)
-      {
-        const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
-        for (unsigned int a = 0; a < frames.size(); ++a)
-          {
-            const Vector6 twist = frames[a].twist(point.y);
-            const Matrix3 D     = frames[a].triad(point.q);
-            x_rate += part.of[0][a] * (D * twist.head<3>());
-            d_rate += part.of[0][a] * (D * skew(twist.tail<3>()));
-          }
-      }
-    const Vector6 twist_b     = joint.frame_b.twist(point.y);
-    const Matrix3 E_rate      = values.E * skew(twist_b.tail<3>());
-    const Matrix3 cos_rates   = E_rate.transpose() * values.at.d[0] + values.E.transpose() * d_rate;
-    double *const g           = rates + joint.first_multiplier;
-    Eigen::Map<Vector3>(g, 3) = joint.axes_of_rows.transpose() * (values.E * twist_b.head<3>() - x_rate);
+    const SlidingRates          rate(values, rail, joint.frame_b, v, point);
+    const Vector6               twist_b = joint.frame_b.twist(point.y);
+    double *const               g       = rates + joint.first_multiplier;
+    Eigen::Map<Vector3>(g, 3)           = joint.axes_of_rows.transpose() * (values.E * twist_b.head<3>() - rate.x);
     for (unsigned int i = 0; i < joint.cosines.size(); ++i)
       {
         const auto c = joint.coefficients(joint.cosines[i], sigma);
-        g[3 + i]     = product<double>(c[0], cos_rates) + v * product<double>(c[1], values.cosines(0));
+        g[3 + i]     = product<double>(c[0], rate.cosines) + v * product<double>(c[1], values.cosines(0));
       }
     if (motion.is_prescribed)
       g[joint.n_rows] = v - motion.prescribed_rate(point);
@@ -429,18 +323,54 @@ namespace samara
 
 
 
-  PressingParts<double>
-  SlidingJoint::pressing_parts(const Layout::Friction &, const Point<double> &point) const
+  template <typename Number>
+  PressingParts<Number>
+  SlidingJoint::parts_of(const Layout::Friction &friction, const Point<Number> &point) const
   {
-    return parts_at(point);
+    if (!is_of_thread(friction))
+      return parts_at(point);
+    PressingParts<Number> parts;
+    auto                 &part = parts.add(2); // nothing presses on what has left
+    if (point.held || !is_far(std::real(point.coordinates[coordinate()])))
+      part.row(0) = thread.axial_force(turn).template cast<Number>();
+    return parts;
+  }
+
+
+
+  PressingParts<double>
+  SlidingJoint::pressing_parts(const Layout::Friction &friction, const Point<double> &point) const
+  {
+    return parts_of(friction, point);
   }
 
 
 
   PressingParts<std::complex<double>>
-  SlidingJoint::pressing_parts(const Layout::Friction &, const Point<std::complex<double>> &point) const
+  SlidingJoint::pressing_parts(const Layout::Friction &friction, const Point<std::complex<double>> &point) const
   {
-    return parts_at(point);
+    return parts_of(friction, point);
+  }
+
+
+
+  void
+  SlidingJoint::connect_turning(Layout &layout)
+  {
+    const FreeMotion &motion = free.front();
+    turning.reset();
+    if (!motion.beside.empty())
+      {
+        turning = make_turns(layout, 1, motion.beside.front(), motion.friction.radius);
+        layout.add(*this, *turning);
+      }
+    if (ball.is_declared() && ball.is_given())
+      ball.connect(layout,
+                   *this,
+                   make_turns(layout, 3, ball.first_turn(), 1.),
+                   {first_multiplier, first_multiplier + 1, first_multiplier + 2});
+    if (has_thread && turn != 0)
+      thread.connect_nut(layout, *this, coordinate(), first_multiplier + 5, turn);
   }
 
 
@@ -493,6 +423,7 @@ namespace samara
     layout.add(*this, *term);
     add_stops(layout);
     add_springs(layout);
+    connect_turning(layout);
     add_friction(layout);
   }
 } // namespace samara

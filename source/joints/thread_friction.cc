@@ -1,43 +1,47 @@
 #include <samara/joints/thread_friction.h>
 
-#include <array>
 #include <cmath>
 
 namespace samara
 {
-  /** u − sin λ d − r cos λ θ = 0. */
+  /** u − sin λ d − r cos λ θ = 0; of a nut on a beam, which may leave it, of rates alone u̇ − Ṡ/sin λ = 0. */
   class ThreadFriction::Slip : public Evaluated<ThreadFriction::Slip, Constraint>
   {
   public:
-    Slip(Layout                            &layout,
-         const std::string                 &joint,
-         const std::array<unsigned int, 3> &coordinates,
-         const std::array<double, 3>       &factors)
+    Slip(Layout                          &layout,
+         const std::string               &joint,
+         const std::vector<unsigned int> &coordinates,
+         const std::vector<double>       &factors,
+         const bool                       of_rates)
       : coordinates(coordinates)
       , factors(factors)
+      , of_rates(of_rates)
       , multiplier(layout.add_multipliers({"joint " + joint + ", slip of the thread"}))
     {
-      layout.couple(block, {}, {coordinates.begin(), coordinates.end()}, {multiplier});
+      layout.couple(block, {}, coordinates, {multiplier});
+      if (of_rates)
+        layout.nonholonomic.push_back(multiplier);
     }
 
     template <typename Number>
     void
     residual_at(const Point<Number> &point, Number *r) const
     {
-      for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int i = 0; i < factors.size(); ++i)
         {
           r[block.row(i)] += factors[i] * point.multipliers[multiplier];
-          r[block.row(3)] += factors[i] * point.coordinates[coordinates[i]];
+          if (!of_rates)
+            r[block.row(factors.size())] += factors[i] * point.coordinates[coordinates[i]];
         }
     }
 
     void
     tangent(const Point<double> &, SparseMatrix &K) const override
     {
-      for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int i = 0; i < factors.size(); ++i)
         {
-          block.add_entry(i, 3, factors[i], K);
-          block.add_entry(3, i, factors[i], K);
+          block.add_entry(i, factors.size(), factors[i], K);
+          block.add_entry(factors.size(), i, factors[i], K);
         }
     }
 
@@ -45,15 +49,20 @@ namespace samara
     rates(const Point<double> &point, double *rates) const override
     {
       rates[multiplier] = 0;
-      for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int i = 0; i < factors.size(); ++i)
         rates[multiplier] += factors[i] * point.rates[coordinates[i]];
     }
 
   private:
-    const std::array<unsigned int, 3> coordinates; ///< u, d, θ
-    const std::array<double, 3>       factors;
-    const unsigned int                multiplier;
-    Block                             block;
+    const std::vector<unsigned int> coordinates; ///< u, d, θ, or u, S
+    const std::vector<double>       factors;
+    const bool                      of_rates;
+
+  public:
+    const unsigned int multiplier;
+
+  private:
+    Block block;
   };
 
 
@@ -87,7 +96,10 @@ namespace samara
   {
     slip = bristles = -1;
     if (!entries.is_given())
-      return;
+      return entries.refuse_unused(prm,
+                                   "joint <" + joint.name + ">, thread",
+                                   model.complaints,
+                                   {"Radius", "Flank angle"});
     law = entries.law(prm, "friction of the thread", model.complaints);
     if (radius == 0)
       model.complaints.add(prm.where("Friction"),
@@ -110,16 +122,59 @@ namespace samara
     terms.clear();
     if (slip < 0 || radius == 0)
       return;
-    const double lead = std::atan2(std::abs(pitch), radius), sense = pitch < 0 ? -1 : 1,
-                 tilt = std::atan(std::tan(flank_angle) * std::cos(lead));
-    term =
-      std::make_unique<Slip>(layout,
-                             joint.name,
-                             std::array<unsigned int, 3>{{static_cast<unsigned int>(slip), displacement, rotation}},
-                             std::array<double, 3>{{1., -std::sin(lead), -sense * radius * std::cos(lead)}});
+    const double lead = std::atan2(std::abs(pitch), radius), sense = pitch < 0 ? -1 : 1;
+    term = std::make_unique<Slip>(layout,
+                                  joint.name,
+                                  std::vector<unsigned int>{static_cast<unsigned int>(slip), displacement, rotation},
+                                  std::vector<double>{1., -std::sin(lead), -sense * radius * std::cos(lead)},
+                                  false);
     layout.add(joint, *term);
-    // the multiplier of the pitch is the force along the axis: the law's coefficients make the one normal to the flanks
-    const double     normal = 1 / (std::cos(lead) * std::cos(tilt));
+    add_friction(layout, joint, lead, {row});
+  }
+
+
+
+  void
+  ThreadFriction::connect_nut(Layout            &layout,
+                              const Item        &joint,
+                              const unsigned int displacement,
+                              const unsigned int row,
+                              const double       turn)
+  {
+    terms.clear();
+    if (slip < 0 || radius == 0)
+      return;
+    const double lead = std::atan2(1., std::abs(turn) * radius);
+    auto         own  = std::make_unique<Slip>(layout,
+                                      joint.name,
+                                      std::vector<unsigned int>{static_cast<unsigned int>(slip), displacement},
+                                      std::vector<double>{1., -1 / std::sin(lead)},
+                                      true);
+    layout.add(joint, *own);
+    add_friction(layout, joint, lead, {row, own->multiplier});
+    term = std::move(own);
+  }
+
+
+
+  Eigen::RowVector2d
+  ThreadFriction::axial_force(const double turn) const
+  {
+    const double lead = std::atan2(1., std::abs(turn) * radius);
+    return {-turn, std::abs(turn) * radius * std::cos(lead)};
+  }
+
+
+
+  void
+  ThreadFriction::add_friction(Layout                          &layout,
+                               const Item                      &joint,
+                               const double                     lead,
+                               const std::vector<unsigned int> &multipliers)
+  {
+    // the multipliers make the force along the axis: the law's coefficients that normal to the flanks
+    const double tilt   = std::atan(std::tan(flank_angle) * std::cos(lead)),
+                 normal = 1 / (std::cos(lead) * std::cos(tilt));
     Layout::Friction friction;
     friction.coordinates = {static_cast<unsigned int>(slip)};
     if (bristles >= 0)
@@ -128,7 +183,7 @@ namespace samara
     friction.law.kinetic *= normal;
     friction.law.breakaway *= normal;
     friction.preload     = entries.preload;
-    friction.multipliers = {row};
+    friction.multipliers = multipliers;
     friction.name        = "joint " + joint.name + ", friction of the thread";
     terms.add_friction(layout, joint, friction);
   }

@@ -106,6 +106,7 @@ namespace samara
   void
   VectorFriction::add_parameters(Parameters &joint)
   {
+    has_entries = true;
     entries.add_parameters(joint.subsection(motion()), true, of == Of::ball);
   }
 
@@ -118,7 +119,7 @@ namespace samara
                              const std::vector<unsigned int> &displacements)
   {
     if (!is_given())
-      return;
+      return entries.refuse_unused(prm, "joint <" + joint.name + ">, " + motion(), model.complaints);
     law = entries.law(prm, "friction of the " + motion(), model.complaints);
     if (of == Of::ball && entries.radius == 0)
       model.complaints.add(prm.where("Friction"),
@@ -152,6 +153,28 @@ namespace samara
         turns = std::make_unique<Turns>(layout, joint.name, a, b, coordinates.front());
         layout.add(joint, *turns);
       }
+    add_to(layout, joint, multipliers);
+  }
+
+
+
+  void
+  VectorFriction::connect(Layout                          &layout,
+                          const Item                      &joint,
+                          std::unique_ptr<Constraint>      rows,
+                          const std::vector<unsigned int> &multipliers)
+  {
+    terms.clear();
+    turns = std::move(rows);
+    layout.add(joint, *turns);
+    add_to(layout, joint, multipliers);
+  }
+
+
+
+  void
+  VectorFriction::add_to(Layout &layout, const Item &joint, const std::vector<unsigned int> &multipliers)
+  {
     Layout::Friction friction;
     friction.coordinates = coordinates;
     friction.states      = bristles;

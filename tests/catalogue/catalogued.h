@@ -60,13 +60,14 @@ namespace samara
     const bool        is_angle = motion.substr(0, 8) == "rotation", is_length = motion == "length";
     const std::string path = object + "/" + motion + "/", spring = path + "Spring = 7",
                       stiff = path + "Stop stiffness = 50", own = object.substr(object.find('/') + 1) + "." + motion,
-                      upper                 = path + "Upper stop = " + (is_length ? "0.1" : "-0.1");
-    Changes                        changes  = {{"Spring", "5", {path + "Rest = 0.3"}},
+                      upper                 = path + "Upper stop = " + (is_length ? "0.1" : "-0.1"),
+                      lower                 = path + "Lower stop = " + (is_length ? "9" : "0.05");
+    Changes                        changes  = {{"Spring", "5", {spring, path + "Rest = 0.3"}},
                                                {"Rest", "0.4", {spring}},
                                                {is_angle ? "Spring moment" : "Spring force", "2 + 5*" + own},
                                                {"Damper", "0.5"},
-                                               {"Lower stop", is_length ? "10" : "0.1", {stiff}},
-                                               {"Upper stop", is_length ? "0.1" : "-0.1", {stiff}},
+                                               {"Lower stop", is_length ? "10" : "0.1", {lower, stiff}},
+                                               {"Upper stop", is_length ? "0.2" : "-0.2", {upper, stiff}},
                                                {"Stop stiffness", "80", {upper, stiff}},
                                                {"Stop damping", "3", {upper, stiff}},
                                                {is_angle ? "Moment" : "Force", "2"},

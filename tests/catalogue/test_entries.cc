@@ -263,7 +263,7 @@ TEST_F(Catalogued, OtherJoints)
     "    set Expressions = 1 + s, 0.4 + s^2, 0.2 + s\n    set Axis = 1, 2, -1",
     "it.force 1",
     joined({{"Body A", "ground"}, {"Body B", "ground", {}, true}, {"Expressions", "1 + s, 0.4 + s^2, 0.2 - s"}},
-           {axis, axis_1}));
+           {axis, axis_1, changes_of_vector_friction("displacement"), changes_of_vector_friction("rotation")}));
   check_joint("rigid",
               "    set Reaction = true",
               "it.moment 1",
@@ -304,6 +304,7 @@ TEST_F(Catalogued, OtherJoints)
   const std::vector<std::string> teeth   = {"Joints/it/Backlash = 0.001", "Joints/it/Mesh stiffness = 1000"};
   std::vector<std::string>       bounces = teeth;
   bounces.insert(bounces.end(), {"Joints/it/Mesh restitution = 0.5", "Joints/it/Mesh speed = 1"});
+  const std::vector<std::string> rubs = {"Joints/it/Efficiency = 0.9", "Joints/it/Pitch radius = 0.1"};
   check("gear",
         models::gear,
         "Joints/it",
@@ -316,7 +317,10 @@ TEST_F(Catalogued, OtherJoints)
          {"Mesh exponent", "1.5", teeth},
          {"Mesh restitution", "0.8", bounces},
          {"Mesh speed", "2", bounces},
-         {"Mesh force", "50*s", teeth, true}});
+         {"Mesh force", "50*s", teeth, true},
+         {"Efficiency", "0.8", rubs},
+         {"Pitch radius", "0.2", rubs},
+         {"Sticking speed", "0.01", rubs}});
 }
 
 
@@ -400,14 +404,22 @@ TEST_F(Catalogued, SlidingJoints)
                             {"Position", "0, 0, 0"},
                             {"Gap", "refused", {"Joints/it/Body B = b.arm", "Joints/it/Gap = allowed"}, true},
                             {"At the ends", "stop", {}, true}},
-                of_screw = {{"Turn per length", "3"}};
+                of_screw = joined({{"Turn per length", "3"}}, {changes_of_vector_friction("thread")}),
+                of_bore  = {{"displacement / Friction radius",
+                             "0.2",
+                             {"Joints/it/displacement/Friction = 0.3",
+                              "Joints/it/displacement/Friction preload = 100",
+                              "Joints/it/displacement/Friction radius = 0.1"}}};
   for (const std::string kind : {"sliding point", "sliding sleeve", "sliding prismatic", "sliding screw"})
     check(kind,
           models::sliding(kind, kind == "sliding screw" ? "    set Turn per length = 2" : ""),
           "Joints/it",
           joined(ends,
                  {changes_of_motion("displacement", "Joints/it", true),
-                  kind == "sliding screw" ? of_screw : Changes{},
+                  kind == "sliding screw"  ? of_screw :
+                  kind == "sliding sleeve" ? of_bore :
+                  kind == "sliding point"  ? changes_of_vector_friction("rotation") :
+                                             Changes{},
                   kind == "sliding point" ? Changes{} : bearing_length("displacement")}));
 }
 

@@ -184,6 +184,35 @@ namespace
                EXPECT_NEAR(m.values.back()[1] / (0.5 * a), 1, 1e-3);
                EXPECT_NEAR(m.values.back()[2] / a, 1, 1e-5);
              }},
+            {"nut_friction", // sinks as the steep one of thread
+             {"nut.displacement z", "nut.angular velocity z"},
+             [](const Motion &m) {
+               const double f      = 0.15 * std::hypot(1, std::tan(M_PI / 12) * std::cos(std::atan(0.4))),
+                            across = std::tan(std::atan(0.4) - std::atan(f)),
+                            a      = g_of_examples / (1 + 0.009 / (5 * 0.02 * 0.02 * 0.4 * across));
+               EXPECT_NEAR(m.values.back()[0] / (-0.5 * a), 1, 1e-3);
+               EXPECT_NEAR(std::abs(m.values.back()[1]) / (a / 0.008), 1, 1e-3);
+               EXPECT_NEAR(m.budget.friction / (2.5 * g_of_examples * a - 0.5 * (5 + 0.009 / (0.008 * 0.008)) * a * a),
+                           1,
+                           5e-3);
+             }},
+            {"wire_friction", // both of a sleeve's speeds go down alike
+             {"wire.displacement", "wire.displacement rate", "bore.displacement rate", "sleeve.angular velocity x"},
+             [](const Motion &m) {
+               EXPECT_NEAR(m.values.back()[0] / (0.5 * std::log(2.2) / 0.3), 1, 1e-4);
+               EXPECT_NEAR(m.values.back()[1] / (2 / 2.2), 1, 1e-4);
+               EXPECT_NEAR(value_at(m, 2, 0.5) / 0.3, 1, 1e-3);
+               EXPECT_NEAR(value_at(m, 3, 0.5) / 20, 1, 1e-3);
+               EXPECT_NEAR(m.budget.friction / (0.5 + 2 - 2 / (2.2 * 2.2)), 1, 1e-3);
+             },
+             {tight}},
+            {"worm_gear", // spur teeth let the wheel drive, a worm holds it
+             {"shaft bearing.rotation rate", "worm bearing.rotation rate"},
+             [](const Motion &m) {
+               const double part = 2 - 1 / 0.9;
+               EXPECT_NEAR(std::abs(m.values.back()[0]) / (0.5 * 0.5 * part / (0.01 + 0.45 / 400 * part)), 1, 1e-3);
+               EXPECT_NEAR(std::abs(m.values.back()[1]) / (1e-5 / std::sqrt(1.25) / 0.01), 1, 1e-3);
+             }},
             {"jamming_guide",
              {"slides.displacement", "jams.displacement rate"},
              [](const Motion &m) {

@@ -168,7 +168,7 @@ end
       rail_of_all,
       "subsection Joints\n subsection j\n set Type = contacts\n set Balls = block.centre radius 0.2\n"
       " set Beams = rail radius 0.15\n set Overlap = allowed\n set Stiffness = 2\n set Exponent = 1.5\n"
-      " set Rods = block from 1.2876 0.3357 0.9448 to 1.3056 -0.5839 0.5042 radius 0.2\n set Line stiffness = 1\n"
+      " set Rods = block from 1.2876 0.3357 0.9448 to 1.3056 -0.5839 0.5042 radius 0.2\n"
       " set Restitution = 0.5\n set Impact speed = 3\n set Friction = 0.3\n set Sticking speed = 0.09\n"
       " set Rolling friction = 0.1\n set Turning friction = 0.2\n end\nend\n"};
     const std::string bounces = "set Stop exponent = 1.5\n set Stop restitution = 0.5\n set Stop speed = 3\n",
@@ -224,7 +224,8 @@ end
         const std::string presses = rubs + " set Friction preload = 0.4\n";
         if (kind == "planar" || kind == "in plane")
           text += "subsection displacement\n " + presses + " end\n";
-        const bool turns = kind == "spherical" || kind == "in line" || kind == "in plane" || kind == "constant velocity";
+        const bool turns = kind == "spherical" || kind == "in line" || kind == "in plane" || kind == "constant velocity" ||
+                           kind == "point on curve";
         if (turns)
           text += "subsection rotation\n " + presses + " set Friction radius = 0.7\n end\n";
         s[kind].rest = text + "end\nend\n";
@@ -237,7 +238,13 @@ end
                               "subsection Joints\n subsection j\n set Type = sliding " + kind +
                                 "\n set Body A = rail\n set Body B = block.far\n set Position = 0.3, 0, 0.2\n" +
                                 (kind == "screw" ? "set Turn per length = 2.3\n" : "") +
-                                "subsection displacement\n " + used + "end\nend\nend\n"};
+                                "subsection displacement\n " + used + "end\n" +
+                                (kind == "point" ? "subsection rotation\n " + rubs +
+                                                     " set Friction preload = 0.4\n set Friction radius = 0.7\n end\n" :
+                                 kind == "screw" ? "subsection thread\n " + rubs +
+                                                     " set Friction preload = 0.4\n set Radius = 0.5\n set Flank angle = 0.3\n end\n" :
+                                                   "") +
+                                "end\nend\n"};
     for (const std::string line : {"curve", "edge v0"})
       s["sliding point along " + line + " of a shell"] = {
         "",
@@ -269,7 +276,8 @@ subsection Joints
     set Axis = 1, 1, 0
   end
 )";
-    s["gear"].rest            = hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n end\nend\n";
+    s["gear"].rest            = hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n"
+                                        " set Efficiency = 0.8\n set Pitch radius = 0.3\n set Sticking speed = 0.09\n end\nend\n";
     s["gear with backlash"].rest =
       hinge + "subsection g\n set Type = gear\n set Joint A = a\n set Joint B = b\n set Ratio = -2.5\n"
               " set Backlash = 0.01\n set Mesh stiffness = 3\n set Mesh restitution = 0.5\n set Mesh speed = 2\n end\nend\n";

@@ -132,9 +132,12 @@ class Group:
             yield "Planes", ", ".join(f"ground at {world.place(p, ' ')} normal {world.vector(n).replace(',', '')}" for p, n in self.planes)
         if self.beams:
             yield "Beams", ", ".join(f"{name} radius {world.number(r, LENGTH)}" for name, r in self.beams.items())
+        if self.beams and self.planes:
             yield "Line stiffness", world.number(self.line_stiffness, (-1, 1, -2))
         yield "Overlap", "allowed"
-        yield from self.law.text(world)
+        # where beams touch surfaces alone the law of points holds nowhere
+        is_line_alone = self.planes and not self.balls and len(self.beams) < 2 and not self.laws
+        yield from ((key, value) for key, value in self.law.text(world) if not (is_line_alone and key in ("Stiffness", "Exponent")))
         if self.laws:
             yield "Laws", ", ".join(self.law_text(world))
 

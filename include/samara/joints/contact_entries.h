@@ -5,6 +5,9 @@
 #include <samara/base/friction_law.h>
 #include <samara/base/parameters.h>
 
+#include <string>
+#include <vector>
+
 namespace samara
 {
   /** What users say of the law of a stop or a contact. */
@@ -30,7 +33,15 @@ namespace samara
     ContactLaw
     law(const Parameters &prm, const std::string &prefix, const std::string &whose, Complaints &complaints) const;
 
+    /** Complain, behind @p whose, of each entry that is given though there is nothing to touch: @p why. */
+    static void refuse_all(const Parameters  &prm,
+                           const std::string &prefix,
+                           const std::string &whose,
+                           const std::string &why,
+                           Complaints        &complaints);
+
   private:
+    static std::string speed_name(const std::string &prefix);
     static std::string name(const std::string &prefix, const std::string &what);
     ContactLaw         by_expression(const Parameters  &prm,
                                      const std::string &prefix,
@@ -57,6 +68,16 @@ namespace samara
 
     /** The law; complains, behind @p whose, about what makes no sense. */
     FrictionLaw law(const Parameters &prm, const std::string &whose, Complaints &complaints) const;
+
+    /**
+     * Complain, behind @p whose, of what is given of friction without saying how large it is: it would do nothing. @p
+     * more: further entries that only friction needs, @p but: one that something else needs.
+     */
+    static void refuse_unused(const Parameters               &prm,
+                              const std::string              &whose,
+                              Complaints                     &complaints,
+                              const std::vector<std::string> &more = {},
+                              const std::string              &but  = "");
   };
 } // namespace samara
 

@@ -87,6 +87,8 @@ namespace samara
     void   check_law();
     /** Whether beams may pass cylinders between stations. */
     void check_stations() const;
+    /** Complain of entries for which there is nothing in the group. */
+    void refuse_unused() const;
     void add_laws();
     /** Which law is that of which bodies. @p sides: the two names of each entry. */
     void assign_laws(const std::vector<std::array<std::string, 2>> &sides);

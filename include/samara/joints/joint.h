@@ -65,6 +65,10 @@ namespace samara
     int coordinate = -1; ///< its number in the model, negative while nothing uses it
     int bristles   = -1; ///< number of the state that is the deflection of those of its friction; negative: none
 
+    /** Further unknowns of the slip that its friction acts against, and the states of their bristles. @{ */
+    std::vector<unsigned int> beside, bristles_beside;
+    /** @} */
+
     /** Give bristles a state if the friction has them; @p joint: its name. */
     void add_bristles(Model &model, const std::string &joint);
 
@@ -111,8 +115,11 @@ namespace samara
 
     void add_parameters(Parameters &prm);
 
-    /** See which of the entries were given, and complain about stops that make no sense. */
-    void check_parameters(const Parameters &prm, Complaints &complaints);
+    /**
+     * See which of the entries were given, and complain about stops that make no sense, and of what would do nothing.
+     * @p stops_at_ends: whether the ends of a beam are stops.
+     */
+    void check_parameters(const Parameters &prm, Complaints &complaints, bool stops_at_ends = false);
     bool is_used() const;
   };
 

@@ -40,13 +40,16 @@ namespace samara
    * + force of the stop, the sum over the places at which they press (HasPressing). That these turn with places is left
    * out of the slopes, as nothing slips where those are wanted. Local unknowns of who uses it are the slips, the
    * coordinate of the stop, then others, then the multipliers.
+   *
+   * Friction is pressed by reactions of the item that adds it. Others are not asked: those that are not connected yet
+   * do not know their multipliers.
    */
   class NormalForce
   {
   public:
-    NormalForce(const Layout &layout, const Layout::Friction &friction)
+    NormalForce(const Layout &layout, const Item &item, const Layout::Friction &friction)
       : friction(friction)
-      , pressing(pressing_of(layout, friction))
+      , pressing(pressing_by(item, friction))
       , has_stop(friction.stop >= 0)
     {
       if (has_stop)
@@ -187,8 +190,8 @@ namespace samara
 
 
   /** Friction with bristles at the state as it is: its force, and the equation of its deflections. @{ */
-  std::unique_ptr<Force>         bristle_force(Layout &layout, const Layout::Friction &friction);
-  std::unique_ptr<StateEquation> bristle_equation(Layout &layout, const Layout::Friction &friction);
+  std::unique_ptr<Force>         bristle_force(Layout &layout, const Item &item, const Layout::Friction &friction);
+  std::unique_ptr<StateEquation> bristle_equation(Layout &layout, const Item &item, const Layout::Friction &friction);
   /** @} */
 } // namespace samara
 

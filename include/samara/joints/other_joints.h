@@ -115,6 +115,10 @@ namespace samara
    *
    * With a backlash b [rad], which B can turn by while A is held, the teeth touch by a law: δ = θ_B − n θ_A is an
    * unknown, and two stops of it press back where |δ| > b/2. In the reference configuration it is in the middle.
+   *
+   * With an efficiency η the teeth rub, as a moment (1/η − 1) |n M| against θ̇_A, M the moment on B. So η of the power
+   * arrives at B where A drives, 2 − 1/η of it at A where B drives: below one half B cannot drive. Teeth slide to and
+   * fro about the pitch point; this is their mean over the teeth that mesh.
    */
   class Gear : public Item, public Evaluated<Gear, Constraint>
   {
@@ -134,6 +138,7 @@ namespace samara
   private:
     std::string    joint_a, joint_b;
     double         ratio = 1, backlash = 0;
+    double         efficiency = 1, pitch_radius = 0, sticking_speed = 1e-4; ///< [1], [m], [m/s]
     ContactEntries mesh;
     ContactLaw     law;
     bool           has_backlash   = false;
@@ -141,6 +146,9 @@ namespace samara
     unsigned int   row = 2;                                    ///< of the multiplier in the block
     Block          block;
     ContactTerms   teeth;
+
+    void check_efficiency(Model &model) const;
+    void add_friction(Layout &layout);
   };
 
   // instantiated where the templates of the classes are defined

@@ -3,6 +3,7 @@
 
 #include <samara/joints/guide_curve.h>
 #include <samara/joints/joint.h>
+#include <samara/joints/vector_friction.h>
 
 namespace samara
 {
@@ -18,7 +19,10 @@ namespace samara
    *
    * "displacement" is the arc length from where the point is in the reference configuration, "arc length" that from the
    * start of the curve; "force 1, 2, 3" is that of A on B along the joint axes of A, "force" its size. Along the curve
-   * there is none.
+   * there is none but friction.
+   *
+   * Subsection "displacement" holds the friction along the curve, which is pressed by what of the force is across it;
+   * "rotation" that against all rotations, as of a ball joint, which is pressed by all of the force.
    */
   class PointOnCurve : public Joint
   {
@@ -36,6 +40,17 @@ namespace samara
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
 
+    /** @name What presses along the curve is across its tangent where the point is. @{ */
+    bool
+    presses(const Layout::Friction &friction) const override
+    {
+      return friction.multipliers.front() == first_multiplier && friction.coordinates.front() == coordinate;
+    }
+    PressingParts<double> pressing_parts(const Layout::Friction &friction, const Point<double> &point) const override;
+    PressingParts<std::complex<double>> pressing_parts(const Layout::Friction            &friction,
+                                                       const Point<std::complex<double>> &point) const override;
+    /** @} */
+
   private:
     class Constraints;
 
@@ -46,6 +61,16 @@ namespace samara
     double                            start      = 0;                   ///< σ in the reference configuration [m]
     unsigned int                      coordinate = 0;
     Block                             own_block; ///< 12 twists, the coordinate, 3 multipliers
+
+    FrictionEntries           friction; ///< along the curve
+    FrictionLaw               friction_law;
+    std::vector<unsigned int> bristles; ///< one state, or none
+    ContactTerms              rubbing;
+    VectorFriction            ball{VectorFriction::Of::ball};
+
+    void add_friction_along(Layout &layout);
+    template <typename Number>
+    PressingParts<Number> parts_at(const Point<Number> &point) const;
 
     /** On the curve, along the joint axes. */
     GuideCurve::At at(double sigma) const;

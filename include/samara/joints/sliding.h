@@ -3,6 +3,8 @@
 
 #include <samara/joints/joint.h>
 #include <samara/joints/rail.h>
+#include <samara/joints/thread_friction.h>
+#include <samara/joints/vector_friction.h>
 #include <samara/model/bends.h>
 
 namespace samara
@@ -49,12 +51,13 @@ namespace samara
 
     /**
      * @name What presses is across the tangent t of the beam where B is, along the axes of the rows of the position: F
-     * less what it has along t, or F/2 ± M × E₁/L of a guide of length L. @{
+     * less what it has along t, or F/2 ± M × E₁/L of a guide of length L. Of a thread it is normal to the flanks. @{
      */
     bool
     presses(const Layout::Friction &friction) const override
     {
-      return friction.multipliers.front() == first_multiplier;
+      return (friction.multipliers.front() == first_multiplier && friction.coordinates.front() == coordinate()) ||
+             is_of_thread(friction);
     }
     PressingParts<double> pressing_parts(const Layout::Friction &friction, const Point<double> &point) const override;
     PressingParts<std::complex<double>> pressing_parts(const Layout::Friction            &friction,
@@ -107,17 +110,22 @@ namespace samara
 
     void add_pressing(std::vector<unsigned int> &multipliers) const override;
 
-    double turn = 0; ///< p of the screw [rad/m]
+    double         turn = 0; ///< p of the screw [rad/m]
+    ThreadFriction thread;   ///< of the screw
+    bool           has_thread = false;
+    VectorFriction ball{VectorFriction::Of::ball}; ///< of a point, against its turning
+    bool           has_bore = false;               ///< of a sleeve, whose <Friction radius> may be given
 
   private:
     class Rows;
+    class Turns;
     class Reaction;
     class Displacement;
 
     std::string                 ends         = "end the run";
     const Body                 *body_of_rail = nullptr;
     std::unique_ptr<Rail>       rail;
-    std::unique_ptr<Constraint> term;
+    std::unique_ptr<Constraint> term, turning;
     std::vector<Block>          blocks;     ///< of each piece: twists of its frames and of B, S, multipliers
     double                      start  = 0; ///< S₀ [m]
     unsigned int                n_rows = 0;
@@ -164,6 +172,21 @@ namespace samara
     std::shared_ptr<Signal> displacement_signal() const;
     void                    check_leaving(Model &model);
 
+    /** Rows of @p n unknowns from @p first on, that turn as B does against the section, times @p radius. */
+    std::unique_ptr<Constraint> make_turns(Layout &layout, unsigned int n, unsigned int first, double radius) const;
+
+    bool
+    is_of_thread(const Layout::Friction &friction) const
+    {
+      return has_thread && friction.multipliers.front() == first_multiplier + 5;
+    }
+    template <typename Number>
+    PressingParts<Number> parts_of(const Layout::Friction &friction, const Point<Number> &point) const;
+
+    /** What of friction is not along the beam alone: turning, and the thread. */
+    void initialize_turning(Model &model);
+    void connect_turning(Layout &layout);
+
     bool find_rail(Model &model);
     /** Pieces of a shell's edge, of a line of its mesh, or of another curve on it. */
     std::vector<LinePiece> line_of_shell(const std::string &line) const;
@@ -202,11 +225,17 @@ namespace samara
 
 
 
-  /** A point of B on the beam, free to turn. */
+  /** A point of B on the beam, free to turn; "rotation" holds the friction against that, as of a ball joint. */
   class SlidingPoint : public SlidingJoint
-  {};
+  {
+  public:
+    void add_parameters(Parameters &prm) override;
+  };
 
-  /** A ring around the beam, free to turn about it. */
+  /**
+   * A ring around the beam, free to turn about it. With a "Friction radius" r of its bore friction acts against the
+   * slip of both, w = (Ṡ, r ω), ω the turning about the beam.
+   */
   class SlidingSleeve : public SlidingJoint
   {
   public:
@@ -220,7 +249,10 @@ namespace samara
     void add_parameters(Parameters &prm) override;
   };
 
-  /** B turns against the sections of the beam in proportion to how far it slides: a nut. */
+  /**
+   * B turns against the sections of the beam in proportion to how far it slides: a nut. "thread" holds the friction of
+   * its flanks.
+   */
   class SlidingScrew : public SlidingJoint
   {
   public:

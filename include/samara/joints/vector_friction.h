@@ -35,6 +35,13 @@ namespace samara
     /** The subsection "displacement" or "rotation" of the joint. */
     void add_parameters(Parameters &joint);
 
+    /** Whether the joint has it: add_parameters() was called. */
+    bool
+    is_declared() const
+    {
+      return has_entries;
+    }
+
     /** Whether the user asks for it. */
     bool
     is_given() const
@@ -53,8 +60,22 @@ namespace samara
                  const Frame                     &b,
                  const std::vector<unsigned int> &multipliers);
 
+    /** The same of a ball with rows of its own for the three unknowns that turn as it does, from first_turn() on. */
+    void connect(Layout                          &layout,
+                 const Item                      &joint,
+                 std::unique_ptr<Constraint>      rows,
+                 const std::vector<unsigned int> &multipliers);
+    unsigned int
+    first_turn() const
+    {
+      return coordinates.front();
+    }
+
   private:
+    void add_to(Layout &layout, const Item &joint, const std::vector<unsigned int> &multipliers);
+
     const Of        of;
+    bool            has_entries = false;
     FrictionEntries entries;
     FrictionLaw     law;
 

@@ -58,15 +58,22 @@ namespace samara
 
 
 
-  /** The item that says how a friction is pressed; nullptr: by its reactions as they are. */
+  /** The item, which adds the friction, if it says how that is pressed; nullptr: by its reactions as they are. */
+  inline const HasPressing *
+  pressing_by(const Item &item, const Layout::Friction &friction)
+  {
+    const auto *const pressing = friction.multipliers.empty() ? nullptr : dynamic_cast<const HasPressing *>(&item);
+    return pressing != nullptr && pressing->presses(friction) ? pressing : nullptr;
+  }
+
+
+
+  /** The same of a layout whose items are all connected. */
   inline const HasPressing *
   pressing_of(const Layout &layout, const Layout::Friction &friction)
   {
-    if (friction.multipliers.empty())
-      return nullptr;
     for (const auto &item : layout.model.items)
-      if (const auto *const pressing = dynamic_cast<const HasPressing *>(item.get());
-          pressing != nullptr && pressing->presses(friction))
+      if (const auto *const pressing = pressing_by(*item, friction))
         return pressing;
     return nullptr;
   }

@@ -8,9 +8,9 @@ namespace samara
 {
   /**
    * An order of elimination with all pivots on the diagonal, and the entries and the work of the factors that follow
-   * from it: from the pattern alone, before anything is factorised. By minimum degree (AMD) or, where that fills very
-   * much, nested dissection (METIS) of the graph of the groups of unknowns that have the same neighbours, such as the
-   * six of a node (CHOLMOD; Davis, Direct methods for sparse linear systems, 2006, chapter 4).
+   * from it: from the pattern alone, before anything is factorised. By minimum degree (AMD) or, where that has much
+   * work and this has less, nested dissection (METIS) of the graph of the groups of unknowns that have the same
+   * neighbours, such as the six of a node (CHOLMOD; Davis, Direct methods for sparse linear systems, 2006, chapter 4).
    */
   class DiagonalOrder
   {
