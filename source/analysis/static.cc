@@ -7,6 +7,7 @@
 #include <samara/base/text.h>
 #include <samara/solvers/anderson.h>
 #include <samara/solvers/equilibrate.h>
+#include <samara/solvers/kept_inertia.h>
 #include <samara/solvers/steady_motion.h>
 
 #include <algorithm>
@@ -113,6 +114,27 @@ namespace samara
 
 
 
+  bool
+  StaticAnalysis::is_stable_by_iteration(const Context &context, const State &state) const
+  {
+    const System &system = context.system;
+    const Layout &layout = system.layout;
+    if (system.size() <= large_model || layout.n_states > 0 || !layout.nonholonomic.empty() ||
+        !state.left_out.empty() ||
+        std::any_of(context.speeds.begin(), context.speeds.end(), [](const double w) { return w != 0.; }))
+      return false;
+    const SymmetricFactors *const factors = symmetric_factors_of(*solver);
+    if (!factors || factors->n_negative_pivots != int(layout.n_multipliers))
+      return false;
+    SparseMatrix K(layout.pattern);
+    State        at = state;
+    system.stresses(at, at.stress);
+    system.tangent(at, K);
+    return n_positive_is_kept(*factors, K).is_shown;
+  }
+
+
+
   int
   StaticAnalysis::stability_sign(const Context &context, const State &state) const
   {
@@ -140,9 +162,6 @@ namespace samara
 
   namespace
   {
-    /** Unknowns from which on a factorisation costs as much as all else. */
-    constexpr unsigned int of_large_models = 20000;
-
     /** Whether nothing but elastic strains and constraints could push at @p start, which is free of stress. */
     bool
     is_free_of_forces(const Context &context, const State &start)
@@ -163,20 +182,24 @@ namespace samara
                                   std::optional<int> &sign_at_start,
                                   const State        &found) const
   {
-    const Layout &layout = context.system.layout;
+    const Layout &layout         = context.system.layout;
+    const int     sign_if_stable = (layout.n_multipliers - found.left_out.size()) % 2 == 0 ? 1 : -1;
     // without constraints the unloaded model is stable, all eigenvalues positive, or free to move; of a large one with
     // constraints, too, this is taken for granted, as a look at its matrix costs as much as all else
     const bool is_stable_at_start = layout.n_multipliers == 0 ?
                                       !context.is_equilibrium :
-                                      context.system.size() > of_large_models && is_free_of_forces(context, start);
-    if (!sign_at_start && !is_stable_at_start)
+                                      context.system.size() > large_model && is_free_of_forces(context, start);
+    // Newton's factors, of the found state or of one before it
+    const bool has_factors_nearby = sign_at_start || is_stable_at_start;
+    if (!has_factors_nearby)
       sign_at_start = stability_sign(context, start);
     // Newton's last tangent will not do: displacements below its tolerance may go with another stress
-    const int sign = stability_sign(context, found);
+    is_shown_stable = has_factors_nearby && is_stable_by_iteration(context, found);
+    n_shown += is_shown_stable;
+    const int sign = is_shown_stable ? sign_if_stable : stability_sign(context, found);
     if (!sign_at_start)
       {
-        const unsigned int n_rows = layout.n_multipliers - found.left_out.size();
-        if (sign == (n_rows % 2 == 0 ? 1 : -1))
+        if (sign == sign_if_stable)
           return false;
         sign_at_start = stability_sign(context, start);
         stability_sign(context, found); // the solver keeps the matrix of the equilibrium
@@ -189,7 +212,8 @@ namespace samara
   void
   StaticAnalysis::run(Context &context)
   {
-    n_steps = n_iterations = 0;
+    n_steps = n_iterations = n_shown = 0;
+    is_shown_stable                  = false;
     singular_points.clear();
     require_couplings(context.system, true);
     if (path == "arc length")
@@ -283,7 +307,9 @@ namespace samara
                  std::all_of(context.speeds.begin(), context.speeds.end(), [](const double w) { return w == 0.; }),
                are_there = at_rest && path == "load" && stability_limits == "stop";
     NegativeDirections negative;
-    if (context.system.size() > of_large_models || !is_stable_by_pivots(context, are_there, *solver))
+    if (is_shown_stable)
+      ; // none
+    else if (context.system.size() > large_model || !is_stable_by_pivots(context, are_there, *solver))
       negative = negative_directions(context.system, context.state, solver.get());
     if (negative.number == n_negative_told)
       return; // of a sweep each number once

@@ -1,6 +1,7 @@
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/program/program.h>
+#include <samara/solvers/blas_kernels.h>
 
 #include <CLI/CLI.hpp>
 #include <malloc.h>
@@ -84,6 +85,7 @@ main(int argc, char **argv)
 
   limit_memory();
   return_memory();
+  samara::use_kernels_of_processor();
   std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is one that cannot be written, with a message
   if (!models.empty())
     options.model = models[0];

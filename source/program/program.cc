@@ -12,6 +12,7 @@
 #include <samara/output/table.h>
 #include <samara/program/program.h>
 #include <samara/recovery/section_report.h>
+#include <samara/solvers/blas_kernels.h>
 #include <samara/study/automatic_mesh.h>
 #include <samara/study/several_models.h>
 #include <samara/study/study.h>
@@ -299,6 +300,11 @@ namespace samara
 
 
 
+    /** Unknowns from which on it matters how fast matrices are multiplied. */
+    constexpr unsigned int large_model = 20000;
+
+
+
     /** How large it is, and what may surprise. */
     void
     tell(const Options &options, const Input &input, const System &system, const ModelCheck &counts, Log &log)
@@ -309,6 +315,9 @@ namespace samara
                " joint coordinates, " +
                (layout.n_states > 0 ? std::to_string(layout.n_states) + " states of first order, " : "") +
                std::to_string(layout.n_multipliers) + " multipliers)");
+      if (const NewKernels &kernels = use_kernels_of_processor(); system.size() > large_model && !kernels.now.empty())
+        log.line("OpenBLAS does not know this processor: kernels " + kernels.now + " instead of " + kernels.before +
+                 " (OPENBLAS_CORETYPE chooses others)");
       if (input.says_redundant)
         log.warning("", "<Redundant constraints> has no effect any more: redundant constraints need no entry");
       if (!counts.redundant_multipliers.empty())

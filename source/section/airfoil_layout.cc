@@ -156,19 +156,32 @@ namespace samara
     faces.resize(4 * design.webs.size());
     for (unsigned int web = 0; web < design.webs.size(); ++web)
       {
-        const auto  &own    = design.webs[web];
-        const double x[2]   = {own.lower, own.upper};
-        const double height = (outline->place(outline->at(true, x[1])) - outline->place(outline->at(false, x[0])))[1],
-                     lean   = outline->chord * (x[1] - x[0]);
+        const auto  &own  = design.webs[web];
+        const double x[2] = {own.lower, own.upper};
         // across a web that leans its thickness is less than along the chord
-        const double half = 0.5 * thickness_of(own.wall) / outline->chord * std::sqrt(1 + std::pow(lean / height, 2));
+        const auto half_of = [&](const Place &lower, const Place &upper) {
+          const double lean = outline->chord * (x[1] - x[0]), height = (upper - lower)[1];
+          return 0.5 * thickness_of(own.wall) / outline->chord * std::sqrt(1 + std::pow(lean / height, 2));
+        };
+        const double on_outline[2] = {outline->at(false, x[0]), outline->at(true, x[1])};
+        const double reach         = half_of(outline->place(on_outline[0]), outline->place(on_outline[1]));
+        double       thickness[2];
+        Place        ends[2];
         for (const bool upper : {false, true})
           {
-            const double middle = x[upper], back = outline->at(upper, std::min(1., middle + half)),
-                         front = outline->at(upper, std::max(0., middle - half));
+            const double back  = outline->at(upper, std::min(1., x[upper] + reach)),
+                         front = outline->at(upper, std::max(0., x[upper] - reach));
             bind_spans(web, upper, std::min(back, front), std::max(back, front));
-            const double thickness = thickness_at(outline->at(upper, middle));
-            const double b = face_of(upper, middle + half, thickness), f = face_of(upper, middle - half, thickness);
+            thickness[upper] = thickness_at(on_outline[upper]);
+            ends[upper]      = at_depth(face_of(upper, x[upper], thickness[upper]), thickness[upper]);
+          }
+        // it stands between the inner faces, not between the sides of the outline; where these meet it is refused later
+        const bool   has_room = (ends[1] - ends[0])[1] > 2 * thickness_of(own.wall);
+        const double half     = has_room ? half_of(ends[0], ends[1]) : reach;
+        for (const bool upper : {false, true})
+          {
+            const double b                   = face_of(upper, x[upper] + half, thickness[upper]),
+                         f                   = face_of(upper, x[upper] - half, thickness[upper]);
             faces[4 * web + (upper ? 2 : 0)] = std::min(b, f);
             faces[4 * web + (upper ? 3 : 1)] = std::max(b, f);
           }

@@ -1,4 +1,5 @@
 #include <samara/solvers/factorization.h>
+#include <samara/solvers/kept_inertia.h>
 #include <samara/solvers/linear.h>
 
 #include <deal.II/base/exceptions.h>
@@ -64,6 +65,12 @@ namespace samara
       n_negative() const override
       {
         return factorization->n_negative();
+      }
+
+      const SymmetricFactors *
+      symmetric_factors() const
+      {
+        return is_factorized ? factorization->symmetric_factors() : nullptr;
       }
 
       int
@@ -144,6 +151,15 @@ namespace samara
   library_in_use()
   {
     return chosen;
+  }
+
+
+
+  const SymmetricFactors *
+  symmetric_factors_of(const LinearSolver &solver)
+  {
+    const auto *const real = dynamic_cast<const RealSolver *>(&solver);
+    return real ? real->symmetric_factors() : nullptr;
   }
 
 

@@ -153,6 +153,14 @@ namespace samara
         return is_symmetric ? std::optional<int>(n_negative_pivots()) : std::nullopt;
       }
 
+      const SymmetricFactors *
+      symmetric_factors() const override
+      {
+        if constexpr (std::is_same_v<Number, double>)
+          return is_symmetric ? &symmetric.get() : nullptr;
+        return nullptr;
+      }
+
       int
       determinant_sign() const override
       {

@@ -315,42 +315,82 @@ namespace samara
 
 
 
+  /** x ← L⁻¹ x */
+  void
+  SymmetricFactors::forward() const
+  {
+    for (int s = 0; s < structure.size(); ++s)
+      {
+        const int        n = structure.n_columns(s), height = structure.n_rows(s), m = height - n;
+        const int       *below = structure.rows_of(s) + n;
+        const double    *L     = values.data() + structure.value_start[s];
+        const ConstBlock unit(L, n, n, Eigen::OuterStride<>(height)), rest(L + n, m, n, Eigen::OuterStride<>(height));
+        VectorBlock      own(x.data() + structure.first[s], n), others(work.data(), m);
+        unit.triangularView<Eigen::UnitLower>().solveInPlace(own);
+        others.noalias() = rest * own;
+        for (int i = 0; i < m; ++i)
+          x[below[i]] -= others[i];
+      }
+  }
+
+
+
+  /** x ← L⁻ᵀ x */
+  void
+  SymmetricFactors::backward() const
+  {
+    for (int s = structure.size() - 1; s >= 0; --s)
+      {
+        const int        n = structure.n_columns(s), height = structure.n_rows(s), m = height - n;
+        const int       *below = structure.rows_of(s) + n;
+        const double    *L     = values.data() + structure.value_start[s];
+        const ConstBlock unit(L, n, n, Eigen::OuterStride<>(height)), rest(L + n, m, n, Eigen::OuterStride<>(height));
+        VectorBlock      own(x.data() + structure.first[s], n), others(work.data(), m);
+        for (int i = 0; i < m; ++i)
+          others[i] = x[below[i]];
+        own.noalias() -= rest.transpose() * others;
+        unit.triangularView<Eigen::UnitLower>().transpose().solveInPlace(own);
+      }
+  }
+
+
+
   void
   SymmetricFactors::solve_symmetric(double *b) const
   {
     x.resize(place.size());
     for (unsigned int i = 0; i < place.size(); ++i)
       x[i] = b[structure.order[i]];
-    for (const bool forward : {true, false})
-      {
-        for (int k = 0; k < structure.size(); ++k)
-          {
-            const int        s = forward ? k : structure.size() - 1 - k;
-            const int        n = structure.n_columns(s), height = structure.n_rows(s), m = height - n;
-            const int       *below = structure.rows_of(s) + n;
-            const double    *L     = values.data() + structure.value_start[s];
-            const ConstBlock unit(L, n, n, Eigen::OuterStride<>(height)),
-              rest(L + n, m, n, Eigen::OuterStride<>(height));
-            VectorBlock own(x.data() + structure.first[s], n), others(work.data(), m);
-            if (forward)
-              {
-                unit.triangularView<Eigen::UnitLower>().solveInPlace(own);
-                others.noalias() = rest * own;
-                for (int i = 0; i < m; ++i)
-                  x[below[i]] -= others[i];
-              }
-            else
-              {
-                for (int i = 0; i < m; ++i)
-                  others[i] = x[below[i]];
-                own.noalias() -= rest.transpose() * others;
-                unit.triangularView<Eigen::UnitLower>().transpose().solveInPlace(own);
-              }
-          }
-        if (forward)
-          for (unsigned int i = 0; i < x.size(); ++i)
-            x[i] /= pivots[i];
-      }
+    forward();
+    for (unsigned int i = 0; i < place.size(); ++i)
+      x[i] /= pivots[i];
+    backward();
+    for (unsigned int i = 0; i < place.size(); ++i)
+      b[structure.order[i]] = x[i];
+  }
+
+
+
+  void
+  SymmetricFactors::forward_half(double *b) const
+  {
+    x.resize(place.size());
+    for (unsigned int i = 0; i < place.size(); ++i)
+      x[i] = b[structure.order[i]];
+    forward();
+    for (unsigned int i = 0; i < place.size(); ++i)
+      b[structure.order[i]] = x[i] / std::sqrt(std::abs(pivots[i]));
+  }
+
+
+
+  void
+  SymmetricFactors::backward_half(double *b) const
+  {
+    x.resize(place.size());
+    for (unsigned int i = 0; i < place.size(); ++i)
+      x[i] = b[structure.order[i]] / std::sqrt(std::abs(pivots[i]));
+    backward();
     for (unsigned int i = 0; i < place.size(); ++i)
       b[structure.order[i]] = x[i];
   }

@@ -306,7 +306,8 @@ namespace
     return dealii::Point<2>(outline.place(s) + t * outline.inwards(s));
   }
 
-  /** The area between the depths @p from and @p to from x/c = @p a to b on one side. */
+  /** The area between the depths @p from and @p to from x/c = @p a, or the nose, to b on one side. The nose of a
+   * cambered airfoil lies in front of x/c = 0, by 7 mm of its outline for NACA 2418. */
   double
   area_of_ply(const AirfoilOutline &outline,
               const bool            upper,
@@ -315,7 +316,7 @@ namespace
               const double          from,
               const double          to)
   {
-    const double s = outline.at(upper, a), e = outline.at(upper, b);
+    const double s = a > 0 ? outline.at(upper, a) : outline.nose(), e = outline.at(upper, b);
     return strip_area(outline, std::min(s, e), std::max(s, e), to) -
            strip_area(outline, std::min(s, e), std::max(s, e), from);
   }
@@ -386,8 +387,10 @@ TEST(Airfoil, PublicAirfoilsHaveMeshes)
             .inertia(0, 0);
         const double miss = area / parts.area(AirfoilOutline(points, 1, 0.25)) - 1;
         misses += number_to_text("%.1e", miss) + " ";
-        // that of parts with webs takes their ends for straight
-        EXPECT_NEAR(miss, 0, parts.entries.find("Webs") == std::string::npos ? 2e-4 : 2e-3) << entries;
+        // public outlines with webs miss it by up to 3e-4, with finer cells, too; why is not known
+        const bool is_open =
+          outline.find("Coordinates") != std::string::npos && parts.entries.find("Webs") != std::string::npos;
+        EXPECT_NEAR(miss, 0, is_open ? 5e-4 : 1e-4) << entries;
       }
   RecordProperty("misses of areas", misses);
 }

@@ -40,7 +40,11 @@ namespace samara
       return Effort{double(n_steps), double(n_iterations), std::numeric_limits<double>::quiet_NaN()};
     }
 
-    unsigned int n_steps = 0, n_iterations = 0; ///< of the last run
+    unsigned int         n_steps = 0, n_iterations = 0; ///< of the last run
+    mutable unsigned int n_shown = 0; ///< equilibria of it whose stability was shown without factors of their own
+
+    /** Unknowns from which on a factorisation costs as much as all else. */
+    unsigned int large_model = 20000;
 
     /** Where the tangent matrix is singular on a path. */
     struct SingularPoint
@@ -62,6 +66,7 @@ namespace samara
     std::clock_t                  processor_start = 0;
     bool                          has_told_motion = false; ///< why it is not steady; once in a sweep
     unsigned int                  n_negative_told = 0;     ///< directions of negative stiffness; each number once
+    mutable bool                  is_shown_stable = false; ///< the last equilibrium, see is_stable_by_iteration()
     std::unique_ptr<LinearSolver> solver;
     std::unique_ptr<History>      history, speed_history, path_history, limits_history;
     std::unique_ptr<Pictures>     pictures;
@@ -74,6 +79,11 @@ namespace samara
     void follow_load(Context &context);
     /** @} */
 
+    /**
+     * Whether the factors at hand, of a state nearby, show that an equilibrium has no direction of negative stiffness:
+     * n_positive_is_kept(). Tried in large models alone.
+     */
+    bool is_stable_by_iteration(const Context &context, const State &state) const;
     /** Sign of the tangent's determinant at an equilibrium; 0 where it says nothing, as for turning parts. */
     int stability_sign(const Context &context, const State &state) const;
     /**

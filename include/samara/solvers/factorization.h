@@ -7,6 +7,8 @@
 
 namespace samara
 {
+  class SymmetricFactors;
+
   /**
    * What a library for direct solution does with matrices of one pattern, for real and for complex numbers; behind
    * LinearSolver and ComplexSolver. The pattern must outlive it.
@@ -36,6 +38,13 @@ namespace samara
     n_negative() const
     {
       return std::nullopt;
+    }
+
+    /** Factors L D Lᵀ, where these are what solutions use; else nullptr. */
+    virtual const SymmetricFactors *
+    symmetric_factors() const
+    {
+      return nullptr;
     }
 
     /** Sign of the determinant of a real matrix. */

@@ -29,8 +29,21 @@ namespace samara
     /** Replace the right-hand side @p b by the solution, after n_passes with N. */
     void solve(double *b) const;
 
-    /** The same for right-hand sides of @p size numbers, one behind the other: factors are read once for all of them. */
+    /** The same for right-hand sides of @p size numbers, one behind the other: factors are read once for all of them.
+     */
     void solve_columns(double *b, unsigned int n_columns, std::size_t size) const;
+
+    /** C b, C = |D|^-1/2 L⁻¹ P: half of a solution, in the numbers of the matrix. Cᵀ diag(sign D) C is S⁻¹. */
+    void forward_half(double *b) const;
+    /** Cᵀ b */
+    void backward_half(double *b) const;
+
+    /** The sign of the pivot of each unknown. */
+    bool
+    is_negative(const int unknown) const
+    {
+      return pivots[place[unknown]] < 0;
+    }
 
     /** The smallest pivot over the largest one, rows of the matrix scaled by their largest entries; 0 if not finite. */
     double
@@ -77,6 +90,8 @@ namespace samara
     void wait(int source, int begin);
     void judge_pivots(const std::vector<double> &row_sizes);
     void solve_symmetric(double *b) const;
+    void forward() const;
+    void backward() const;
     void forward_columns(unsigned int n_columns) const;
     void backward_columns(unsigned int n_columns) const;
   };
