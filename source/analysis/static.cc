@@ -395,9 +395,17 @@ namespace samara
       path == "arc length" ? "load factor " + short_text(fraction) : short_text(100 * fraction) + " % of the load";
     std::string text = "static analysis: no equilibrium found beyond " + place_on_path + ": " + result.reason + ".\n";
     if (result.failure == Failure::stability_limit)
-      text +=
-        "  The equilibrium is stable up to there. Set Path = arc length in subsection Static to follow the path beyond, or "
-        "Stability limits = pass to go on to whatever equilibrium is found there.";
+      {
+        // a step that passes two limits leaves the sign of the determinant as it was
+        const NegativeDirections negative = negative_directions(context.system, context.state);
+        text += negative.are_unstable() ?
+                  "  At that load, too, " + negative.text(context.system) +
+                    ". A step has passed an even number of limits: more <Load steps> find the first. " :
+                  "  The equilibrium is stable up to there. ";
+        text +=
+          "Set Path = arc length in subsection Static to follow the path beyond, or Stability limits = pass to go on to "
+          "whatever equilibrium is found there.";
+      }
     else if (result.failure == Failure::rows_left_out)
       ; // all is said
     else if (result.failure == Failure::not_finite)

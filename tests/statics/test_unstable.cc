@@ -134,6 +134,29 @@ TEST(Unstable, ColumnsBeyondEachOfTheirLoads)
 
 
 
+// Of 30 N, beyond three limits, a half is beyond two, which no sign tells: the run ends at the third and says so.
+TEST(Unstable, StepsThatPassTwoLimits)
+{
+  for (const double force : {3.5, 30.})
+    {
+      Scene scene(clamped_beam(force_at_end(force)), {"Static/Stability limits = stop"});
+      try
+        {
+          scene.equilibrium();
+          FAIL();
+        }
+      catch (const NotConverged &error)
+        {
+          const std::string text      = error.what();
+          const bool        is_stable = force < 10;
+          EXPECT_EQ(text.find("The equilibrium is stable up to there") != std::string::npos, is_stable) << text;
+          EXPECT_EQ(text.find("negative in 2 directions") != std::string::npos, !is_stable) << text;
+        }
+    }
+}
+
+
+
 TEST(Unstable, BladeWhoseChordStandsAcrossThePlaneOfRotation)
 {
   const double GJ = 1, I2 = 1e-3, I3 = 1e-2, critical = M_PI / 2 * std::sqrt(GJ / (I3 - I2));
