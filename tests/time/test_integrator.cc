@@ -386,7 +386,7 @@ end
                    joint("flap",
                          "revolute",
                          "set Body A = hub.hinge\n set Body B = blade.start\n set Axis = 0, -1, 0\n" +
-                           motion("rotation", spring("8000"))),
+                           motion("rotation", spring("8000", "0"))),
                  gravity + "  subsection r\n set Type = steady rotation\n set Joint = shaft\n set Speed = 50\n end\n"));
   const State  start     = scene.equilibrium();
   const double allowed[] = {10, 5, 5};
