@@ -391,7 +391,7 @@ end
   const State  start     = scene.equilibrium();
   const double allowed[] = {10, 5, 5};
   for_all_members([&](const Tableau &tableau) {
-    StageIntegrator integrator(scene.system, tableau);
+    StageIntegrator integrator(scene.system, tableau, 1e-10);
     State           state      = start;
     unsigned int    iterations = 0;
     for (unsigned int i = 0; i < 16; ++i)
