@@ -383,9 +383,13 @@ namespace samara
   {
     const auto rate       = [&](const unsigned int k) { return stages[k].rates[correction.coordinate]; };
     const auto multiplier = [&](const unsigned int k) { return stages[k].multipliers[correction.multiplier]; };
-    // less what the iteration has not closed yet: over a small turn a multiple of the gap would keep it from converging
-    const double gap = constraints_at_end[system.layout.of_multiplier(correction.multiplier)];
-    return force_of<double>(tableau, h, rate, multiplier, mean_rates[correction.multiplier] - gap / h);
+    // less what the iteration has not closed yet: over a small turn a multiple of the gap would keep it from
+    // converging. At the end the force does no work at all, not even over the round-off that is left of the gap
+    constexpr double   closed  = 1e-13; // parts of the model's length, or rad
+    const unsigned int i       = correction.multiplier;
+    const double       gap     = constraints_at_end[system.layout.of_multiplier(i)];
+    const bool         is_open = gap_scale[i] * std::abs(gap) > closed * length;
+    return force_of<double>(tableau, h, rate, multiplier, mean_rates[i] - (is_open ? gap / h : 0.));
   }
 
 
