@@ -301,6 +301,24 @@ namespace samara
 
 
 
+    /**
+     * A real eigenvalue that is there several times comes out of round-off as pairs whose imaginary part is nothing.
+     * Each of the two is a mode of its own then: their vectors u ± i v span the plane of u and v.
+     */
+    EigenPair
+    real_one_of(const EigenPair &pair)
+    {
+      constexpr double round_off = 1e-10;
+      if (pair.lambda.imag() == 0 || std::abs(pair.lambda.imag()) > round_off * std::abs(pair.lambda.real()))
+        return pair;
+      EigenPair result = pair;
+      result.lambda    = pair.lambda.real();
+      result.zeta      = (pair.lambda.imag() > 0 ? pair.zeta.real() : pair.zeta.imag()).cast<Complex>();
+      return result.zeta.norm() > round_off * pair.zeta.norm() ? result : pair;
+    }
+
+
+
     /** What of the eigenvalues are modes: one of each pair, nothing that moves no mass, free motions once. */
     Modes
     select(const std::vector<EigenPair> &pairs,
@@ -310,12 +328,13 @@ namespace samara
     {
       Modes                         modes;
       std::vector<Eigen::VectorXcd> free;
-      for (const auto &pair : pairs)
+      for (const auto &one : pairs)
         {
+          const EigenPair pair = real_one_of(one);
           if (pair.lambda.imag() < 0)
             continue; // its conjugate stands for both
           const auto judgement =
-            pair.judgement ? *pair.judgement : op.judge(pair.lambda, pair.zeta, distance_to_nearest(pair, pairs));
+            pair.judgement ? *pair.judgement : op.judge(pair.lambda, pair.zeta, distance_to_nearest(one, pairs));
           const double size = std::abs(pair.lambda);
           if (size < 3e-8 * frequency ||
               (size < 1e-5 * frequency && size * size * judgement.mass <= 100 * judgement.lost))

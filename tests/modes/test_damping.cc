@@ -119,6 +119,45 @@ TEST(Damping, Overcritical)
 
 
 
+// Equal oscillators of 2 kg, 18 N/m and 20 N s/m on a cart: n − 1 of their motions leave it at rest, with −1 and −9
+// each. Roots that are there so often come out of round-off as pairs, of which both are modes.
+TEST(Damping, EqualRealRoots)
+{
+  for (unsigned int n = 2; n <= 12; ++n)
+    {
+      const auto slide =
+        [](const std::string &name, const std::string &a, const std::string &b, const std::string &entries) {
+          return "subsection " + name + "\n set Type = prismatic\n set Axis = 1, 0.7, -0.4\n set Body A = " + a +
+                 "\n set Body B = " + b + ".centre\n subsection displacement\n" + entries + " end\nend\n";
+        };
+      const auto body = [](const std::string &mass) {
+        return " set Type = rigid body\n set Inertia = 1, 1, 1\n set Mass = " + mass;
+      };
+      std::string bodies = "subsection cart\n" + body("3") + "\n set Frames = ", masses,
+                  joints = slide("rail", "ground", "cart", "set Spring = 50\n");
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const std::string at = std::to_string(i + 1), name = "mass" + at;
+          bodies += (i > 0 ? ", " : "") + name + " at " + at + " 0.3 0.1";
+          masses += "subsection " + name + "\n" + body("2") + "\n set Position = " + at + ", 0.3, 0.1\nend\n";
+          joints += slide("j" + at, "cart." + name, name, "set Spring = 18\nset Damper = 20\n");
+        }
+      Scene        scene("set Analyses = modal\nsubsection Bodies\n" + bodies + "\nend\n" + masses +
+                  "end\nsubsection Joints\n" + joints +
+                  "end\nsubsection Modal\n set Modes = " + std::to_string(2 * n + 2) + "\nend\n");
+      unsigned int slow = 0, fast = 0;
+      for (const auto &mode : scene.modes())
+        {
+          slow += std::abs(mode.lambda + 1.) < 1e-9;
+          fast += std::abs(mode.lambda + 9.) < 1e-8;
+        }
+      EXPECT_EQ(slow, n - 1) << n;
+      EXPECT_EQ(fast, n - 1) << n;
+    }
+}
+
+
+
 // The mode nearest to the shift, not the slowest one.
 TEST(Damping, NearestToTheShift)
 {
