@@ -311,10 +311,10 @@ namespace samara
       constexpr double round_off = 1e-10;
       if (pair.lambda.imag() == 0 || std::abs(pair.lambda.imag()) > round_off * std::abs(pair.lambda.real()))
         return pair;
-      EigenPair result = pair;
-      result.lambda    = pair.lambda.real();
-      result.zeta      = (pair.lambda.imag() > 0 ? pair.zeta.real() : pair.zeta.imag()).cast<Complex>();
-      return result.zeta.norm() > round_off * pair.zeta.norm() ? result : pair;
+      // of pairs that are real to its own round-off Eigen gives u and v as vectors
+      const Eigen::VectorXd u = pair.zeta.real(), v = pair.zeta.imag();
+      const bool            is_first = pair.lambda.imag() > 0 || !(v.norm() > round_off * u.norm());
+      return {pair.lambda.real(), (is_first ? u : v).cast<Complex>(), pair.judgement};
     }
 
 
