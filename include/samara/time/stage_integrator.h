@@ -528,9 +528,8 @@ namespace samara
                             const Number     &mean_rate)
   {
     // where the coordinate turns less than this a step, ρ is a quotient of small numbers, and the work not worth
-    // mentioning; of one stage it has a limit, as the error of the mean rate goes with the turn, and only round-off
-    // counts
-    const double least_turn = tableau.s == 1 ? 1e-12 : 1e-7;
+    // mentioning; of one stage it has a limit, as the error of the mean rate goes with the turn, and less will do
+    const double least_turn = tableau.s == 1 ? 1e-8 : 1e-7;
     Number       lambda = 0, squares = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
