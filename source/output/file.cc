@@ -1,5 +1,4 @@
 #include <samara/base/errors.h>
-#include <samara/output/fifteen_digits.h>
 #include <samara/output/file.h>
 
 #include <fcntl.h>
@@ -181,11 +180,8 @@ namespace samara
   void
   append_number(std::string &line, const double number, const unsigned int digits)
   {
-    static_assert(digits_of_records == 15, "Numbers of records have a way of their own.");
-    char  buffer[64];
-    char *end = digits == digits_of_records ? write_fifteen_digits(number, buffer) : nullptr;
-    if (end == nullptr)
-      end = std::to_chars(buffer, buffer + sizeof(buffer), number, std::chars_format::general, digits).ptr;
+    char       buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof(buffer), number, std::chars_format::general, digits).ptr;
     line.append(buffer, end);
   }
 

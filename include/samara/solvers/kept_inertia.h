@@ -22,10 +22,9 @@ namespace samara
    *     C S Cᵀ + 2 N
    *
    * is 1 for S = S₀. If it is positive definite S has no more eigenvalues <= 0 than there are negative pivots.
-   * Conjugate gradients solve it for a random right-hand side. The residual is p(.) times that, and |p| >= 1 for all
-   * eigenvalues
-   * <= 0 of which there may be any. So it cannot fall below the part of the right-hand side along them, which is hardly
-   * ever that small.
+   * Conjugate gradients solve it for a random right-hand side. The residual is p(.) times that, and |p| >= 1 for any
+   * eigenvalue <= 0. So it cannot fall below the part of the right-hand side along its vector, which is hardly ever that
+   * small.
    *
    * @param probability of "shown" where it is not so, over right-hand sides
    * @return not shown: an eigenvalue <= 0 has been found, or it takes more than @p most_iterations, each a solution and
