@@ -1,6 +1,7 @@
 #include <samara/analysis/floquet_modes.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/solvers/eigen_system.h>
 #include <samara/solvers/krylov_schur.h>
 
 #include <algorithm>
@@ -218,16 +219,16 @@ namespace samara
       throw NotConverged("floquet analysis: changes that constraints allow become such that they do not, by " +
                          number_to_text("%.1e", remainder) +
                          " of their size.\n  Take more <Steps>, or let the motion settle better");
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
-    FloquetModes                              result;
+    const EigenSystem spectrum = eigen_system_of(A);
+    FloquetModes      result;
     result.n_columns = B.cols();
     result.is_all    = true;
     for (int i = 0; i < A.cols(); ++i)
-      if (const Complex value = eigen.eigenvalues()(i); is_wanted(value))
-        result.found.push_back(mode_of(map,
-                                       value,
-                                       B * eigen.eigenvectors().col(i),
-                                       (A * eigen.eigenvectors().col(i) - value * eigen.eigenvectors().col(i)).norm()));
+      if (const Complex value = spectrum.values(i); is_wanted(value))
+        {
+          const Eigen::VectorXcd y = spectrum.vectors.col(i);
+          result.found.push_back(mode_of(map, value, B * y, (A * y - value * y).norm()));
+        }
     put_in_order(result, A.norm());
     return result;
   }

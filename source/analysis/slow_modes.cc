@@ -3,6 +3,7 @@
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/solvers/eigen.h>
+#include <samara/solvers/eigen_system.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/projection.h>
 
@@ -258,16 +259,16 @@ namespace samara
       std::vector<Pair>
       pairs(const unsigned int n_first, const double highest) const
       {
-        const MatrixXd                     H = V.transpose() * images;
-        const Eigen::EigenSolver<MatrixXd> eigen(H);
-        std::vector<Pair>                  result;
+        const MatrixXd    H        = V.transpose() * images;
+        const EigenSystem spectrum = eigen_system_of(H);
+        std::vector<Pair> result;
         for (int i = 0; i < H.cols(); ++i)
           {
-            const VectorXcd y     = eigen.eigenvectors().col(i).normalized();
+            const VectorXcd y     = spectrum.vectors.col(i).normalized();
             const double    share = y.head(n_first).norm();
-            if (eigen.eigenvalues()(i).imag() < 0 || share < least_share)
+            if (spectrum.values(i).imag() < 0 || share < least_share)
               continue;
-            Pair pair{eigen.eigenvalues()(i), V * y, {}};
+            Pair pair{spectrum.values(i), V * y, {}};
             pair.residual = images * y - pair.value * pair.vector;
             if (energy.rate(pair.vector) <= too_fast * highest)
               result.push_back(pair);

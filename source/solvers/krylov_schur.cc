@@ -1,4 +1,5 @@
 #include <samara/base/errors.h>
+#include <samara/solvers/eigen_system.h>
 #include <samara/solvers/krylov_schur.h>
 
 #include <algorithm>
@@ -227,12 +228,12 @@ namespace samara
       std::optional<EigenPairs>
       converged_pairs(const unsigned int kept) const
       {
-        const Eigen::EigenSolver<MatrixXd> eigen(H.topLeftCorner(kept, kept));
-        std::vector<unsigned int>          order(kept);
+        const EigenSystem         spectrum = eigen_system_of(H.topLeftCorner(kept, kept));
+        std::vector<unsigned int> order(kept);
         for (unsigned int i = 0; i < kept; ++i)
           order[i] = i;
         std::stable_sort(order.begin(), order.end(), [&](const unsigned int i, const unsigned int j) {
-          return std::abs(eigen.eigenvalues()(i)) > std::abs(eigen.eigenvalues()(j)) * (1 + 1e-12);
+          return std::abs(spectrum.values(i)) > std::abs(spectrum.values(j)) * (1 + 1e-12);
         });
         EigenPairs pairs;
         pairs.vectors.resize(n, kept);
@@ -240,8 +241,8 @@ namespace samara
         const double floor = std::numeric_limits<double>::epsilon() * H.norm();
         for (unsigned int i = 0; i < kept; ++i)
           {
-            const std::complex<double> value = eigen.eigenvalues()(order[i]);
-            const Eigen::VectorXcd     y     = eigen.eigenvectors().col(order[i]).normalized();
+            const std::complex<double> value = spectrum.values(order[i]);
+            const Eigen::VectorXcd     y     = spectrum.vectors.col(order[i]);
             const double               residual =
               std::abs((H.row(m).head(kept).transpose().cast<std::complex<double>>().cwiseProduct(y)).sum());
             if (residual > std::max(settings.tolerance * std::abs(value), 10 * floor))

@@ -178,6 +178,10 @@ namespace samara
     Decision     decision;
     decision.accept = good || h <= settings.smallest_step;
     cap *= 1.05; // a length that failed is approached again in about five steps
+    // corrections that hardly shrink: half of the length would take less than half of the iterations
+    constexpr unsigned int many_iterations = 30;
+    if (step.iterations > many_iterations)
+      cap = std::min(cap, 0.9 * h);
     decision.next_h = std::clamp(std::min(ratio * h, cap), settings.smallest_step, settings.largest_step);
     last_c          = good ? c : 0;
     last_ratio      = good ? decision.next_h / h : 1;
@@ -194,7 +198,8 @@ namespace samara
   StepController::after_failure(const double h)
   {
     ++n_failures;
-    cap    = 0.8 * h; // for some steps: what has failed would fail again
+    // for some steps: what has failed would fail again; and where the limit itself failed, what has a solution shrinks
+    cap    = (h >= 0.99 * cap ? 0.6 : 0.8) * h;
     last_c = 0;
     if (h <= settings.smallest_step)
       {

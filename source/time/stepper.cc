@@ -394,7 +394,8 @@ namespace samara
                             controller->E_ref,
                             controller->remaining(trial.time));
     estimate = std::max(estimate, controller->size * error->of_states.of_step(trial, result.step.difference.states, h));
-    const auto decision = controller->decide({estimate, result.step.indicator, result.step.work_defect}, h);
+    const auto decision =
+      controller->decide({estimate, result.step.indicator, result.step.work_defect, result.step.iterations}, h);
     if (!decision.accept)
       {
         ++result.n_rejected;

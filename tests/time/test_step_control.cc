@@ -244,6 +244,28 @@ TEST(StepController, AfterAFailureStepsGrowSlowly)
 
 
 
+TEST(StepController, ALimitThatFailsIsLowered)
+{
+  StepController control(Tableau(3, 0.5), {});
+  control.after_failure(0.2);
+  const double limit = control.decide(of_error(0), 0.1).next_h;
+  EXPECT_DOUBLE_EQ(limit, 0.16 * 1.05);
+  EXPECT_DOUBLE_EQ(control.after_failure(limit), limit / 2);
+  EXPECT_DOUBLE_EQ(control.decide(of_error(0), limit / 2).next_h, 0.6 * 1.05 * limit);
+}
+
+
+
+TEST(StepController, StepsOfManyIterationsAreShortened)
+{
+  StepController control(Tableau(3, 0.5), {});
+  EXPECT_GT(control.decide({0., 0., 0., 30}, 0.1).next_h, 0.1);
+  EXPECT_DOUBLE_EQ(control.decide({0., 0., 0., 31}, 0.1).next_h, 0.09);
+  EXPECT_DOUBLE_EQ(control.decide(of_error(0), 0.09).next_h, 0.09 * 1.05);
+}
+
+
+
 TEST(StepController, WithoutEnergy)
 {
   StepController control(Tableau(2, 0.), {});

@@ -83,7 +83,8 @@ namespace samara
    * `tolerance` times the reference energy.
    *
    * A step without solution is tried again with half its length. Later steps are at most 0.8 times as long as the one
-   * that failed; this limit grows by 5 % in each step.
+   * that failed, 0.6 times where that was as long as this limit allows; it grows by 5 % in each step. After a step of
+   * more than 30 iterations it is 0.9 times its length: two shorter ones cost less.
    */
   class StepController
   {
@@ -103,9 +104,10 @@ namespace samara
     /** What is known of a step. */
     struct Judged
     {
-      double error;       ///< local error of positions [m]
-      double indicator;   ///< D/α = h²/(2(2s−1)) |Σ b_k p_k F_k|², which is there for α = 0, too [J]
-      double work_defect; ///< Σ|N| of stops [J]
+      double       error;          ///< local error of positions [m]
+      double       indicator;      ///< D/α = h²/(2(2s−1)) |Σ b_k p_k F_k|², which is there for α = 0, too [J]
+      double       work_defect;    ///< Σ|N| of stops [J]
+      unsigned int iterations = 0; ///< of Newton's method
     };
 
     struct Decision

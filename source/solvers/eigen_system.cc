@@ -1,0 +1,26 @@
+#include <samara/solvers/eigen_system.h>
+
+namespace samara
+{
+  EigenSystem
+  eigen_system_of(const Eigen::MatrixXd &A)
+  {
+    constexpr double                          round_off = 1e-10; // of maps, which come from converged steps
+    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
+    EigenSystem                               result{eigen.eigenvalues(), eigen.eigenvectors()};
+    for (int i = 0; i + 1 < A.cols(); ++i)
+      if (const std::complex<double> value = result.values(i); value.imag() > 0 &&
+                                                               value.imag() <= round_off * std::abs(value.real()) &&
+                                                               result.values(i + 1) == std::conj(value))
+        {
+          // of pairs that are real to its own round-off Eigen gives the two vectors of the plane by themselves
+          const Eigen::VectorXd u = result.vectors.col(i).real(), v = result.vectors.col(i).imag();
+          const bool            are_apart = !(v.norm() > round_off * u.norm());
+          const Eigen::VectorXd second    = are_apart ? result.vectors.col(i + 1).real().eval() : v;
+          result.vectors.col(i)           = u.normalized().cast<std::complex<double>>();
+          result.vectors.col(i + 1)       = second.normalized().cast<std::complex<double>>();
+          result.values(i) = result.values(i + 1) = value.real();
+        }
+    return result;
+  }
+} // namespace samara
