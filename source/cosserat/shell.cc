@@ -226,6 +226,7 @@ namespace samara
     rule = made;
     // as many points of integration as nodes: what is known at the points is interpolated to the nodes
     to_nodes = made->N.inverse();
+    make_rule_across();
   }
 
 
@@ -302,6 +303,17 @@ namespace samara
         D.col(1) = cross(n, D.col(0));
         D.col(2) = n;
         result.push_back(D);
+      }
+    // around a point where it is normal they turn once, and between the nodes they would shrink to nothing
+    for (unsigned int g = 0; g < table->n_points; ++g)
+      {
+        Matrix3 D = Matrix3::Zero();
+        for (unsigned int a = 0; a < table->n_nodes; ++a)
+          D += table->value_at_points(g, a) * result[a];
+        if (D.col(0).norm() < 0.9 * D.col(2).norm())
+          throw std::invalid_argument("<Axis 1> turns too far about the normal in " + mesh->name_of(cell) +
+                                      ": somewhere near it is normal to the surface. Take another one, or smaller "
+                                      "cells, or patches with a hole there");
       }
     return result;
   }
@@ -424,6 +436,7 @@ namespace samara
   Shell::connect(Layout &layout)
   {
     Cosserat<2>::connect(layout);
+    find_loads_on_surface();
     for (auto &frame : node_frames)
       frame = layout.model.resolved(frame);
     for (auto &point : named)

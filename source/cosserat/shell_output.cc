@@ -265,6 +265,15 @@ namespace samara
 
 
 
+  bool
+  Shell::is_of_node(const unsigned int element, const unsigned int a, const unsigned int node) const
+  {
+    return mesh->cells[element].nodes[a] == node &&
+           (elements[element].frames[a].rotation - node_frames[node].rotation).norm() <= 0.02;
+  }
+
+
+
   Shell::VectorN
   Shell::mean_stress(const unsigned int node, const State &state) const
   {
@@ -272,13 +281,11 @@ namespace samara
     unsigned int count = 0;
     for (unsigned int i = 0; i < n_elements(); ++i)
       for (unsigned int a = 0; a < table->n_nodes; ++a)
-        {
-          const Frame &own = elements[i].frames[a], &of_node = node_frames[node];
-          if (mesh->cells[i].nodes[a] != node || (own.rotation - of_node.rotation).norm() > 0.02)
-            continue;
-          sum += stress_at_node(i, a, state);
-          ++count;
-        }
+        if (is_of_node(i, a, node))
+          {
+            sum += stress_at_node(i, a, state);
+            ++count;
+          }
     return count == 0 ? sum : VectorN(sum / count);
   }
 
@@ -343,7 +350,8 @@ namespace samara
     for (const auto &force : plate_forces)
       quantities.push_back(force.name);
     auto of_layers = ExtremeByName::names();
-    of_layers.erase(std::find(of_layers.begin(), of_layers.end(), across_the_layers));
+    if (!knows_across())
+      of_layers.erase(std::find(of_layers.begin(), of_layers.end(), across_the_layers));
     quantities.insert(quantities.end(), of_layers.begin(), of_layers.end());
     auto places = points();
     places.push_back("at 0 0");
@@ -372,8 +380,9 @@ namespace samara
       return std::abs(x[1] - y[1]) > 1e-12 ? x[1] < y[1] : x[0] < y[0];
     });
     // each cell has points of its own: section forces jump between cells, and axes at corners
-    std::vector<Sample>  samples(table->n_nodes);
-    std::vector<VectorN> stresses(table->n_nodes);
+    std::vector<Sample>     samples(table->n_nodes);
+    std::vector<VectorN>    stresses(table->n_nodes);
+    std::vector<PlateState> states(table->n_nodes);
     for (unsigned int i = 0; i < elements.size(); ++i)
       {
         for (unsigned int k = 0; k < order.size(); ++k)
@@ -381,10 +390,14 @@ namespace samara
         const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
         if (i < n_elements())
           {
+            const Eigen::MatrixXd at_nodes = recovered_at_nodes(i, state);
             for (unsigned int k = 0; k < order.size(); ++k)
-              stresses[k] = stress_at_node(i, order[k], state);
+              {
+                stresses[k] = at_nodes.col(order[k]).head<n>();
+                states[k]   = plate_state(at_nodes.col(order[k]), laminate_of(i));
+              }
             draw_section_forces(stresses, first, drawing);
-            draw_worst_layers(i, stresses, first, drawing);
+            draw_worst_layers(states, first, drawing);
           }
       }
     if (shows_layers)

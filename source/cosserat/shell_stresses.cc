@@ -11,13 +11,35 @@
 namespace samara
 {
   Shell::PlateState
-  Shell::plate_state(const VectorN &s, const unsigned int laminate) const
+  Shell::plate_state(const Recovered &s, const unsigned int laminate) const
   {
     // what drilling adds is of opposite sign in the two shear forces, and what it adds to the moments in K₁₁ and K₂₂
     Vector6 forces;
     forces << s(0), 0.5 * (s(1) + s(6)), s(7), s(4), 0.5 * (s(10) - s(3)), -s(9);
     forces.tail<3>() -= offset * forces.head<3>(); // about the middle of the thickness
-    return {laminate, compliances[laminate] * forces, {s(2), s(8)}};
+    PlateState result{laminate, compliances[laminate] * forces, {s(2), s(8)}, {}};
+    if (knows_across())
+      {
+        result.across = {Eigen::Map<const Eigen::Matrix2d>(&s(row_of_gradient)),
+                         s.segment<3>(row_of_curvature),
+                         s(row_of_bottom),
+                         s(row_of_top),
+                         s(row_of_inertia)};
+        result.across.balance(forces.head<3>());
+      }
+    return result;
+  }
+
+
+
+  Vector6
+  Shell::layer_stress(const PlateState &at, const unsigned int layer, const double z) const
+  {
+    const Laminate &laminate = laminates[at.laminate];
+    Vector6         stress   = laminate.stress(layer, z, at.strains, at.shear);
+    if (knows_across())
+      stress(2) = laminate.stress_across(layer, z, at.strains, at.across);
+    return laminate.stress_in_material(layer, stress);
   }
 
 
@@ -31,20 +53,11 @@ namespace samara
     for (int k = std::max(layer, 0); k < (layer < 0 ? n_layers : std::min(layer + 1, n_layers)); ++k)
       {
         const auto [bottom, top] = laminate.heights(k);
-        // in-plane stresses are linear in z, and largest at an end; those across are of second degree
+        // in-plane stresses are linear in z, and largest at an end; those across are of second and third degree
         for (const double z : {bottom, 0.5 * (bottom + top), top})
-          result.add(strengths[at.laminate][k],
-                     laminate.stress_in_material(k, laminate.stress(k, z, at.strains, at.shear)));
+          result.add(strengths[at.laminate][k], layer_stress(at, k, z));
       }
     return result;
-  }
-
-
-
-  Shell::VectorN
-  Shell::stress_at_point(const unsigned int element, const unsigned int g, const State &state) const
-  {
-    return Eigen::Map<const VectorN>(&state.stress[first_strain + n * (elements[element].first_point + g)]);
   }
 
 
@@ -54,7 +67,8 @@ namespace samara
   {
     VectorN stress = VectorN::Zero();
     for (unsigned int g = 0; g < table->n_points; ++g)
-      stress += to_nodes(a, g) * stress_at_point(element, g, state);
+      stress += to_nodes(a, g) *
+                Eigen::Map<const VectorN>(&state.stress[first_strain + n * (elements[element].first_point + g)]);
     return stress;
   }
 
@@ -65,8 +79,11 @@ namespace samara
   {
     SectionStresses::Extremes result;
     for (unsigned int i = 0; i < n_elements(); ++i)
-      for (unsigned int g = 0; g < table->n_points; ++g)
-        result.add(layer_extremes(plate_state(stress_at_point(i, g, state), laminate_of(i)), layer));
+      {
+        const Eigen::MatrixXd at_points = recovered_at_points(i, state);
+        for (unsigned int g = 0; g < table->n_points; ++g)
+          result.add(layer_extremes(plate_state(at_points.col(g), laminate_of(i)), layer));
+      }
     return result;
   }
 
@@ -126,10 +143,9 @@ namespace samara
       return {};
     if (rigid)
       throw std::invalid_argument("shell <" + name + "> is rigid: nothing is known of its stresses");
-    if (text == across_the_layers)
+    if (text == across_the_layers && !knows_across())
       throw std::invalid_argument("the stress 33 of shell <" + name +
-                                  "> is not known: that of a shell is left out beside the others, as small as the load "
-                                  "on its surface");
+                                  "> is not known: it takes elements of type <shell> of degree 2 or more");
     const int  layer             = names ? layer_named(last) : -1;
     const auto require_strengths = [&](const unsigned int laminate) {
       if (!place.empty() && layer >= static_cast<int>(strengths[laminate].size()))
@@ -156,24 +172,23 @@ namespace samara
     const unsigned int laminate = laminate_at(node);
     require_strengths(laminate);
     return Probe{path, quantity.unit(), [=](const State &state) {
-                   return quantity.of(layer_extremes(plate_state(mean_stress(node, state), laminate), layer));
+                   return quantity.of(layer_extremes(plate_state(mean_recovered(node, state), laminate), layer));
                  }};
   }
 
 
 
   void
-  Shell::draw_worst_layers(const unsigned int          element,
-                           const std::vector<VectorN> &stresses,
-                           const unsigned int          first_sample,
-                           Drawing                    &drawing) const
+  Shell::draw_worst_layers(const std::vector<PlateState> &states,
+                           const unsigned int             first_sample,
+                           Drawing                       &drawing) const
   {
     Field &strain    = drawing.field("membrane strain", "1", {"11", "22", "12"});
     Field &curvature = drawing.field("bending curvature", "1/m", {"11", "22", "12"});
     Field &von_mises = drawing.field("von Mises stress", "Pa");
-    for (unsigned int k = 0; k < stresses.size(); ++k)
+    for (unsigned int k = 0; k < states.size(); ++k)
       {
-        const PlateState          at = plate_state(stresses[k], laminate_of(element));
+        const PlateState         &at = states[k];
         SectionStresses::Extremes all;
         int                       worst = -1;
         double                    index = -1;
@@ -274,14 +289,15 @@ namespace samara
     if (n_elements() == 0)
       return; // rigid
     drawing.begin_object(name + " layers");
-    LayerFields             fields(drawing, across_the_layers);
+    LayerFields             fields(drawing, knows_across() ? "" : across_the_layers);
     std::vector<Sample>     samples(order.size());
     std::vector<PlateState> states(order.size());
     for (unsigned int i = 0; i < n_elements(); ++i)
       {
-        const Laminate &laminate = laminates[laminate_of(i)];
+        const Laminate       &laminate = laminates[laminate_of(i)];
+        const Eigen::MatrixXd at_nodes = recovered_at_nodes(i, state);
         for (unsigned int k = 0; k < order.size(); ++k)
-          states[k] = plate_state(stress_at_node(i, order[k], state), laminate_of(i));
+          states[k] = plate_state(at_nodes.col(order[k]), laminate_of(i));
         for (unsigned int l = 0; l < strengths[laminate_of(i)].size(); ++l)
           for (int side = -1; side <= 1; ++side)
             {
@@ -297,8 +313,7 @@ namespace samara
               for (unsigned int k = 0; k < order.size(); ++k)
                 {
                   SectionStresses::Extremes there;
-                  there.add(strengths[laminate_of(i)][l],
-                            laminate.stress_in_material(l, laminate.stress(l, z, states[k].strains, states[k].shear)));
+                  there.add(strengths[laminate_of(i)][l], layer_stress(states[k], l, z));
                   fields.set_place(first + k, l + 1, side, offset + z);
                   fields.set(first + k, there);
                 }

@@ -68,6 +68,16 @@ namespace samara
             products += area * rule.N.row(g).transpose() * rule.N.row(g);
           }
         add_part(cell.frames, weights, products);
+        loaded = &surface_body(model, body);
       }
+  }
+
+
+
+  SurfaceTraction
+  AreaLoad::traction(const Point<double> &point) const
+  {
+    const Vector3 f = wrench(point).head<3>(), none = Vector3::Zero();
+    return {0, is_follower() ? none : f, is_follower() ? f : none};
   }
 } // namespace samara

@@ -19,6 +19,8 @@ namespace samara
   {
     for (const auto &cell : cells_of(model, parameters, body, region))
       cells.push_back({cell});
+    if (!cells.empty())
+      loaded = &surface_body(model, body);
   }
 
 
@@ -64,6 +66,16 @@ namespace samara
   {
     const Response *const of_state = cells.front().response.get();
     return point.factor * (of_state != nullptr ? (*of_state)(point) : Number(pressure.of_time()(point.time)));
+  }
+
+
+
+  SurfaceTraction
+  Pressure::traction(const Point<double> &point) const
+  {
+    SurfaceTraction result;
+    result.pressure = value(point);
+    return result;
   }
 
 

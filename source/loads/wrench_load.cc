@@ -302,5 +302,6 @@ namespace samara
 
 
 
+  template Vec6<double> WrenchLoad::wrench(const Point<double> &) const;
   template class Evaluated<WrenchLoad, Force>;
 } // namespace samara

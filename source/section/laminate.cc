@@ -14,6 +14,18 @@ namespace samara
 
 
 
+    /** σ₁₁ σ₁₂ σ₂₂ of unit M₁₁, M₂₂ as what they are in σ_α3 of unit Q₁, Q₂: M₁₁,₁ = Q₁ changes σ₁₁ and σ₁₂ along 1,
+     * M₂₂,₂ = Q₂ changes σ₁₂ and σ₂₂ along 2. */
+    Eigen::Matrix2d
+    by_shear_force(const Eigen::Matrix<double, 3, 2> &of_moments)
+    {
+      Eigen::Matrix2d f;
+      f << of_moments(0, 0), of_moments(1, 1), of_moments(1, 0), of_moments(2, 1);
+      return f;
+    }
+
+
+
     /** In plane at σ₃₃ = 0, σ₂₃ and σ₁₃ being zero as well. */
     Matrix3
     reduced_stiffness(const Matrix6 &C)
@@ -52,7 +64,8 @@ namespace samara
         for (int i = 0; i < 2; ++i)
           for (int j = 0; j < 2; ++j)
             layer.shear(i, j) = layer.stiffness(transverse[i], transverse[j]);
-        layer.bottom = z;
+        layer.density = lamina.density;
+        layer.bottom  = z;
         z += t;
         layer.top = z;
         layers.push_back(layer);
@@ -93,13 +106,25 @@ namespace samara
   Eigen::Matrix2d
   Laminate::shear_stresses(const Layer &layer, const double z) const
   {
-    // M₁₁,₁ = Q₁ changes σ₁₁ and σ₁₂ along 1, M₂₂,₂ = Q₂ changes σ₁₂ and σ₂₂ along 2
-    const double                a = layer.bottom, z0 = z - a, z1 = (z * z - a * a) / 2;
-    Eigen::Matrix<double, 3, 2> integral =
-      layer.reduced * (z0 * unit_moments.topRows<3>() + z1 * unit_moments.bottomRows<3>());
-    Eigen::Matrix2d f;
-    f << integral(0, 0), integral(1, 1), integral(1, 0), integral(2, 1);
-    return layer.f_at_bottom - f;
+    const double a = layer.bottom, z0 = z - a, z1 = (z * z - a * a) / 2;
+    return layer.f_at_bottom -
+           by_shear_force(layer.reduced * (z0 * unit_moments.topRows<3>() + z1 * unit_moments.bottomRows<3>()));
+  }
+
+
+
+  Laminate::Integrals
+  Laminate::integrals(const Layer &layer, const double z) const
+  {
+    const double a = layer.bottom, h = z - a, z1 = h * (z + a) / 2, z11 = h * h * (z + 2 * a) / 6;
+    Integrals    result = layer.below;
+    result.f +=
+      h * layer.f_at_bottom -
+      by_shear_force(layer.reduced * (h * h / 2 * unit_moments.topRows<3>() + z11 * unit_moments.bottomRows<3>()));
+    result.stiffness += h * layer.reduced;
+    result.moment += z1 * layer.reduced;
+    result.mass += mass > 0 ? h * layer.density / mass : h / thickness;
+    return result;
   }
 
 
@@ -123,6 +148,13 @@ namespace samara
         f = shear_stresses(layer, layer.top);
       }
     shear = compliance.inverse();
+
+    Integrals below;
+    for (Layer &layer : layers)
+      {
+        layer.below = below;
+        below       = integrals(layer, layer.top);
+      }
   }
 
 
@@ -139,7 +171,7 @@ namespace samara
   Laminate::stress(const unsigned int index, const double z, const Vector6 &strains, const Eigen::Vector2d &Q) const
   {
     AssertIndexRange(index, layers.size());
-    const Layer          &layer = layers[index];
+    const Layer &layer = layers[index];
     Assert(layer.bottom - 1e-9 * thickness <= z && z <= layer.top + 1e-9 * thickness,
            dealii::ExcMessage("A height in another layer."));
     const Vector3         plane = layer.reduced * (strains.head<3>() + z * strains.tail<3>());
@@ -150,6 +182,27 @@ namespace samara
     for (int i = 0; i < 2; ++i)
       s(transverse[i]) = tau(i);
     return s;
+  }
+
+
+
+  void
+  Laminate::Across::balance(const Vector3 &N)
+  {
+    const double divergence = N.dot(curvature) + inertia - bottom + top;
+    shear_gradient += 0.5 * (divergence - shear_gradient.trace()) * Eigen::Matrix2d::Identity();
+  }
+
+
+
+  double
+  Laminate::stress_across(const unsigned int index, const double z, const Vector6 &strains, const Across &across) const
+  {
+    AssertIndexRange(index, layers.size());
+    const Integrals below = integrals(layers[index], z);
+    return -across.bottom - below.f.cwiseProduct(across.shear_gradient).sum() +
+           across.curvature.dot(below.stiffness * strains.head<3>() + below.moment * strains.tail<3>()) +
+           below.mass * across.inertia;
   }
 
 

@@ -1,7 +1,8 @@
 /*
  * Problem:   stiffness of laminates by warping of dimension 1
  * Reference: classical lamination (tests/reference/sections/laminate_ABD_*.csv, analytic); simply supported plates
- * under a sinusoidal load solved as 3D solids (tests/reference/sections/pagano_plates.csv); 5/6 of a homogeneous plate.
+ * under a sinusoidal load solved as 3D solids (tests/reference/sections/pagano_plates.csv, here for stresses across);
+ * 5/6 of a homogeneous plate.
  */
 
 #include <samara/section/elasticity.h>
@@ -257,6 +258,167 @@ TEST(Laminate, SymmetricLaminateCarriesItsShearForce)
         sum += half * (x == 0 ? 8. / 9 : 5. / 9) * Eigen::Vector2d(s(4), s(3));
       }
   EXPECT_LT((sum - Q).norm(), 1e-12 * Q.norm());
+}
+
+
+
+namespace
+{
+  /**
+   * Cylindrical bending of plies along or across (0, 1) under the pressure sin(πx/a) on the top, in plane strain, as a
+   * solid (Pagano, J. Composite Materials 3, 1969): displacements U cos and W sin, stresses S sin = σ₃₃ and T cos = σ₁₃
+   * obey y' = A y in each ply. The thickness is one.
+   */
+  class CylindricalBending
+  {
+  public:
+    CylindricalBending(const std::vector<double> &degrees, const double a)
+      : h(1. / degrees.size())
+    {
+      const double    k     = M_PI / a;
+      Eigen::Matrix4d whole = Eigen::Matrix4d::Identity();
+      for (const double angle : degrees)
+        {
+          const Matrix6 C   = elasticity::stiffness(pagano);
+          const double  C11 = angle == 0 ? C(0, 0) : C(1, 1), C13 = angle == 0 ? C(0, 2) : C(1, 2), C33 = C(2, 2),
+                       C55 = angle == 0 ? C(4, 4) : C(3, 3);
+          Eigen::Matrix4d A;
+          A << 0, -k, 0, 1 / C55,         //
+            k * C13 / C33, 0, 1 / C33, 0, //
+            0, 0, 0, k,                   //
+            k * k * (C11 - C13 * C13 / C33), 0, -k * C13 / C33, 0;
+          plies.push_back(A);
+          whole = exponential(A * h) * whole;
+        }
+      at_bottom.setZero();
+      at_bottom.head<2>() = whole.bottomLeftCorner<2, 2>().lu().solve(Eigen::Vector2d(-1, 0));
+    }
+
+    /** σ₃₃ over the sine at the height @p z above the bottom of a ply. */
+    double
+    stress(const unsigned int ply, const double z) const
+    {
+      Eigen::Vector4d y = at_bottom;
+      for (unsigned int i = 0; i < ply; ++i)
+        y = exponential(plies[i] * h) * y;
+      return (exponential(plies[ply] * z) * y)(2);
+    }
+
+  private:
+    double                       h;
+    std::vector<Eigen::Matrix4d> plies;
+    Eigen::Vector4d              at_bottom;
+
+    static Eigen::Matrix4d
+    exponential(const Eigen::Matrix4d &A)
+    {
+      Eigen::Matrix4d sum = Eigen::Matrix4d::Identity(), term = sum;
+      for (unsigned int n = 1; n < 40; ++n)
+        {
+          term = (term * A / n).eval();
+          sum += term;
+        }
+      return sum;
+    }
+  };
+
+  /** The largest difference of σ₃₃ to that, by equilibrium: M₁₁,₁₁ = Q₁,₁ = sin, N = 0. */
+  double
+  difference_across(const std::vector<double> &degrees, const double a)
+  {
+    const Laminate           own = laminate(degrees, pagano, 1.);
+    const CylindricalBending exact(degrees, a);
+    Eigen::Matrix2d          in_plane;
+    in_plane << own.ABD(0, 0), own.ABD(0, 3), own.ABD(3, 0), own.ABD(3, 3);
+    const Eigen::Vector2d e = in_plane.inverse() * Eigen::Vector2d(0, -a * a / (M_PI * M_PI));
+    Vector6               strains;
+    strains << e(0), 0, 0, e(1), 0, 0;
+    Laminate::Across across;
+    across.shear_gradient(0, 0) = 1;
+    across.top                  = 1;
+    double largest              = 0;
+    for (unsigned int ply = 0; ply < degrees.size(); ++ply)
+      for (const double part : {0., 0.2, 0.4, 0.6, 0.8, 1.})
+        {
+          const auto [bottom, top] = own.heights(ply);
+          const double z           = part * (top - bottom);
+          largest =
+            std::max(largest, std::abs(own.stress_across(ply, bottom + z, strains, across) - exact.stress(ply, z)));
+        }
+    return largest;
+  }
+} // namespace
+
+
+
+// Across the plies the stress by equilibrium is that of the solid: of second order in thickness over length where the
+// plate is homogeneous.
+TEST(Laminate, StressAcrossAgreesWithThreeDimensionalElasticity)
+{
+  double last = 0;
+  for (const double a : {5., 10., 20., 40.})
+    {
+      const double now = difference_across({0}, a);
+      if (last > 0)
+        EXPECT_GT(last / now, 3.5) << a;
+      last = now;
+    }
+  EXPECT_LT(difference_across({0}, 10), 5e-3);
+  for (const std::vector<double> &degrees : {std::vector<double>{0, 90, 0}, {0, 90}, {0, 90, 90, 0}})
+    {
+      EXPECT_LT(difference_across(degrees, 10), 0.015);
+      EXPECT_LT(difference_across(degrees, 20), 0.004);
+    }
+}
+
+
+
+// It begins with the pressure at the bottom, ends with that at the top, and grows in between as the other stresses say.
+TEST(Laminate, StressAcrossIsInBalance)
+{
+  std::vector<Lamina> plies;
+  for (const double angle : {0., 45., -45., 90., 90.})
+    plies.push_back({elasticity::stiffness(AS4), angle * M_PI / 180, 2e-4, plies.empty() ? 3000. : 1500.});
+  const Laminate own(plies);
+  Vector6        strains;
+  strains << 1e-4, -2e-4, 3e-4, 0.5, -0.7, 0.2;
+  Laminate::Across across;
+  across.shear_gradient << 1e5, -3e5, 2e5, 4e5;
+  across.curvature << 0.5, -0.3, 0.8;
+  across.bottom   = 2e5;
+  across.top      = 5e4;
+  across.inertia  = 3e5;
+  const Vector3 N = (own.ABD * strains).head<3>();
+  across.balance(N);
+  const double size = 1e6;
+  EXPECT_NEAR(own.stress_across(0, own.heights(0)[0], strains, across), -across.bottom, 1e-12 * size);
+  EXPECT_NEAR(own.stress_across(4, own.heights(4)[1], strains, across), -across.top, 1e-9 * size);
+  for (unsigned int i = 0; i < 5; ++i)
+    {
+      const auto [bottom, top] = own.heights(i);
+      if (i > 0)
+        EXPECT_NEAR(own.stress_across(i, bottom, strains, across),
+                    own.stress_across(i - 1, bottom, strains, across),
+                    1e-9 * size);
+      // at the Gauss points of the parabola whose integral is the growth
+      double growth = 0;
+      for (const double x : {-std::sqrt(1. / 3), std::sqrt(1. / 3)})
+        {
+          const double  z   = (bottom + top) / 2 + x * (top - bottom) / 2;
+          const Vector6 s   = own.stress(i, z, strains, Eigen::Vector2d::Zero()),
+                        f_1 = own.stress(i, z, Vector6::Zero(), {1, 0}),
+                        f_2 = own.stress(i, z, Vector6::Zero(), {0, 1});
+          const auto &G     = across.shear_gradient;
+          growth += (top - bottom) / 2 *
+                    (Vector3(s(0), s(5), s(1)).dot(across.curvature) -
+                     (f_1(4) * G(0, 0) + f_1(3) * G(1, 0) + f_2(4) * G(0, 1) + f_2(3) * G(1, 1)) +
+                     plies[i].density / own.mass * across.inertia);
+        }
+      EXPECT_NEAR(own.stress_across(i, top, strains, across) - own.stress_across(i, bottom, strains, across),
+                  growth,
+                  1e-9 * size)
+        << i;
+    }
 }
 
 

@@ -7,8 +7,8 @@
 #include <samara/cosserat/shell_curve.h>
 #include <samara/cosserat/shell_mesh.h>
 #include <samara/model/relative_motion.h>
-#include <samara/model/surface.h>
 #include <samara/model/surface_curve.h>
+#include <samara/model/surface_load.h>
 #include <samara/section/laminate.h>
 #include <samara/section/recovery.h>
 
@@ -112,6 +112,13 @@ namespace samara
     void add_initial_velocities(State &state) const override;
 
   protected:
+    /** As Cosserat: whether strains are those of the class. */
+    bool
+    joins() const override
+    {
+      return true;
+    }
+
     unsigned int degree         = 3;     ///< entry
     bool         takes_any_cell = false; ///< see ShellMesh
 
@@ -150,6 +157,20 @@ namespace samara
     std::shared_ptr<const SurfaceRule>                    rule;
     Eigen::MatrixXd to_nodes; ///< values at the nodes of a cell from those at its integration points
 
+    /** The nodes of a cell that are on none of its sides, and values at the integration points from those there. */
+    std::vector<unsigned int> inner_nodes;
+    Eigen::MatrixXd           inner_to_points;
+    /** Derivatives by the unit coordinates at the integration points, from the values there: polynomials of
+     * inner_nodes. */
+    Eigen::MatrixXd slopes_at_points[2];
+
+    struct LoadOnSurface
+    {
+      const SurfaceLoad *load;
+      std::vector<bool>  acts_on; ///< cells
+    };
+    std::vector<LoadOnSurface> loads_on_surface;
+
     /** Of each node of the mesh, with the axes of the first cell there. */
     std::vector<Frame> node_frames;
 
@@ -176,6 +197,8 @@ namespace samara
     PatchMesh   mesh_of_patch(unsigned int patch) const;
     std::string complaint_about_elements() const;
     void        make_rule();
+    void        make_rule_across();
+    void        find_loads_on_surface();
     /** @param about_normal of K₁₃ and K₂₃ [N m] */
     MatrixN stiffness(const Laminate &laminate, double about_normal) const;
     /** Of K₁₃ and K₂₃ in a cell [N m]. */
@@ -193,7 +216,7 @@ namespace samara
 
     /** Unit normals of the cells at their nodes, averaged over cells within the crease angle. */
     std::vector<std::vector<Vector3>> normals() const;
-    /** Axes of a cell at its nodes. @throws std::invalid_argument if "Axis 1" is normal to it. */
+    /** Axes of a cell at its nodes. @throws std::invalid_argument if "Axis 1" is normal to it, or nearly so. */
     std::vector<Matrix3> triads(unsigned int cell, const std::vector<Vector3> &normals) const;
 
     NamedPoint point_of(unsigned int node) const;
@@ -214,24 +237,60 @@ namespace samara
     /** Section forces from stresses, see below, as fields at as many samples. */
     void draw_section_forces(const std::vector<VectorN> &stresses, unsigned int first_sample, Drawing &drawing) const;
 
-    /** @name Stresses C e of twelve strains at a point of integration, at a node of an element, at a node of the mesh:
-     * the mean over the cells there with its axes @{ */
-    VectorN stress_at_point(unsigned int element, unsigned int g, const State &state) const;
+    /** Whether node @p a of an element is the node @p node of the mesh, and has its axes. */
+    bool is_of_node(unsigned int element, unsigned int a, unsigned int node) const;
+
+    /** @name Stresses C e of twelve strains at a node of an element, at a node of the mesh: the mean over the cells
+     * there with its axes @{ */
     VectorN stress_at_node(unsigned int element, unsigned int a, const State &state) const;
     VectorN mean_stress(unsigned int node, const State &state) const;
     /** @} */
 
+    /**
+     * What the stresses of layers follow from: the twelve stresses C e, and below them Laminate::Across in the order of
+     * these rows; zero where knows_across() is false.
+     */
+    static constexpr unsigned int row_of_gradient = n, row_of_curvature = n + 4, row_of_bottom = n + 7,
+                                  row_of_top = n + 8, row_of_inertia = n + 9, n_recovered = n + 10;
+    using Recovered = Eigen::Matrix<double, n_recovered, 1>;
+
+    /** @name One column for each integration point or node of an element; of a node of the mesh the mean, see above @{
+     */
+    Eigen::MatrixXd recovered_at_points(unsigned int element, const State &state) const;
+    Eigen::MatrixXd recovered_at_nodes(unsigned int element, const State &state) const;
+    Recovered       mean_recovered(unsigned int node, const State &state) const;
+    /** @} */
+
+    /** Its parts, of an element: from the polynomials through the shear forces at the integration points, ... */
+    void add_shear_gradients(unsigned int element, Eigen::MatrixXd &recovered) const;
+    void add_curvatures(unsigned int element, const State &state, Eigen::MatrixXd &recovered) const;
+    void add_pressures(unsigned int element, const State &state, Eigen::MatrixXd &recovered) const;
+    /**
+     * What the loads on the surface leave of the forces of the stresses at the inner nodes, along d₃ and over the area
+     * of the node: mass times the acceleration less gravity [Pa]. No other cell and no edge has a part in these nodes.
+     * @param loads at the integration points, their weights included [N].
+     */
+    Eigen::VectorXd inertia_at_inner_nodes(unsigned int                      element,
+                                           const kernel::NodeValues<double> *nodes,
+                                           const Eigen::Matrix3Xd           &loads,
+                                           const Eigen::MatrixXd            &recovered) const;
+
     /** Strains of the plate in the middle of its thickness, in the order of the @p laminate, and shear forces [N/m]. */
     struct PlateState
     {
-      unsigned int    laminate;
-      Vector6         strains;
-      Eigen::Vector2d shear;
+      unsigned int     laminate;
+      Vector6          strains;
+      Eigen::Vector2d  shear;
+      Laminate::Across across;
     };
-    PlateState plate_state(const VectorN &stress, unsigned int laminate) const;
+    PlateState plate_state(const Recovered &recovered, unsigned int laminate) const;
 
-    /** The stress that is not known: zero to the order of a plate. */
+    /** The stress that is only known of elements of degree two and more, whose strains are those of this class. */
     static constexpr const char *across_the_layers = "stress 33";
+    bool                         knows_across() const;
+
+    /** In the axes of the material. */
+    Vector6 layer_stress(const PlateState &at, unsigned int layer, double z) const;
 
     /** Of the layer, or of all if it is negative, at a place, or over the surface. @{ */
     SectionStresses::Extremes layer_extremes(const PlateState &at, int layer) const;
@@ -247,11 +306,8 @@ namespace samara
     std::optional<Probe>
     layer_probe(const std::string &path, const std::string &point, const std::string &quantity) const;
 
-    /** Strains, and the largest of stresses and indices of failure of an element, as draw_section_forces(). */
-    void draw_worst_layers(unsigned int                element,
-                           const std::vector<VectorN> &stresses,
-                           unsigned int                first_sample,
-                           Drawing                    &drawing) const;
+    /** Strains, and the largest of stresses and indices of failure, as draw_section_forces(). */
+    void draw_worst_layers(const std::vector<PlateState> &states, unsigned int first_sample, Drawing &drawing) const;
     /**
      * Each layer as three surfaces, at its bottom, middle and top, where probes look for what is largest, with what
      * they find there; the nodes of an element in this order.

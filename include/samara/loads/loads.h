@@ -127,6 +127,10 @@ namespace samara
 
     std::array<Law, 3> force, moment;
 
+    /** Force and moment. */
+    template <typename Number>
+    Vec6<Number> wrench(const Point<Number> &point) const;
+
   private:
     std::string axes = "inertial";
 
@@ -134,10 +138,6 @@ namespace samara
 
     /** Of any part: laws have the same value at all of them, and other rows in the matrices. */
     const Responses &responses() const;
-
-    /** Force and moment. */
-    template <typename Number>
-    Vec6<Number> wrench(const Point<Number> &point) const;
 
     /** The residual of a point or a span for a force and a moment, 6 a frame. */
     template <typename Number>

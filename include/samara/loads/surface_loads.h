@@ -2,7 +2,7 @@
 #define samara_loads_surface_loads_h
 
 #include <samara/loads/loads.h>
-#include <samara/model/surface.h>
+#include <samara/model/surface_load.h>
 
 namespace samara
 {
@@ -11,14 +11,27 @@ namespace samara
    * is that of a line load with areas for lengths, see LineLoad, integrated by Gauss's rule with (p + 1)² points a
    * cell; followers have components along d₁ d₂ d₃ of the surface. What presses on the deformed area is a Pressure.
    */
-  class AreaLoad : public WrenchLoad
+  class AreaLoad : public WrenchLoad, public SurfaceLoad
   {
   public:
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
 
+    const SurfaceBody *
+    loaded_body() const override
+    {
+      return loaded;
+    }
+    const std::string &
+    loaded_region() const override
+    {
+      return region;
+    }
+    SurfaceTraction traction(const Point<double> &point) const override;
+
   private:
-    std::string body, region;
+    std::string        body, region;
+    const SurfaceBody *loaded = nullptr;
   };
 
 
@@ -32,7 +45,7 @@ namespace samara
    * It follows, so its tangent is not symmetric, and its work is counted as that of loads. It has no moment: an offset
    * of the laminate is neglected.
    */
-  class Pressure : public Item, public Evaluated<Pressure, Force>
+  class Pressure : public Item, public Evaluated<Pressure, Force>, public SurfaceLoad
   {
   public:
     void   add_parameters(Parameters &prm) override;
@@ -47,9 +60,22 @@ namespace samara
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 
+    const SurfaceBody *
+    loaded_body() const override
+    {
+      return loaded;
+    }
+    const std::string &
+    loaded_region() const override
+    {
+      return region;
+    }
+    SurfaceTraction traction(const Point<double> &point) const override;
+
   private:
-    std::string body, region;
-    Law         pressure;
+    std::string        body, region;
+    const SurfaceBody *loaded = nullptr;
+    Law                pressure;
 
     struct Cell
     {

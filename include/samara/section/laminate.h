@@ -56,9 +56,31 @@ namespace samara
 
     /**
      * Voigt stresses at the height @p z of the lamina @p index in the laminate's axes [Pa], from plate strains and
-     * shear forces Q [N/m]; σ₃₃ is zero to this order.
+     * shear forces Q [N/m]; σ₃₃, which is smaller than these, is zero: see stress_across().
      */
     Vector6 stress(unsigned int index, double z, const Vector6 &strains, const Eigen::Vector2d &Q) const;
+
+    /** What the stress across the laminae follows from beside plate strains: a balance along the normal. */
+    struct Across
+    {
+      /** ∇Q: the divergence of a shear stress f_αγ(z) Q_γ is the sum of f_αγ times these, (α, γ) [N/m²]. */
+      Eigen::Matrix2d shear_gradient = Eigen::Matrix2d::Zero();
+      Vector3         curvature      = Vector3::Zero(); ///< e_α · n,β of the normal n: 11, 12 + 21, 22 [1/m]
+      double          bottom = 0, top = 0;              ///< pressures against the two faces [Pa]
+      double          inertia = 0; ///< mass per area times the acceleration less gravity, along the normal [Pa]
+
+      /** Change the divergence of the shear force so that all this is in balance with the membrane forces @p N. */
+      void balance(const Vector3 &N);
+    };
+
+    /**
+     * σ₃₃ at the height @p z of the lamina @p index [Pa], of what is in balance:
+     *
+     *     σ₃₃,₃ = −(f_αγ Q_γ)|α + σ_αβ (e_α · n,β) + ρ (a₃ − g₃)      σ₃₃ = −(bottom), −(top) at the faces
+     *
+     * to the first order of thickness over radius. Without density, inertia is spread evenly.
+     */
+    double stress_across(unsigned int index, double z, const Vector6 &strains, const Across &across) const;
 
     /** The same in the axes of the lamina's material. */
     Vector6 stress_in_material(unsigned int index, const Vector6 &stress) const;
@@ -67,6 +89,14 @@ namespace samara
     std::array<double, 2> heights(unsigned int index) const;
 
   private:
+    /** From the bottom to a height: of f, of the stiffness and of that times z in plane, the part of the mass. */
+    struct Integrals
+    {
+      Eigen::Matrix2d f         = Eigen::Matrix2d::Zero();
+      Matrix3         stiffness = Matrix3::Zero(), moment = Matrix3::Zero();
+      double          mass = 0; ///< of the thickness without density
+    };
+
     struct Layer
     {
       Matrix6         stiffness; ///< in the laminate's axes
@@ -74,12 +104,15 @@ namespace samara
       Eigen::Matrix2d shear;     ///< g, order 13 23
       Matrix3         axes;      ///< columns: those of the material
       double          bottom, top;
+      double          density;
       Eigen::Matrix2d f_at_bottom = Eigen::Matrix2d::Zero(); ///< shear stresses of unit shear forces
+      Integrals       below;
     };
     std::vector<Layer>          layers;
     Eigen::Matrix<double, 6, 2> unit_moments; ///< plate strains of unit M₁₁ and M₂₂
 
     Eigen::Matrix2d shear_stresses(const Layer &layer, double z) const;
+    Integrals       integrals(const Layer &layer, double z) const;
     void            find_membrane_and_bending();
     void            find_shear();
     void            find_asymptotic_shear();
