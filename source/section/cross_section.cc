@@ -32,7 +32,9 @@ namespace samara
 
 
 
-    /** The strains (Γ, K) at the distance @p x from those at a point, and moments there from those about x, transposed.
+    /**
+     * The strains (Γ, K) at the distance @p x from a point, from those at the point. Transposed, it takes forces (F, M)
+     * about the one at x to those about the point.
      */
     Matrix6
     strains_at(const dealii::Tensor<1, 2> &x)

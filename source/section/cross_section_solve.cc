@@ -101,7 +101,7 @@ namespace samara
     }
 
     /** The integrals of CrossSection, where they are. */
-    struct Integrals
+    struct WarpingIntegrals
     {
       const SectionMatrix                            &E, &C, &M;
       const Eigen::Matrix<double, Eigen::Dynamic, 6> &R, &L;
@@ -201,7 +201,7 @@ namespace samara
 
 
     UnitWarping
-    warping_of(const Integrals &of, const Vector3 &k, const std::array<unsigned int, 6> &pinned)
+    warping_of(const WarpingIntegrals &of, const Vector3 &k, const std::array<unsigned int, 6> &pinned)
     {
       const auto &[E, C, M, R, L, A, T] = of;
       const unsigned int n              = E.rows();

@@ -34,7 +34,8 @@ namespace samara
   public:
     /**
      * @param curvature (k₁, k₂, k₃) [rad/m]
-     * @throws std::invalid_argument if the curvature is too large for the depth, or a material has no positive energy.
+     * @throws std::invalid_argument if the curvature is too large for the depth, a material has no positive energy, or
+     * walls are so thin that round-off has more of the answer than they.
      */
     CrossSection(const SectionMesh                  &mesh,
                  const std::vector<SectionMaterial> &materials,
