@@ -125,6 +125,12 @@ end
   {
     return "    set Coordinates = " SAMARA_SOURCE_DIR "/tests/reference/sections/airfoil_" + name + ".csv\n";
   }
+
+  std::vector<dealii::Point<2>>
+  points_of_reference(const std::string &name)
+  {
+    return read_airfoil(SAMARA_SOURCE_DIR "/tests/reference/sections/airfoil_" + name + ".csv");
+  }
 } // namespace
 
 
@@ -367,16 +373,13 @@ namespace
 // whose cells do not overlap: the area of the plies is that of strips along the outline.
 TEST(Airfoil, PublicAirfoilsHaveMeshes)
 {
-  using Points          = std::vector<dealii::Point<2>>;
-  const auto public_one = [](const std::string &name) {
-    return read_airfoil(SAMARA_SOURCE_DIR "/tests/reference/sections/airfoil_" + name + ".csv");
-  };
+  using Points                                               = std::vector<dealii::Point<2>>;
   const std::vector<std::pair<std::string, Points>> outlines = {
     {"    set NACA = 0012\n    set NACA trailing edge = sharp\n", naca_points("0012", true)},
     {"    set NACA = 2418\n", naca_points("2418", false)},
-    {reference_airfoil("s809"), public_one("s809")},
-    {reference_airfoil("du_97_w_300"), public_one("du_97_w_300")},
-    {reference_airfoil("ffa_w3_241"), public_one("ffa_w3_241")}};
+    {reference_airfoil("s809"), points_of_reference("s809")},
+    {reference_airfoil("du_97_w_300"), points_of_reference("du_97_w_300")},
+    {reference_airfoil("ffa_w3_241"), points_of_reference("ffa_w3_241")}};
   std::string misses;
   for (const auto &[outline, points] : outlines)
     for (const auto &parts : parts_of_airfoils)
@@ -404,9 +407,7 @@ TEST(Airfoil, PublicAirfoilsHaveMeshes)
 // times the length of its middle.
 TEST(Airfoil, LeaningWebsHaveTheirThickness)
 {
-  const AirfoilOutline outline(read_airfoil(SAMARA_SOURCE_DIR "/tests/reference/sections/airfoil_du_97_w_300.csv"),
-                               1,
-                               0.25);
+  const AirfoilOutline outline(points_of_reference("du_97_w_300"), 1, 0.25);
   for (const auto &[low, high] : {std::make_pair(0.6, 0.6), std::make_pair(0.5, 0.7), std::make_pair(0.7, 0.5)})
     {
       const double mass =
@@ -463,10 +464,8 @@ TEST(Airfoil, DifferentSkinsMeetInTheTrailingEdge)
   const std::vector<std::pair<std::string, AirfoilOutline>> outlines = {
     {"    set NACA = 0012\n    set NACA trailing edge = sharp\n", naca_outline("0012", true)},
     {"    set NACA = 2418\n", naca_outline("2418", false)},
-    {reference_airfoil("s809"),
-     AirfoilOutline(read_airfoil(SAMARA_SOURCE_DIR "/tests/reference/sections/airfoil_s809.csv"), 1, 0.25)},
-    {reference_airfoil("ffa_w3_241"),
-     AirfoilOutline(read_airfoil(SAMARA_SOURCE_DIR "/tests/reference/sections/airfoil_ffa_w3_241.csv"), 1, 0.25)}};
+    {reference_airfoil("s809"), AirfoilOutline(points_of_reference("s809"), 1, 0.25)},
+    {reference_airfoil("ffa_w3_241"), AirfoilOutline(points_of_reference("ffa_w3_241"), 1, 0.25)}};
   for (const auto &[text, outline] : outlines)
     {
       const auto mass = [&, text = text](const std::string &skin, const std::string &upper, const std::string &glue) {
