@@ -136,16 +136,78 @@ namespace samara
 
 
   double
-  AirfoilMesh::face_of(const bool upper, const double x, const double thickness) const
+  AirfoilMesh::face_of(const bool                                  upper,
+                       const double                                x,
+                       const double                                thickness,
+                       const std::function<double(const Place &)> &beyond) const
   {
-    const double reach = 0.01 + 2 * thickness / outline->chord;
+    const double reach = 0.02 + 2 * thickness / outline->chord;
     double       near = outline->at(upper, std::max(x - reach, 0.)), far = outline->at(upper, std::min(x + reach, 1.));
     for (unsigned int k = 0; k < 60; ++k)
       {
-        const double m                                           = 0.5 * (near + far);
-        (outline->x_of(at_depth(m, thickness)) < x ? near : far) = m;
+        const double m                                    = 0.5 * (near + far);
+        (beyond(at_depth(m, thickness)) < 0 ? near : far) = m;
       }
     return 0.5 * (near + far);
+  }
+
+
+
+  double
+  AirfoilMesh::face_of(const bool upper, const double x, const double thickness) const
+  {
+    return face_of(upper, x, thickness, [&](const Place &place) { return outline->x_of(place) - x; });
+  }
+
+
+
+  void
+  AirfoilMesh::find_web(const unsigned int web)
+  {
+    const auto  &own  = design.webs[web];
+    const double x[2] = {own.lower, own.upper}, half = 0.5 * thickness_of(own.wall);
+    // across a web that leans its thickness is less than along the chord
+    const auto half_along = [&](const Place ends[2]) {
+      const double lean = outline->chord * (x[1] - x[0]), height = (ends[1] - ends[0])[1];
+      return half / outline->chord * std::sqrt(1 + std::pow(lean / height, 2));
+    };
+    const double on_outline[2] = {outline->at(false, x[0]), outline->at(true, x[1])};
+    const Place  of_outline[2] = {outline->place(on_outline[0]), outline->place(on_outline[1])};
+    double       reach         = half_along(of_outline);
+    double       thickness[2];
+    Place        ends[2];
+    for (const bool upper : {false, true})
+      {
+        const double back  = outline->at(upper, std::min(1., x[upper] + reach)),
+                     front = outline->at(upper, std::max(0., x[upper] - reach));
+        bind_spans(web, upper, std::min(back, front), std::max(back, front));
+        thickness[upper] = thickness_at(on_outline[upper]);
+        ends[upper]      = at_depth(face_of(upper, x[upper], thickness[upper]), thickness[upper]);
+      }
+    // it stands between the inner faces, not between the sides of the outline; where these meet it is refused later
+    const bool has_room = (ends[1] - ends[0])[1] > 4 * half;
+    if (!has_room)
+      std::copy(of_outline, of_outline + 2, ends);
+    reach = half_along(ends);
+    // its faces are parallel to the line of its middle: one that leans meets inner faces, which slope, elsewhere than
+    // half its width before and behind the middle
+    const auto           middle = ends[1] - ends[0];
+    dealii::Tensor<1, 2> to_tail;
+    to_tail[0] = -middle[1] / middle.norm();
+    to_tail[1] = middle[0] / middle.norm();
+    for (const bool upper : {false, true})
+      {
+        const auto face = [&](const double sign) {
+          const auto   beyond = [&](const Place &place) { return (place - ends[0]) * to_tail - sign * half; };
+          const double s      = face_of(upper, x[upper] + sign * reach, thickness[upper], beyond);
+          if (has_room && std::abs(beyond(at_depth(s, thickness[upper]))) > 1e-6 * half)
+            fail("web " + std::to_string(web + 1) + " does not end on the skin " + at_x(s), outline->place(s));
+          return s;
+        };
+        const double b = face(1), f = face(-1);
+        faces[4 * web + (upper ? 2 : 0)] = std::min(b, f);
+        faces[4 * web + (upper ? 3 : 1)] = std::max(b, f);
+      }
   }
 
 
@@ -155,37 +217,7 @@ namespace samara
   {
     faces.resize(4 * design.webs.size());
     for (unsigned int web = 0; web < design.webs.size(); ++web)
-      {
-        const auto  &own  = design.webs[web];
-        const double x[2] = {own.lower, own.upper};
-        // across a web that leans its thickness is less than along the chord
-        const auto half_of = [&](const Place &lower, const Place &upper) {
-          const double lean = outline->chord * (x[1] - x[0]), height = (upper - lower)[1];
-          return 0.5 * thickness_of(own.wall) / outline->chord * std::sqrt(1 + std::pow(lean / height, 2));
-        };
-        const double on_outline[2] = {outline->at(false, x[0]), outline->at(true, x[1])};
-        const double reach         = half_of(outline->place(on_outline[0]), outline->place(on_outline[1]));
-        double       thickness[2];
-        Place        ends[2];
-        for (const bool upper : {false, true})
-          {
-            const double back  = outline->at(upper, std::min(1., x[upper] + reach)),
-                         front = outline->at(upper, std::max(0., x[upper] - reach));
-            bind_spans(web, upper, std::min(back, front), std::max(back, front));
-            thickness[upper] = thickness_at(on_outline[upper]);
-            ends[upper]      = at_depth(face_of(upper, x[upper], thickness[upper]), thickness[upper]);
-          }
-        // it stands between the inner faces, not between the sides of the outline; where these meet it is refused later
-        const bool   has_room = (ends[1] - ends[0])[1] > 2 * thickness_of(own.wall);
-        const double half     = has_room ? half_of(ends[0], ends[1]) : reach;
-        for (const bool upper : {false, true})
-          {
-            const double b                   = face_of(upper, x[upper] + half, thickness[upper]),
-                         f                   = face_of(upper, x[upper] - half, thickness[upper]);
-            faces[4 * web + (upper ? 2 : 0)] = std::min(b, f);
-            faces[4 * web + (upper ? 3 : 1)] = std::max(b, f);
-          }
-      }
+      find_web(web);
     for (Span &span : spans)
       {
         if (span.at_a >= 0)
@@ -289,6 +321,14 @@ namespace samara
           fail("a range of the skin lies behind x/c = " + number_to_text("%.4g", trailing_from) +
                  ", where the skins end and the block of the trailing edge begins",
                outline->place(0.5 * (span.a + span.b)));
+        // plies of a block run on to its end
+        const double near = 1e-3 * outline->chord;
+        for (const double s : {span.a, span.b})
+          if (design.skins_run_on && ((s > near && s < begin) || (s > end && s < outline->length() - near)))
+            fail("a range of the skin ends " + at_x(s) + ", in the block of the trailing edge, which begins at x/c = " +
+                   number_to_text("%.4g", trailing_from) +
+                   " and into which skins run on: let it end in front of that, or at 1",
+                 outline->place(s));
         breaks.push_back(span.a);
         breaks.push_back(span.b);
       }

@@ -223,9 +223,17 @@ namespace samara
     for (const double depth : strips.front().depths)
       lower.push_back(at_depth(begin, depth));
     const Place middle(0.5 * (upper.back() + lower.back()));
-    upper.push_back(middle);
-    lower.push_back(middle);
-    if (outline->trailing_edge() > 0)
+    const bool  is_blunt = outline->trailing_edge() > 0;
+    // in a sharp edge cells across are those along its tip, half as long as the block
+    const unsigned int n =
+      is_blunt ? 1 : std::max(1., std::ceil(0.5 * begin * design.fineness.along / outline->chord - 1e-6));
+    for (auto *const side : {&upper, &lower})
+      {
+        const Place skin = side->back();
+        for (unsigned int k = 1; k <= n; ++k)
+          side->emplace_back(skin + double(k) / n * (middle - skin));
+      }
+    if (is_blunt)
       add_blunt_trailing_edge(upper, lower);
     else
       add_sharp_trailing_edge(upper, lower);
@@ -285,14 +293,16 @@ namespace samara
 
     SectionPatch above, below, tip;
     above.name = below.name = tip.name = "the trailing edge";
-    const auto plies_above = trailing_plies(true), plies_below = trailing_plies(false);
+    auto              plies_above = trailing_plies(true), plies_below = trailing_plies(false);
+    const std::size_t n_above = plies_above.size() - 1, n_below = plies_below.size() - 1; // of the skins
+    plies_above.resize(upper.size() - 1, plies_above.back());
+    plies_below.resize(lower.size() - 1, plies_below.back());
     above.ply = [plies_above](unsigned int, const unsigned int j) { return plies_above[j]; };
     below.ply = [plies = turned_over(plies_below)](unsigned int, const unsigned int j) { return plies[j]; };
     // in the tip plies of the upper side are columns, those of the lower one rows; where both are the outer one goes on
-    tip.ply = [plies_above, plies_below](const unsigned int i, const unsigned int j) {
+    tip.ply = [=](const unsigned int i, const unsigned int j) {
       const unsigned int row = plies_below.size() - 1 - j;
-      return row >= plies_below.size() - 1 || (i < plies_above.size() - 1 && i <= row) ? plies_above[i] :
-                                                                                         plies_below[row];
+      return row >= n_below || (i < n_above && i <= row) ? plies_above[i] : plies_below[row];
     };
     tip.tangent = [=, tail = outline->place(0), outline = outline](const Place &x) {
       const auto   way = tail - M, to = x - M;

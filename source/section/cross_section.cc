@@ -21,13 +21,27 @@ namespace samara
 
 
 
-    /** Z = [I, −x~]: what a strain of the reference line is at x = (0, x₂, x₃). */
+    /** Z = [I, −x~]: what a strain of the reference line is at the distance x = (0, x₂, x₃). */
     Eigen::Matrix<double, 3, 6>
-    shift_to(const dealii::Point<2> &x)
+    shift_by(const dealii::Tensor<1, 2> &x)
     {
       Eigen::Matrix<double, 3, 6> Z;
       Z << Matrix3::Identity(), -skew(Vector3(0, x[0], x[1]));
       return Z;
+    }
+
+
+
+    /**
+     * The strains (Γ, K) at the distance @p x from a point, from those at the point. Transposed, it takes forces (F, M)
+     * about the one at x to those about the point.
+     */
+    Matrix6
+    strains_at(const dealii::Tensor<1, 2> &x)
+    {
+      Matrix6 result                = Matrix6::Identity();
+      result.topRightCorner<3, 3>() = -skew(Vector3(0, x[0], x[1]));
+      return result;
     }
 
 
@@ -180,13 +194,18 @@ namespace samara
 
       Eigen::MatrixXd E, C, M, R, L;
 
-      /** Take point @p q with the stiffness @p Q there; Q S Z of it is returned. */
+      /** Take point @p q with Z and the stiffness @p Q there; Q S Z of it is returned. */
       Matrix6
-      add(const dealii::FEValues<2> &values, const unsigned int q, const Vector3 &k, const double g, const Matrix6 &Q)
+      add(const dealii::FEValues<2>         &values,
+          const unsigned int                 q,
+          const Vector3                     &k,
+          const double                       g,
+          const Matrix6                     &Q,
+          const Eigen::Matrix<double, 3, 6> &Z)
       {
         const double w = values.JxW(q);
         at.fill(values, q, k, g);
-        const Matrix6 QSZ_q               = Q * S_times(shift_to(values.quadrature_point(q)));
+        const Matrix6 QSZ_q               = Q * S_times(Z);
         B.middleRows<6>(6 * q)            = at.B;
         QB.middleRows<6>(6 * q).noalias() = (w * g * Q) * at.B;
         QSZ.middleRows<6>(6 * q)          = w * QSZ_q;
@@ -223,20 +242,31 @@ namespace samara
 
 
 
+    /** The larger part of the two compliances in shear that is due to torsion by the force's distance from its centre.
+     */
+    double
+    part_of_torsion(const Matrix6 &F)
+    {
+      return std::max(F(1, 3) * F(1, 3) / F(1, 1), F(2, 3) * F(2, 3) / F(2, 2)) / F(3, 3);
+    }
+
+
+
     /** What is left of the warping when the rigid motion nearest to it, by least squares, is taken away. */
     void
     remove_rigid_motions(std::vector<CrossSection::StressPoint> &points)
     {
-      Matrix6 sum = Matrix6::Zero(), of_warping = Matrix6::Zero();
+      Matrix6                sum = Matrix6::Zero(), of_warping = Matrix6::Zero();
+      const dealii::Point<2> near = points.front().place;
       for (const auto &point : points)
         {
-          const auto Z = shift_to(point.place);
+          const auto Z = shift_by(point.place - near);
           sum += point.weight * Z.transpose() * Z;
           of_warping += point.weight * Z.transpose() * point.warping;
         }
       const Matrix6 motion = sum.ldlt().solve(of_warping);
       for (auto &point : points)
-        point.warping -= shift_to(point.place) * motion;
+        point.warping -= shift_by(point.place - near) * motion;
     }
   } // namespace
 
@@ -251,14 +281,32 @@ namespace samara
     , fe(dealii::FE_Q<2>(mesh.degree), 3)
     , dofs(mesh.triangulation)
   {
-    T.setZero();
-    T.topLeftCorner<3, 3>() = T.bottomRightCorner<3, 3>() = skew(k);
-    T.bottomLeftCorner<3, 3>()                            = skew(Vector3(1, 0, 0));
+    const auto &vertices = mesh.triangulation.get_vertices();
+    for (const auto &x : vertices)
+      centre += x / double(vertices.size());
+    find_T();
     dofs.distribute_dofs(fe);
     assemble();
     find_pins();
     solve();
-    find_compliance();
+    Matrix6 F = compliance_about_centre();
+    // where most of the compliance in shear is that of torsion, as in thin open sections, its round-off is that of
+    // torsion, too; about the shear centre they part
+    if (part_of_torsion(F) > 0.5)
+      {
+        constexpr double enough = 1e-12, largest = 1e-6;
+        for (unsigned int i = 0; i < 3 && part_of_torsion(F) > enough; ++i)
+          {
+            move_centre(shear_centre(F));
+            solve();
+            F = compliance_about_centre();
+          }
+        // nothing but round-off couples them there
+        if (!(part_of_torsion(F) < largest))
+          throw std::invalid_argument("the analysis of the section is lost in round-off: its walls are too thin for an "
+                                      "open section of their width");
+      }
+    set_stiffness(F);
     forget_integrals();
   }
 
@@ -298,10 +346,9 @@ namespace samara
                                           "centre lies in the section or near it");
             const Matrix6 Q =
               elasticity::turned(material.stiffness, mesh.material_axes(index, place, jacobian(values, q)));
-            const Matrix6                     QSZ = integrals.add(values, q, k, g, Q);
-            const Eigen::Matrix<double, 3, 6> Z   = shift_to(place);
-            A += w / g * S_times(Z).transpose() * QSZ;
-            inertia += w * g * material.density * Z.transpose() * Z;
+            const Eigen::Matrix<double, 3, 6> Z = shift_by(place - centre), Z_of_line = shift_by(place);
+            A += w / g * S_times(Z).transpose() * integrals.add(values, q, k, g, Q, Z);
+            inertia += w * g * material.density * Z_of_line.transpose() * Z_of_line;
             area += w;
           }
         integrals.multiply();
@@ -383,8 +430,36 @@ namespace samara
 
 
 
+  /**
+   * T of ϑ' = −T ϑ about the centre c: M' + k × M + r' × F = 0, r' = e₁ + k × c being the way of c along the beam.
+   */
   void
-  CrossSection::find_compliance()
+  CrossSection::find_T()
+  {
+    T.setZero();
+    T.topLeftCorner<3, 3>() = T.bottomRightCorner<3, 3>() = skew(k);
+    T.bottomLeftCorner<3, 3>() = skew(Vector3(1, 0, 0) + k.cross(Vector3(0, centre[0], centre[1])));
+  }
+
+
+
+  void
+  CrossSection::move_centre(const Eigen::Vector2d &by)
+  {
+    const dealii::Tensor<1, 2> way({by(0), by(1)});
+    // strains of the old centre from those of the new one: Z, and what is linear in it, change by this on the right
+    const Matrix6 back = strains_at(-way);
+    centre += way;
+    R = R * back;
+    L = L * back;
+    A = back.transpose() * A * back;
+    find_T();
+  }
+
+
+
+  Matrix6
+  CrossSection::compliance_about_centre()
   {
     const Columns XT = X * T, XTT = XT * T, EX = times(E, X), CXT = times(C, XT), MXT = times(M, XT);
     const Columns rest = EX + times(C, XT, true) - CXT - times(M, XTT) + R * Y + L * Y * T;
@@ -398,10 +473,22 @@ namespace samara
 
     const Matrix6 half =
       Y.transpose() * (R.transpose() * X) - Y.transpose() * (L.transpose() * XT) - X.transpose() * CXT;
-    compliance = Y.transpose() * A * Y + X.transpose() * EX + XT.transpose() * MXT + half + half.transpose();
-    compliance = (0.5 * (compliance + compliance.transpose())).eval();
-    stiffness  = compliance.llt().solve(Matrix6::Identity());
-    stiffness  = (0.5 * (stiffness + stiffness.transpose())).eval();
+    const Matrix6 F = Y.transpose() * A * Y + X.transpose() * EX + XT.transpose() * MXT + half + half.transpose();
+    return 0.5 * (F + F.transpose());
+  }
+
+
+
+  void
+  CrossSection::set_stiffness(const Matrix6 &F)
+  {
+    // strains of the line are those of the centre at the distance −c, and the other way round
+    const Matrix6 of_line = strains_at(-centre), of_centre = strains_at(centre);
+    const Matrix6 K = F.llt().solve(Matrix6::Identity());
+    compliance      = of_line * F * of_line.transpose();
+    stiffness       = of_centre.transpose() * K * of_centre;
+    compliance      = (0.5 * (compliance + compliance.transpose())).eval();
+    stiffness       = (0.5 * (stiffness + stiffness.transpose())).eval();
   }
 
 
@@ -439,7 +526,8 @@ namespace samara
     Columns                                      X_cell(n, 6), XT_cell(n, 6);
     std::vector<dealii::types::global_dof_index> numbers(n);
     std::vector<StressPoint>                     result;
-    const Eigen::Vector2d                        centre = shear_centre(compliance);
+    const Eigen::Vector2d                        of_shear = shear_centre(compliance);
+    const Matrix6                                forces   = strains_at(-centre).transpose(); // about the centre
     for (const auto &cell : dofs.active_cell_iterators())
       {
         values.reinit(cell);
@@ -458,15 +546,16 @@ namespace samara
             point.weight = values.JxW(q);
             point.axes   = mesh.material_axes(index, point.place, jacobian(values, q));
             point.C      = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
-            point.helix  = (Eigen::Vector2d(point.place[0], point.place[1]) - centre).squaredNorm() /
+            point.helix  = (Eigen::Vector2d(point.place[0], point.place[1]) - of_shear).squaredNorm() /
                           point.C.ldlt().solve(Vector6::Unit(0))(0);
             const double g = root_g(k, point.place);
             at.fill(values, q, k, g);
-            const auto Z = shift_to(point.place);
-            point.strain = S_times(Z) * Y / g + at.B * X_cell - at.SN * XT_cell / g;
+            const auto Z = shift_by(point.place - centre);
+            point.strain = (S_times(Z) * Y / g + at.B * X_cell - at.SN * XT_cell / g) * forces;
             point.warping.setZero();
             for (unsigned int i = 0; i < n; ++i)
               point.warping.row(fe.system_to_component_index(i).first) += values.shape_value(i, q) * X_cell.row(i);
+            point.warping = (point.warping * forces).eval();
             result.push_back(point);
           }
       }

@@ -151,6 +151,60 @@ TEST(Symmetries, TurnedAndMoved)
 
 
 
+namespace
+{
+  /** A C that is open and thin, of 71 by 29 mm, with walls of two plies. */
+  SectionValues
+  values_of_thin_C(const std::string &ply, const std::string &entries)
+  {
+    const Scene scene(two_composites + "subsection Layups\n  subsection wall\n    set Plies = carbon, 35, " + ply +
+                      "; glass, -20, " + ply +
+                      "\n  end\nend\nsubsection Sections\n  subsection s\n    set Type = C\n    set Height = 71 mm\n"
+                      "    set Width = 29 mm\n    set Upper layup = wall\n    set Lower layup = wall\n"
+                      "    set Web layup = wall\n    set Elements = 5\n    set Degree = 2\n" +
+                      entries +
+                      "  end\nend\nsubsection Bodies\n  subsection b\n    set Type = rigid body\n    set Mass = 1\n"
+                      "    set Inertia = 1, 1, 1\n  end\nend\n");
+    return scene.input.model.find<Section>("s", "section").at(0, Vector3::Zero());
+  }
+} // namespace
+
+
+
+// An open section is soft in torsion, and the farther the line is the more of its motion in shear is torsion: none of
+// its digits may be lost.
+TEST(Symmetries, ThinOpenSectionsFarFromTheLine)
+{
+  const double  angle = 65 * M_PI / 180;
+  const Matrix6 own   = values_of_thin_C("0.28 mm", "").stiffness;
+  for (const double distance : {0.07, 7., 700.})
+    {
+      const Vector3     place(0, 0.8 * distance, -0.6 * distance);
+      const Matrix6     move = moved_strains(place, angle);
+      const std::string text = "    set Rotation = 65 deg\n    set Position = " + number_to_text(place(1)) + ", " +
+                               number_to_text(place(2)) + "\n";
+      EXPECT_LT(difference(values_of_thin_C("0.28 mm", text).stiffness, move.transpose() * own * move), 1e-6)
+        << distance;
+    }
+}
+
+
+
+// The lines of one curved beam: that at the distance c from the first has 1 − k₃ c₂ + k₂ c₃ of its length, and its own
+// curvature and strains by length.
+TEST(Symmetries, AnotherLineOfACurvedBeam)
+{
+  const auto    walls = random_walls(8);
+  const Vector3 k(0, 1.1, -0.7), c(0, 0.4, -0.25);
+  const double  length = 1 - k(2) * c(1) + k(1) * c(2);
+  const Matrix6 own = values_of_box(walls, size + coarse, k / length).stiffness, move = moved_strains(c, 0);
+  EXPECT_LT(difference(values_of_box(walls, size + coarse + "    set Position = 0.4, -0.25\n", k).stiffness,
+                       move.transpose() * own * move / length),
+            1e-7);
+}
+
+
+
 // In a mirror the right wall is the left one, and a fibre at +θ, seen along the wall, is one at −θ.
 TEST(Symmetries, Mirrored)
 {

@@ -32,10 +32,12 @@ namespace samara
     return scene.input.model.find<Shell>(name, "shell");
   }
 
-  /** The error of the strains of a solved shell relative to those of a solution of each cell in four, two degrees
-   * higher. */
+  /**
+   * The error of the strains of a solved shell relative to those of a solution of each cell in four, two degrees
+   * higher; in two along u where the solution is nearly that of a line @p along_u.
+   */
   inline double
-  error_of(const std::string &model, const Words &overrides, const std::string &name)
+  error_of(const std::string &model, const Words &overrides, const std::string &name, const bool along_u = false)
   {
     Scene own(model, overrides);
     own.equilibrium();
@@ -43,8 +45,9 @@ namespace samara
     std::vector<std::string> halves;
     for (PatchMesh patch : shell.patch_meshes())
       {
-        for (Division *const division : {&patch.u, &patch.v})
-          *division = division->halved(std::vector<bool>(division->n(), true));
+        patch.u = patch.u.halved(std::vector<bool>(patch.u.n(), true));
+        if (!along_u)
+          patch.v = patch.v.halved(std::vector<bool>(patch.v.n(), true));
         halves.push_back(Value<PatchMesh>::write(patch));
       }
     Words finer = overrides;

@@ -159,7 +159,7 @@ def section(seed):
         entries = [("Width 2", size, LENGTH), ("Layup", "l1")] if chance.random() < 0.5 else [
             ("Width 2", size, LENGTH), ("Width 3", thin, LENGTH), ("Material", "ply")]
     elif kind == "ellipse":
-        entries = [("Width 2", size, LENGTH), ("Width 3", low, LENGTH), ("Material", "ply")]
+        entries = [("Radius 2", size / 2, LENGTH), ("Radius 3", low / 2, LENGTH), ("Material", "ply")]
     else:
         layups = {name: [(m, a, t / 8) for m, a, t in plies] for name, plies in layups.items()}
         entries = [("NACA", chance.choice(("0012", "2418", "4415", "0021"))), ("Chord", size, LENGTH), *of_walls,

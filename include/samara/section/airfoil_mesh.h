@@ -5,6 +5,7 @@
 #include <samara/section/shapes.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 
@@ -116,7 +117,12 @@ namespace samara
     Place  at_depth(double s, double depth) const;
     void   find_spans();
     void   find_webs();
+    void   find_web(unsigned int web);
     void   bind_spans(unsigned int web, bool upper, double low, double high);
+    /** s on a side where the inner face, at the depth @p thickness, comes to where @p beyond is zero: below zero
+     * towards the nose; near x/c = @p x. */
+    double face_of(bool upper, double x, double thickness, const std::function<double(const Place &)> &beyond) const;
+    /** Where it comes to x/c = @p x. */
     double face_of(bool upper, double x, double thickness) const;
     void   find_trailing_edge();
     void   find_nose();

@@ -34,7 +34,8 @@ namespace samara
   public:
     /**
      * @param curvature (k₁, k₂, k₃) [rad/m]
-     * @throws std::invalid_argument if the curvature is too large for the depth, or a material has no positive energy.
+     * @throws std::invalid_argument if the curvature is too large for the depth, a material has no positive energy, or
+     * walls are so thin that round-off has more of the answer than they.
      */
     CrossSection(const SectionMesh                  &mesh,
                  const std::vector<SectionMaterial> &materials,
@@ -93,6 +94,11 @@ namespace samara
     dealii::FESystem<2>                fe;
     dealii::DoFHandler<2>              dofs;
 
+    // Forces and strains within are those about a centre that is not the reference line, Γ + K × c: about a line far
+    // away, torsion, which may be soft, would spoil the digits of shear. Nothing else changes, for twist and curvature
+    // are those of the line itself.
+    dealii::Tensor<1, 2> centre;
+
     // the integrals, named as in the equations above
     SectionMatrix               E, C, M;
     Columns                     R, L;
@@ -103,8 +109,11 @@ namespace samara
 
     void    assemble();
     void    find_pins();
+    void    find_T();
     void    solve();
-    void    find_compliance();
+    void    move_centre(const Eigen::Vector2d &by);
+    Matrix6 compliance_about_centre();
+    void    set_stiffness(const Matrix6 &F);
     void    forget_integrals();
     Columns times(const SectionMatrix &matrix, const Columns &x, bool transposed = false) const;
   };
