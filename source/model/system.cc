@@ -118,7 +118,15 @@ namespace samara
         Vector6             p = y[0] * M.col(0);
         for (int j = 1; j < 6; ++j)
           p += y[j] * M.col(j);
-        Eigen::Map<Vector6>(&r[layout.of_node(node)]) -= ad_star<double>(Eigen::Map<const Vector6>(y), p);
+        // −ad*_y p = (ω × l, ω × a + v × l) of the momenta l, a
+        double *const       force = &r[layout.of_node(node)];
+        const double *const w     = y + 3;
+        for (int i = 0; i < 3; ++i)
+          {
+            const int m = (i + 1) % 3, n = (i + 2) % 3;
+            force[i] += w[m] * p[n] - w[n] * p[m];
+            force[3 + i] += w[m] * p[3 + n] - w[n] * p[3 + m] + y[m] * p[n] - y[n] * p[m];
+          }
       }
     for (const auto i : state.left_out)
       r[layout.of_multiplier(i)] = state.multipliers[i];
