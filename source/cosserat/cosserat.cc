@@ -195,6 +195,18 @@ namespace samara
 
 
   template <int dim>
+  void
+  Cosserat<dim>::strain_rates_and_residual(const Point<double> &point, double *rates, double *r) const
+  {
+    if (joins())
+      lanes.add_forces_and_rates(point, point.stress + this->first_strain, r, rates);
+    else
+      Deformation::strain_rates_and_residual(point, rates, r);
+  }
+
+
+
+  template <int dim>
   template <typename Number>
   void
   Cosserat<dim>::residual_at(const Point<Number> &point, Number *r) const

@@ -8,42 +8,72 @@ namespace samara
 {
   namespace
   {
-    /** K += Bᵀ A with the number of columns known: a column of K stays in registers. */
-    template <int n_columns>
+    /** Call @p f with the number of columns of B as a constant: of beams of degree 1 to 6; else, of shells, with 0. */
+    template <typename Function>
     void
-    add_transpose_product_of(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
+    with_columns(const unsigned int n_columns, const Function &f)
     {
-      using Column = Eigen::Matrix<double, n_columns, 1>;
-      for (int j = 0; j < n_columns; ++j)
+      switch (n_columns)
         {
-          Column sum = Eigen::Map<const Column>(K.col(j).data());
-          for (int i = 0; i < B.rows(); ++i)
-            sum += A(i, j) * Eigen::Map<const Column>(&B(i, 0));
-          Eigen::Map<Column>(K.col(j).data()) = sum;
+          case 12:
+            return f(std::integral_constant<int, 12>());
+          case 18:
+            return f(std::integral_constant<int, 18>());
+          case 24:
+            return f(std::integral_constant<int, 24>());
+          case 30:
+            return f(std::integral_constant<int, 30>());
+          case 36:
+            return f(std::integral_constant<int, 36>());
+          case 42:
+            return f(std::integral_constant<int, 42>());
+          default:
+            return f(std::integral_constant<int, 0>());
         }
     }
 
-    /** K += Bᵀ A; beams of degree 1 to 6 have 12 to 42 columns, shells more. */
+    /** K += Bᵀ A: a column of K stays in registers. */
     void
     add_transpose_product(const RowMajor &B, const RowMajor &A, Eigen::MatrixXd &K)
     {
-      switch (B.cols())
-        {
-          case 12:
-            return add_transpose_product_of<12>(B, A, K);
-          case 18:
-            return add_transpose_product_of<18>(B, A, K);
-          case 24:
-            return add_transpose_product_of<24>(B, A, K);
-          case 30:
-            return add_transpose_product_of<30>(B, A, K);
-          case 36:
-            return add_transpose_product_of<36>(B, A, K);
-          case 42:
-            return add_transpose_product_of<42>(B, A, K);
-          default:
-            K.noalias() += B.transpose() * A;
-        }
+      with_columns(B.cols(), [&](const auto n_columns) {
+        if constexpr (n_columns == 0)
+          K.noalias() += B.transpose() * A;
+        else
+          {
+            using Column = Eigen::Matrix<double, n_columns, 1>;
+            for (int j = 0; j < n_columns; ++j)
+              {
+                Column sum = Eigen::Map<const Column>(K.col(j).data());
+                for (int i = 0; i < B.rows(); ++i)
+                  sum += A(i, j) * Eigen::Map<const Column>(&B(i, 0));
+                Eigen::Map<Column>(K.col(j).data()) = sum;
+              }
+          }
+      });
+    }
+
+    /** The rows of C B from @p first on: of a section few entries of C are not zero. */
+    template <int n>
+    void
+    multiply(const Eigen::Matrix<double, n, n> &C, const RowMajor &B, const unsigned int first, RowMajor &CB)
+    {
+      with_columns(B.cols(), [&](const auto n_columns) {
+        if constexpr (n_columns == 0)
+          CB.template middleRows<n>(first).noalias() = C.lazyProduct(B.template middleRows<n>(first));
+        else
+          {
+            using Row = Eigen::Matrix<double, n_columns, 1>;
+            for (int i = 0; i < n; ++i)
+              {
+                Row sum = C(i, 0) * Eigen::Map<const Row>(&B(first, 0));
+                for (int j = 1; j < n; ++j)
+                  if (C(i, j) != 0)
+                    sum += C(i, j) * Eigen::Map<const Row>(&B(first + j, 0));
+                Eigen::Map<Row>(&CB(first + i, 0)) = sum;
+              }
+          }
+      });
     }
   } // namespace
 
@@ -118,9 +148,7 @@ namespace samara
     for (unsigned int g = 0; g < t.n_points; ++g)
       {
         const unsigned int number = elements[element].first_point + g;
-        const MatrixN      C      = points[number].weight * stiffness(number);
-        auto               CB     = s.CB.template middleRows<n>(n * g);
-        CB.noalias()              = C.lazyProduct(s.B.template middleRows<n>(n * g));
+        multiply<n>(points[number].weight * stiffness(number), s.B, n * g, s.CB);
       }
     add_transpose_product(s.B, s.CB, K);
   }

@@ -89,7 +89,7 @@ namespace samara
   typename ElementLanes<dim>::Batch
   ElementLanes<dim>::make_batch(const std::vector<Lane> &lanes, const unsigned int n_lanes)
   {
-    Batch batch{lanes, {}, {}};
+    Batch batch{lanes, {}, {}, {}, {}};
     for (unsigned int a = 0; a < element_of(lanes[0]).frames.size(); ++a)
       for (unsigned int l = 0; l < n_lanes; ++l)
         {
@@ -98,6 +98,18 @@ namespace samara
           if (l < lanes.size() && !frame.is_node())
             batch.arms.push_back({a, l});
         }
+    for (unsigned int g = 0; n_lanes > 1 && g < element_of(lanes[0]).table->n_points; ++g)
+      {
+        batch.weights.emplace_back(0.);
+        batch.T.emplace_back(0.);
+        for (unsigned int l = 0; l < n_lanes; ++l)
+          {
+            const Lane &lane           = lanes[std::min<unsigned int>(l, lanes.size() - 1)];
+            const auto &point          = lane.body->points[element_of(lane).first_point + g];
+            batch.weights[g].values[l] = point.weight;
+            batch.T[g].values[l]       = point.T(0, 0);
+          }
+      }
     return batch;
   }
 
@@ -227,9 +239,22 @@ namespace samara
   void
   ElementLanes<dim>::batch_to_points(const Batch &batch, const Vec6<typename Lanes<Number>::type> *tied, Number *e)
   {
-    const unsigned int                                                   n_tied = dim * table_of(batch).n_tying;
+    const unsigned int                        n_tied = dim * table_of(batch).n_tying;
+    std::array<Number *, Lanes<Number>::size> to;
+    if constexpr (dim == 1 && Lanes<Number>::size > 1)
+      {
+        // Cosserat::to_points() of all lanes: strains by the unit coordinate become those by length
+        Number not_wanted[6];
+        for (unsigned int g = 0; g < n_tied; ++g)
+          {
+            const Vec6<FourDoubles> e_g = batch.T[g] * tied[g];
+            for (unsigned int l = 0; l < to.size(); ++l)
+              to[l] = l < batch.lanes.size() ? e + batch.lanes[l].first_strain + 6 * g : not_wanted;
+            Lanes<Number>::store(6, e_g.data(), to);
+          }
+        return;
+      }
     std::array<std::array<Vec6<Number>, most_tied>, Lanes<Number>::size> of_lane;
-    std::array<Number *, Lanes<Number>::size>                            to;
     for (unsigned int k = 0; k < n_tied; ++k)
       {
         for (unsigned int l = 0; l < to.size(); ++l)
@@ -240,6 +265,41 @@ namespace samara
       {
         const Lane &lane = batch.lanes[l];
         lane.body->to_points(lane.element, of_lane[l].data(), e + lane.first_strain);
+      }
+  }
+
+
+
+  template <int dim>
+  template <typename Number>
+  void
+  ElementLanes<dim>::batch_to_tying(const Batch &batch, const Number *stress, Vec6<typename Lanes<Number>::type> *tied)
+  {
+    constexpr unsigned int           size   = Lanes<Number>::size;
+    const unsigned int               n_tied = dim * table_of(batch).n_tying;
+    std::array<const Number *, size> from;
+    if constexpr (dim == 1 && size > 1)
+      {
+        for (unsigned int g = 0; g < n_tied; ++g)
+          {
+            for (unsigned int l = 0; l < size; ++l)
+              from[l] = stress + batch.lanes[std::min<unsigned int>(l, batch.lanes.size() - 1)].first_strain + 6 * g;
+            Lanes<Number>::load(6, from, tied[g].data());
+            tied[g] *= batch.weights[g] * batch.T[g];
+          }
+        return;
+      }
+    std::array<std::array<Vec6<Number>, most_tied>, size> of_lane;
+    for (unsigned int l = 0; l < batch.lanes.size(); ++l)
+      {
+        const Lane &lane = batch.lanes[l];
+        lane.body->to_tying(lane.element, stress + lane.first_strain, of_lane[l].data());
+      }
+    for (unsigned int k = 0; k < n_tied; ++k)
+      {
+        for (unsigned int l = 0; l < size; ++l)
+          from[l] = of_lane[std::min<unsigned int>(l, batch.lanes.size() - 1)][k].data();
+        Lanes<Number>::load(6, from, tied[k].data());
       }
   }
 
@@ -312,29 +372,18 @@ namespace samara
                                   const std::array<Number *, Lanes<Number>::size> &local)
   {
     using Number_in_lanes            = typename Lanes<Number>::type;
-    constexpr unsigned int   size    = Lanes<Number>::size;
     const ElementTable<dim> &t       = table_of(batch);
     const unsigned int       n_nodes = N > 0 ? N : t.n_nodes;
 
-    std::array<std::array<Vec6<Number>, most_tied>, size> tied;
-    for (unsigned int l = 0; l < batch.lanes.size(); ++l)
-      {
-        const Lane &lane = batch.lanes[l];
-        lane.body->to_tying(lane.element, stress + lane.first_strain, tied[l].data());
-      }
-
+    Vec6<Number_in_lanes> tied[most_tied];
+    batch_to_tying(batch, stress, tied);
     kernel::NodeValues<Number_in_lanes> nodes[N > 0 ? N : most_nodes], forces[N > 0 ? N : most_nodes];
     gather_lanes(batch, point.q, nodes);
     for (unsigned int a = 0; a < n_nodes; ++a)
       forces[a] = {Vec3<Number_in_lanes>::Zero(), Mat3<Number_in_lanes>::Zero()};
     for (unsigned int k = 0; k < dim * t.n_tying; ++k)
       {
-        std::array<const Number *, size> from;
-        for (unsigned int l = 0; l < size; ++l)
-          from[l] = tied[std::min<unsigned int>(l, batch.lanes.size() - 1)][k].data();
-        Vec6<Number_in_lanes> s;
-        Lanes<Number>::load(6, from, s.data());
-        const auto force = kernel::force(kernel::interpolate<N>(nodes, n_nodes, &t.N(k, 0), &t.dN(k, 0)), s);
+        const auto force = kernel::force(kernel::interpolate<N>(nodes, n_nodes, &t.N(k, 0), &t.dN(k, 0)), tied[k]);
         for (unsigned int a = 0; a < n_nodes; ++a)
           kernel::add_to_node(force, t.N(k, a), t.dN(k, a), forces[a]);
       }
@@ -353,6 +402,60 @@ namespace samara
   {
     const auto &all = batches_of<Number>();
     add_batches([&](const unsigned int i, const auto N, const auto &to) { batch_forces<N>(all[i], point, stress, to); },
+                r);
+  }
+
+
+
+  template <int dim>
+  template <int N>
+  void
+  ElementLanes<dim>::batch_forces_and_rates(const Batch                   &batch,
+                                            const Point<double>           &point,
+                                            const double                  *stress,
+                                            const std::array<double *, 4> &local,
+                                            double                        *rates)
+  {
+    const ElementTable<dim>        &t       = table_of(batch);
+    const unsigned int              n_nodes = N > 0 ? N : t.n_nodes;
+    kernel::NodeValues<FourDoubles> nodes[N > 0 ? N : most_nodes], velocities[N > 0 ? N : most_nodes],
+      forces[N > 0 ? N : most_nodes];
+    Vec6<FourDoubles> twists[N > 0 ? N : most_nodes], tied[most_tied], stresses[most_tied];
+    gather_lanes(batch, point.q, nodes);
+    gather_twists(batch, point.y, twists);
+    batch_to_tying(batch, stress, stresses);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        velocities[a] = kernel::node_rates(nodes[a].D, twists[a]);
+        forces[a]     = {Vec3<FourDoubles>::Zero(), Mat3<FourDoubles>::Zero()};
+      }
+    for (unsigned int k = 0; k < dim * t.n_tying; ++k)
+      {
+        const auto at = kernel::interpolate<N>(nodes, n_nodes, &t.N(k, 0), &t.dN(k, 0));
+        tied[k]       = kernel::strain_rate(at, kernel::interpolate<N>(velocities, n_nodes, &t.N(k, 0), &t.dN(k, 0)));
+        const auto force = kernel::force(at, stresses[k]);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          kernel::add_to_node(force, t.N(k, a), t.dN(k, a), forces[a]);
+      }
+    FourDoubles result[6 * (N > 0 ? N : most_nodes)];
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      Eigen::Map<Vec6<FourDoubles>>{result + 6 *a} = kernel::node_forces(nodes[a].D, forces[a]);
+    Lanes<double>::store(6 * n_nodes, result, local);
+    batch_to_points(batch, tied, rates);
+  }
+
+
+
+  template <int dim>
+  void
+  ElementLanes<dim>::add_forces_and_rates(const Point<double> &point,
+                                          const double        *stress,
+                                          double              *r,
+                                          double              *rates) const
+  {
+    add_batches([&](const unsigned int i,
+                    const auto         N,
+                    const auto        &to) { batch_forces_and_rates<N>(batches[i], point, stress, to, rates); },
                 r);
   }
 
@@ -487,17 +590,12 @@ namespace samara
         forces[a].setZero();
       for (unsigned int g = 0; g < t.n_points; ++g)
         {
-          Eigen::Matrix<double, n, 1>   weighted[4];
           std::array<const double *, 4> from;
           for (unsigned int l = 0; l < 4; ++l)
-            {
-              const Lane &lane = batch.lanes[std::min<unsigned int>(l, batch.lanes.size() - 1)];
-              weighted[l]      = lane.body->points[element_of(lane).first_point + g].weight *
-                            Eigen::Map<const Eigen::Matrix<double, n, 1>>(stress + lane.first_strain + n * g);
-              from[l] = weighted[l].data();
-            }
+            from[l] = stress + batch.lanes[std::min<unsigned int>(l, batch.lanes.size() - 1)].first_strain + n * g;
           Eigen::Matrix<FourDoubles, n, 1> s;
           Lanes<double>::load(n, from, s.data());
+          s *= batch.weights[g];
           for (unsigned int a = 0; a < t.n_nodes; ++a)
             B[first[i] + g * t.n_nodes + a].add_forces(s, forces[a]);
         }

@@ -44,6 +44,11 @@ namespace samara
       {
         lanes.strain_rates(point, rates);
       }
+      void
+      strain_rates_and_residual(const Point<double> &point, double *rates, double *r) const override
+      {
+        lanes.add_forces_and_rates(point, point.stress, r, rates);
+      }
       std::unique_ptr<LinearStrains>
       linear_strains() const override
       {

@@ -156,6 +156,7 @@ namespace samara
 
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
     void rates(const Point<double> &point, double *rates) const override;
+    void second_rates(const Point<double> &point, double *rates) const override;
 
   private:
     const BodyContact &contact;
@@ -195,6 +196,8 @@ namespace samara
                               const PairValues<double> &pair,
                               Matrix12                 &H,
                               SparseMatrix             &K) const;
+
+    void add_second_rates_of_slips(const Point<double> &point, const PairValues<double> &pair, double *g) const;
 
     /** The coefficients of the twists in a rate that is resisted. */
     Vector12
@@ -348,6 +351,71 @@ namespace samara
       {
         const Vector12 b = coefficients(geometry, i - n);
         g[i]             = b.head<6>().dot(y_a) + b.tail<6>().dot(y_b) - coordinate_rates[i];
+      }
+  }
+
+
+
+  void
+  BodyContact::Constraints::second_rates(const Point<double> &point, double *rates) const
+  {
+    const PairValues<double> pair = values(point.q);
+    const PairRates          change(pair, point.y);
+    const PairSecondRates    second(pair, change, point.y, contact.surface == Surface::ellipsoid);
+    const double *const      u_rates = point.rates + contact.coordinate;
+    double *const            g       = rates + contact.first_multiplier;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        const Measure &m   = contact.measures[i];
+        double         sum = m.function ? m.function->second_rate(pair, change, second) : 0.;
+        if (m.is_root)
+          {
+            sum = 0.5 * sum - u_rates[i] * u_rates[i];
+            for (const auto &[j, w] : m.squares)
+              sum += w * u_rates[j] * u_rates[j];
+            sum /= m.start;
+          }
+        g[i] = sum;
+      }
+    if (n_all > n)
+      add_second_rates_of_slips(point, pair, g);
+  }
+
+
+
+  /** The derivative of b y along the motion by one complex step: exact to round-off. */
+  void
+  BodyContact::Constraints::add_second_rates_of_slips(const Point<double>      &point,
+                                                      const PairValues<double> &pair,
+                                                      double                   *g) const
+  {
+    using Complex            = std::complex<double>;
+    constexpr double epsilon = 1e-100;
+    Frame            a = pair.a, b = pair.b;
+    a.node = 0;
+    b.node = 1;
+    Complex  q[24];
+    Vector12 y;
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        const unsigned int              node = k == 0 ? pair.a.node : pair.b.node;
+        const Eigen::Map<const Vector3> v(point.y + 6 * node), spin(point.y + 6 * node + 3);
+        const Eigen::Map<const Matrix3> D(point.q + 12 * node + 3);
+        Eigen::Matrix<double, 3, 4>     change;
+        change << D * v, D * skew(Vector3(spin));
+        for (unsigned int i = 0; i < 12; ++i)
+          q[12 * k + i] = Complex(point.q[12 * node + i], epsilon * change.data()[i]);
+        y.segment<6>(6 * k) << v, spin;
+      }
+    const PairValues<Complex> moved_pair(a, b, q, contact.surface == Surface::ellipsoid);
+    const Geometry<Complex>   moved(contact, moved_pair);
+    for (unsigned int i = n; i < n_all; ++i)
+      {
+        Complex unit[max_rates] = {}, forces[12] = {};
+        unit[i - n] = 1;
+        moved.add_forces(unit, forces, forces + 6);
+        for (unsigned int k = 0; k < 12; ++k)
+          g[i] += forces[k].imag() / epsilon * y(k);
       }
   }
 

@@ -260,6 +260,38 @@ namespace samara
 
 
 
+  void
+  Distributing::second_rates(const Point<double> &point, double *rates) const
+  {
+    // ẍ = D ω~v, Ḋ = D ω~, D̈ = D ω~ω~
+    const Matrix3 E = b.triad(point.q), s = moments(point.q);
+    const Vector6 y_b    = b.twist(point.y);
+    const Matrix3 spin_b = skew(Vector3(y_b.tail<3>())), E_rate = E * spin_b, E_second = E_rate * spin_b;
+    Vector3       gap    = -E_rate * y_b.head<3>();
+    Matrix3       s_rate = Matrix3::Zero(), s_second = Matrix3::Zero();
+    for (const auto &node : nodes)
+      {
+        const Matrix3 D    = node.frame.triad(point.q);
+        const Vector6 y    = node.frame.twist(point.y);
+        const Matrix3 spin = skew(Vector3(y.tail<3>())), D_rate = D * spin;
+        const Vector3 v = D * y.head<3>(), change = D_rate * y.head<3>();
+        gap += node.weight * change;
+        s_rate += node.weight * v * node.place.transpose() + node.of_axes * D_rate;
+        s_second += node.weight * change * node.place.transpose() + node.of_axes * D_rate * spin;
+      }
+    const auto product = [&](const int j, const int k) {
+      return s_second.col(k).dot(E.col(j)) + 2 * s_rate.col(k).dot(E_rate.col(j)) + s.col(k).dot(E_second.col(j));
+    };
+    for (int i = 0; i < 3; ++i)
+      {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        rates[first_multiplier + i]     = gap(i);
+        rates[first_multiplier + 3 + i] = product(j, k) - product(k, j);
+      }
+  }
+
+
+
   std::optional<Probe>
   Distributing::probe(const std::string &path) const
   {

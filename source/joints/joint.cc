@@ -40,6 +40,7 @@ namespace samara
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   rates(const Point<double> &point, double *rates) const override;
     void   time_rates(const Point<double> &point, double *rates) const override;
+    void   second_rates(const Point<double> &point, double *rates) const override;
     void   follow_angles(State &state) const override;
     double next_corner(double from, double to) const override;
     void   pieces(const Point<double> &point, std::vector<double> &result) const override;
@@ -478,6 +479,48 @@ namespace samara
     for (const auto *m : joint.used)
       if (m->is_prescribed)
         rates[row++] = -m->prescribed_rate(point);
+  }
+
+
+
+  void
+  Joint::Constraints::second_rates(const Point<double> &point, double *rates) const
+  {
+    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
+    const PairRates          change(pair, point.y);
+    const PairSecondRates    second(pair, change, point.y, joint.with_axes_of_b);
+    double                  *g = rates + joint.first_multiplier;
+    for (const auto &l : joint.locked)
+      *g++ = l.function.second_rate(pair, change, second) - (l.less ? l.less->second_rate(pair, change, second) : 0.);
+    for (const auto *m : joint.used)
+      {
+        const auto   of   = m->derivatives(pair, point.coordinates[m->coordinate]);
+        const double rate = point.rates[m->coordinate];
+        *g                = of.curvature * rate * rate + of.first * m->first.second_rate(pair, change, second);
+        if (m->is_angle())
+          {
+            const double a = m->first.rate(pair, change), b = m->second.rate(pair, change);
+            *g += of.second * m->second.second_rate(pair, change, second) + of.first_first * a * a +
+                  2 * of.first_second * a * b + of.second_second * b * b;
+          }
+        ++g;
+      }
+    for (const auto *m : joint.used)
+      if (m->is_prescribed)
+        *g++ = -m->prescribed_second_rate(point);
+    if (joint.is_screw)
+      ++g; // the rate is that of coordinates alone
+    if (joint.no_slip.empty())
+      return;
+    Vector12 y;
+    y << Eigen::Map<const Vector6>(point.y + 6 * joint.frame_a.node),
+      Eigen::Map<const Vector6>(point.y + 6 * joint.frame_b.node);
+    for (const auto &s : joint.no_slip)
+      {
+        Matrix12 H = Matrix12::Zero();
+        s.velocity.add_derivative(pair, 1., H);
+        *g++ = y.dot(H * y);
+      }
   }
 
 

@@ -19,6 +19,17 @@ namespace samara
 
 
 
+    /** The second derivative of its place at constant twists, D (w × u) with u its velocity in the node's axes. */
+    Vector3
+    centripetal(const Frame &frame, const double *q, const double *y)
+    {
+      const Eigen::Map<const Matrix3> D(q + 12 * frame.node + 3);
+      const Eigen::Map<const Vector3> v(y + 6 * frame.node), w(y + 6 * frame.node + 3);
+      return D * cross(w, Vector3(v + cross(w, frame.arm)));
+    }
+
+
+
     /** Its angular velocity in its own axes. */
     Vector3
     spin(const Frame &frame, const double *y)
@@ -60,6 +71,33 @@ namespace samara
   {
     // (ω_A × e_i)·AᵀΔ
     gaps += cross(pair.gaps, spin_a);
+  }
+
+
+
+  PairSecondRates::PairSecondRates(const PairValues<double> &pair,
+                                   const PairRates          &rates,
+                                   const double             *y,
+                                   const bool                with_axes_of_b)
+    : gap(centripetal(pair.b, pair.q, y) - centripetal(pair.a, pair.q, y))
+  {
+    // A' = A ω~: (AᵀΔ)'' = ω × (ω × AᵀΔ) − 2 ω × AᵀΔ' + AᵀΔ''
+    const Vector3 &w = rates.spin_a, &w_b = rates.spin_b;
+    gaps = pair.in_axes_of_a(gap) + cross(w, Vector3(cross(w, pair.gaps) - 2 * pair.in_axes_of_a(rates.gap)));
+    if (!with_axes_of_b)
+      return;
+    // C = AᵀB, C' = C ω_B~ − ω_A~ C, C'' the same of C'
+    const auto turned = [&](const Matrix3 &C) {
+      Matrix3 result;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          {
+            const int i1 = next_axis(i), i2 = next_axis(i1), j1 = next_axis(j), j2 = next_axis(j1);
+            result(i, j) = C(i, j1) * w_b(j2) - C(i, j2) * w_b(j1) - w(i1) * C(i2, j) + w(i2) * C(i1, j);
+          }
+      return result;
+    };
+    cosines = turned(turned(pair.cosines));
   }
 
 

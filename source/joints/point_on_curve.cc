@@ -70,6 +70,18 @@ namespace samara
         rates[joint.first_multiplier + k] = change.gaps(k) - at.tangent(k) * point.rates[joint.coordinate];
     }
 
+    void
+    second_rates(const Point<double> &point, double *rates) const override
+    {
+      const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, false);
+      const PairRates          change(pair, point.y);
+      const PairSecondRates    second(pair, change, point.y, false);
+      const GuideCurve::At     at    = joint.at(point.coordinates[joint.coordinate] + joint.start);
+      const double             speed = point.rates[joint.coordinate];
+      for (unsigned int k = 0; k < 3; ++k)
+        rates[joint.first_multiplier + k] = second.gaps(k) - at.curvature(k) * speed * speed;
+    }
+
   private:
     const PointOnCurve &joint;
   };

@@ -195,6 +195,28 @@ namespace samara
         }
     }
 
+    void
+    second_rates(const Point<double> &point, double *rates) const override
+    {
+      const PairValues<double>     pair(joint.frame_a, joint.frame_b, point.q);
+      const PairRates              change(pair, point.y);
+      const PairSecondRates        second(pair, change, point.y);
+      const auto                   at = disc_at(pair, point);
+      Eigen::Matrix<double, 14, 1> y; // twists, and the rates of c and s
+      y << Eigen::Map<const Vector6>(point.y + 6 * joint.frame_a.node),
+        Eigen::Map<const Vector6>(point.y + 6 * joint.frame_b.node),
+        Eigen::Map<const Eigen::Vector2d>(point.rates + joint.coordinate);
+      double *const g = rates + joint.first_multiplier;
+      g[0]            = disc_tilt.second_rate(pair, change, second);
+      g[1]            = disc_height.second_rate(pair, change, second);
+      g[2]            = y.tail<2>().squaredNorm();
+      for (const unsigned int i : {0, 1})
+        {
+          const double unit[2] = {i == 0 ? 1. : 0., i == 1 ? 1. : 0.};
+          g[3 + i]             = y.head<12>().dot(derivative_of_forces(at, unit) * y);
+        }
+    }
+
   private:
     const RollingDisc &joint;
 

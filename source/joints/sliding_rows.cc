@@ -20,6 +20,7 @@ namespace samara
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   rates(const Point<double> &point, double *rates) const override;
     void   time_rates(const Point<double> &point, double *rates) const override;
+    void   second_rates(const Point<double> &point, double *rates) const override;
     double next_corner(double from, double to) const override;
     void   pieces(const Point<double> &point, std::vector<double> &result) const override;
 
@@ -251,6 +252,31 @@ namespace samara
   {
     if (motion.is_prescribed && !has_left(point))
       rates[joint.first_multiplier + joint.n_rows] = -motion.prescribed_rate(point);
+  }
+
+
+
+  void
+  SlidingJoint::Rows::second_rates(const Point<double> &point, double *rates) const
+  {
+    if (has_left(point))
+      return;
+    const double                sigma = point.coordinates[joint.coordinate()], v = point.rates[joint.coordinate()];
+    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+    const SlidingRates          rate(values, rail, joint.frame_b, v, point);
+    const SlidingSecondRates    second(values, rail, joint.frame_b, v, point);
+    const Vector6               y = joint.frame_b.twist(point.y);
+    double *const               g = rates + joint.first_multiplier;
+    Eigen::Map<Vector3>(g, 3) =
+      joint.axes_of_rows.transpose() * (values.E * cross(y.tail<3>().eval(), y.head<3>().eval()) - second.x);
+    for (unsigned int i = 0; i < joint.cosines.size(); ++i)
+      {
+        const auto c = joint.coefficients(joint.cosines[i], sigma);
+        g[3 + i]     = product<double>(c[0], second.cosines) + 2 * v * product<double>(c[1], rate.cosines) +
+                   v * v * product<double>(c[2], values.cosines(0));
+      }
+    if (motion.is_prescribed)
+      g[joint.n_rows] = -motion.prescribed_second_rate(point);
   }
 
 

@@ -137,6 +137,19 @@ namespace samara
         }
     }
 
+    void
+    second_rates(const Point<double> &point, double *rates) const override
+    {
+      if (has_left(point))
+        return;
+      // Ȧ : Ṁ = −½ r (Ĝ_i Ṁ) : Ṁ vanishes
+      const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+      const SlidingSecondRates    second(values, rail, joint.frame_b, point.rates[joint.coordinate()], point);
+      const Matrix3               M = values.cosines(0);
+      for (unsigned int i = 0; i < n; ++i)
+        rates[multiplier + i] = product<double>(-0.5 * radius * skew(Vector3::Unit(i)) * M, second.cosines);
+    }
+
   private:
     const SlidingJoint &joint;
     const Rail         &rail;

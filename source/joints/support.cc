@@ -335,6 +335,21 @@ namespace samara
 
 
 
+  void
+  Support::second_rates(const Point<double> &point, double *rates) const
+  {
+    for (const auto &node : nodes)
+      {
+        const PairValues<double> pair(node.ground, node.frame, point.q);
+        const PairRates          change(pair, point.y);
+        const PairSecondRates    second(pair, change, point.y);
+        for (unsigned int i = 0; i < node.functions.size(); ++i)
+          rates[node.first_multiplier + i] = node.functions[i].second_rate(pair, change, second);
+      }
+  }
+
+
+
   std::optional<Probe>
   Support::probe(const std::string &path) const
   {

@@ -53,6 +53,11 @@ namespace samara
         rates[multiplier] += factors[i] * point.rates[coordinates[i]];
     }
 
+    /** None: it is linear in the coordinates. */
+    void
+    second_rates(const Point<double> &, double *) const override
+    {}
+
   private:
     const std::vector<unsigned int> coordinates; ///< u, d, θ, or u, S
     const std::vector<double>       factors;

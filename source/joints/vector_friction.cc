@@ -76,6 +76,17 @@ namespace samara
         }
     }
 
+    void
+    second_rates(const Point<double> &point, double *rates) const override
+    {
+      // Ė_iᴬ·(ω_B − ω_A): both angular velocities stay as they are
+      const Eigen::Map<const Vector3> w_a(point.y + 6 * a.node + 3), w_b(point.y + 6 * b.node + 3);
+      const Matrix3                   D_a = Frame{a.node}.triad(point.q), D_b = Frame{b.node}.triad(point.q);
+      const Vector3                   slip = D_b * w_b - D_a * w_a;
+      for (unsigned int i = 0; i < 3; ++i)
+        rates[multiplier + i] = slip.dot(D_a * cross(Vector3(w_a), Vector3(a.rotation.col(i))));
+    }
+
   private:
     const Frame        a, b;
     const unsigned int coordinate, multiplier;

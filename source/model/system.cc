@@ -12,9 +12,9 @@ namespace samara
   System::System(Model &model)
     : model(model)
     , layout(model)
-    , has_viscous(std::any_of(layout.deformations.begin(), layout.deformations.end(), [](const auto *d) {
-      return d->is_viscous();
-    }))
+    , has_viscous(std::any_of(layout.deformations.begin(),
+                              layout.deformations.end(),
+                              [](const auto *d) { return d->is_viscous(); }))
     , deformations(layout.deformations)
   {
     for (const auto *d : layout.deformations)
@@ -112,8 +112,21 @@ namespace samara
     add_terms(point, r.data());
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
-        const Eigen::Map<const Vector6> y(&state.y[6 * node]);
-        Eigen::Map<Vector6>(&r[layout.of_node(node)]) -= ad_star<double>(y, model.nodes[node].inertia * y);
+        // column by column: the compiler keeps the sum in registers, which it does not with Eigen's product
+        const Matrix6      &M = model.nodes[node].inertia;
+        const double *const y = &state.y[6 * node];
+        Vector6             p = y[0] * M.col(0);
+        for (int j = 1; j < 6; ++j)
+          p += y[j] * M.col(j);
+        // −ad*_y p = (ω × l, ω × a + v × l) of the momenta l, a
+        double *const       force = &r[layout.of_node(node)];
+        const double *const w     = y + 3;
+        for (int i = 0; i < 3; ++i)
+          {
+            const int m = (i + 1) % 3, n = (i + 2) % 3;
+            force[i] += w[m] * p[n] - w[n] * p[m];
+            force[3 + i] += w[m] * p[3 + n] - w[n] * p[3 + m] + y[m] * p[n] - y[n] * p[m];
+          }
       }
     for (const auto i : state.left_out)
       r[layout.of_multiplier(i)] = state.multipliers[i];

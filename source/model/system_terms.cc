@@ -81,6 +81,21 @@ namespace samara
 
 
   void
+  System::add_terms_and_strain_rates(const Point<double> &point, double *const r, double *const rates) const
+  {
+    for (const auto *d : deformations)
+      d->strain_rates_and_residual(point, rates + d->first_strain, r);
+    for (const auto *c : layout.constraints)
+      c->residual(point, r);
+    for (const auto *f : layout.forces)
+      f->residual(point, r);
+    for (const auto *z : layout.state_equations)
+      z->residual(point, r);
+  }
+
+
+
+  void
   System::add_loads(const Point<double> &point, double *const r, const bool with_potential) const
   {
     for (const auto *f : layout.forces)
@@ -132,6 +147,16 @@ namespace samara
     std::fill_n(rates, layout.n_multipliers, 0.);
     for (const auto *c : layout.constraints)
       c->time_rates(point, rates);
+  }
+
+
+
+  void
+  System::constraint_second_rates(const Point<double> &point, double *const rates) const
+  {
+    std::fill_n(rates, layout.n_multipliers, 0.);
+    for (const auto *c : layout.constraints)
+      c->second_rates(point, rates);
   }
 
 

@@ -65,6 +65,8 @@ namespace samara
 
   Projection::Projection(const System &system)
     : system(system)
+    , released(system.released_multipliers())
+    , acting(multipliers_that_act(system.layout))
     , no_multipliers(system.layout.n_multipliers, 0.)
   {
     sort_nodes();
@@ -213,7 +215,7 @@ namespace samara
 
 
   void
-  Projection::solve()
+  Projection::solve(const bool with_forces)
   {
     small_b.resize(unknowns.size());
     for (unsigned int i = 0; i < unknowns.size(); ++i)
@@ -221,10 +223,11 @@ namespace samara
     if (!unknowns.empty())
       solver->solve(small_b.data());
     for (const auto &[node, inverse] : free)
-      {
-        Eigen::Map<Vector6> of_node(&b[system.layout.of_node(node)]);
-        of_node = (inverse * of_node).eval();
-      }
+      if (with_forces)
+        {
+          Eigen::Map<Vector6> of_node(&b[system.layout.of_node(node)]);
+          of_node = (inverse * of_node).eval();
+        }
     std::fill(b.begin() + system.layout.of_state(0), b.end(), 0.);
     for (unsigned int i = 0; i < unknowns.size(); ++i)
       b[unknowns[i]] = small_b[i];
@@ -278,7 +281,7 @@ namespace samara
     b.assign(system.size(), 0.);
     for (unsigned int i = 0; i < rates.size(); ++i)
       b[system.layout.of_multiplier(i)] = -rates[i];
-    solve();
+    solve(false);
     double change = 0, largest = 1e-300;
     for (unsigned int i = 6; i < state.y.size(); ++i)
       {
@@ -295,13 +298,13 @@ namespace samara
 
 
 
-  void
-  Projection::constraint_rates_after(const State &state, const double dt, std::vector<double> &rates)
+  Point<double>
+  Projection::moved_by(const State &state, const double dt)
   {
     // a straight path will do for the derivative
     moved_q           = state.q;
     moved_coordinates = state.coordinates;
-    for (const auto node : bound)
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       {
         const Vector3 v = Eigen::Map<const Vector3>(&state.y[6 * node]),
                       w = Eigen::Map<const Vector3>(&state.y[6 * node + 3]);
@@ -311,19 +314,16 @@ namespace samara
       }
     for (unsigned int i = 0; i < state.rates.size(); ++i)
       moved_coordinates[i] += dt * state.rates[i];
+    moved_states = state.states;
+    for (unsigned int i = 0; i < moved_states.size(); ++i)
+      moved_states[i] += dt * state.state_rates[i];
     Point<double> moved = state.point();
     moved.q             = moved_q.data();
     moved.coordinates   = moved_coordinates.data();
-    if (!moved_state_rates.empty()) // otherwise constraints do not know
-      {
-        moved_states = state.states;
-        for (unsigned int i = 0; i < moved_states.size(); ++i)
-          moved_states[i] += dt * state.state_rates[i];
-        moved.states = moved_states.data();
-        system.state_rates(moved, moved_state_rates.data());
-        moved.state_rates = moved_state_rates.data();
-      }
-    constraint_rates(moved, rates);
+    moved.states        = moved_states.data();
+    system.state_rates(moved, moved_state_rates.data());
+    moved.state_rates = moved_state_rates.data();
+    return moved;
   }
 
 
@@ -332,7 +332,8 @@ namespace samara
   Projection::accelerations(State &state)
   {
     factorize(state);
-    return solve_for_accelerations(state);
+    solve_for_accelerations(state);
+    return {b.begin(), b.begin() + system.layout.of_multiplier(0)};
   }
 
 
@@ -353,46 +354,46 @@ namespace samara
       system.stresses(state, state.stress);
     if (!with_forces)
       return;
-    const std::vector<double> a = solve_for_accelerations(state);
-    state.accelerations.assign(6, 0.);
-    state.accelerations.insert(state.accelerations.end(), a.begin(), a.end());
+    solve_for_accelerations(state);
+    state.accelerations.assign(6 + system.layout.of_multiplier(0), 0.);
+    std::copy_n(b.begin(), system.layout.of_multiplier(0), state.accelerations.begin() + 6);
   }
 
 
 
-  std::vector<double>
+  void
   Projection::solve_for_accelerations(State &state)
   {
-    const std::vector<double>       of_integrator = state.multipliers;
-    const std::vector<unsigned int> acting        = multipliers_that_act(system.layout);
-    rates_of_rows.clear();
+    const Eigen::VectorXd of_integrator = values_of(acting, state.multipliers);
+    find_forces_but_loads(state);
+    rates_are_known = false;
     if (acting.empty())
-      return accelerations_about(acting, Eigen::VectorXd(), state);
+      return find_accelerations(of_integrator, state);
     // forces depend on reactions, which depend on them: a fixed point, from those of the integrator on
     constexpr unsigned int most_passes = 100;
     constexpr double       precision   = 1e-12;
     Anderson               anderson;
-    Eigen::VectorXd        known = values_of(acting, of_integrator);
+    Eigen::VectorXd        known = of_integrator;
     for (unsigned int pass = 0; pass < most_passes; ++pass)
       {
-        const std::vector<double> result  = accelerations_about(acting, known, state);
-        const Eigen::VectorXd     found   = values_of(acting, state.multipliers);
-        double                    largest = 0;
+        find_accelerations(known, state);
+        const Eigen::VectorXd found   = values_of(acting, state.multipliers);
+        double                largest = 0;
         for (const double lambda : state.multipliers)
           largest = std::max(largest, std::abs(lambda));
         if (!((found - known).lpNorm<Eigen::Infinity>() > precision * largest))
-          return result;
+          return;
         known = anderson.next(known, found);
         // rates of states that know reactions are others in each pass, and rows may know them
         if (!system.layout.multipliers_in_laws.empty())
-          rates_of_rows.clear();
+          rates_are_known = false;
       }
     if (!system.layout.multipliers_in_laws.empty())
       throw NotConverged(
         "t = " + number_to_text("%.6g", state.time) +
         " s: forces of joints that laws depend on are not found, for they depend on these laws too much");
     // what rubs may have no accelerations, or several (Painlevé): those for the reactions of the step are told
-    return accelerations_about(acting, values_of(acting, of_integrator), state);
+    find_accelerations(of_integrator, state);
   }
 
 
@@ -425,7 +426,7 @@ namespace samara
     for (unsigned int i = 0; i < 2 && all_still && !states_in_laws.empty(); ++i)
       {
         const double by = i == 0 ? -dt : dt;
-        constraint_rates_after(state, by, later);
+        moved_by(state, by);
         all_still = is_still(moved_state_rates);
         later_at(state, by);
         all_still = all_still && is_still(moved_state_rates);
@@ -437,74 +438,112 @@ namespace samara
 
 
   void
-  Projection::subtract_rates_of_rows(const State &state)
+  Projection::add_second_rates_of_laws(const State &state)
   {
     // nothing turns by more than a thousandth in the time of the differences; what is slower than 1e-3 1/s counts as
     // such
     double fastest = 1e-3;
-    for (const auto node : bound)
-      fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[6 * node + 3]).norm());
+    for (unsigned int i = 0; i < state.y.size(); i += 6)
+      fastest = std::max(fastest, Eigen::Map<const Vector3>(&state.y[i + 3]).norm());
     for (const double rate : state.rates)
       fastest = std::max(fastest, std::abs(rate));
     const double dt = 1e-3 / fastest;
     forget_states_that_stay(state, dt);
-    const auto on_path = difference(dt, [&](const double by) {
-      constraint_rates_after(state, by, later);
-      return later;
-    });
-    for (unsigned int i = 0; i < later.size(); ++i)
-      b[system.layout.of_multiplier(i)] -= on_path[i];
-    // what changes with time alone is what is prescribed: its rates are known, and cheap
-    const auto of_time = [&](const double by) {
-      later.resize(system.layout.n_multipliers);
-      system.constraint_time_rates(later_at(state, by), later.data());
-      for (const auto i : left_out)
-        later[i] = 0;
-      return later;
+    const auto rates_at = [&](const Point<double> &point) {
+      Values rates(system.layout.n_multipliers);
+      system.constraint_time_rates(point, rates.data());
+      return rates;
     };
+    std::vector<unsigned int> by_laws;
+    for (unsigned int i = 0; i < rates_of_rows.size(); ++i)
+      if (std::isnan(rates_of_rows[i]))
+        {
+          by_laws.push_back(i);
+          rates_of_rows[i] = 0;
+        }
+    const auto add = [&](const Values &change) {
+      for (const auto i : by_laws)
+        rates_of_rows[i] += change[i];
+    };
+    if (!moved_state_rates.empty())
+      add(difference(dt, [&](const double by) { return rates_at(moved_by(state, by)); }));
+    const auto of_time = [&](const double by) { return rates_at(later_at(state, by)); };
     // a constant speed is one at all times, of which some at uneven distances stand for all
     const Values now       = of_time(0);
     bool         is_steady = true;
     for (const double part : {-2., -1., -0.367, 0.123, 0.719, 1., 2.})
       is_steady = is_steady && of_time(part * dt) == now;
-    if (is_steady)
-      return;
-    const auto in_time = limit_of_differences(dt, state.time, largest_of(now), of_time);
-    for (unsigned int i = 0; i < later.size(); ++i)
-      b[system.layout.of_multiplier(i)] -= in_time[i];
+    if (!is_steady)
+      add(limit_of_differences(dt, state.time, largest_of(now), of_time));
   }
 
 
 
-  std::vector<double>
-  Projection::accelerations_about(const std::vector<unsigned int> &acting, const Eigen::VectorXd &known, State &state)
+  void
+  Projection::find_rates_of_rows(const State &state)
   {
-    std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
-    for (unsigned int i = 0; i < acting.size(); ++i)
-      state.multipliers[acting[i]] = known(i);
-    system.find_state_rates(state);
+    rates_of_rows.resize(system.layout.n_multipliers);
+    system.constraint_second_rates(state.point(), rates_of_rows.data());
+    if (std::any_of(rates_of_rows.begin(), rates_of_rows.end(), [](const double rate) { return std::isnan(rate); }))
+      add_second_rates_of_laws(state);
+    for (const auto i : left_out)
+      rates_of_rows[i] = 0;
+    for (const auto i : released)
+      rates_of_rows[i] = 0;
+    rates_are_known = true;
+  }
+
+
+
+  void
+  Projection::find_forces_but_loads(State &state)
+  {
     const bool was_held = state.held;
     state.held          = false;
+    std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+    system.find_state_rates(state);
     system.residual(state, state.stress, r);
-    state.held = was_held;
-    b.assign(system.size(), 0.);
-    for (int i = 0; i < system.layout.of_multiplier(0); ++i)
-      b[i] = -r[i];
-
-    if (rates_of_rows.empty() && system.layout.n_multipliers > 0)
+    if (!acting.empty())
       {
-        subtract_rates_of_rows(state);
-        rates_of_rows.assign(b.begin() + system.layout.of_multiplier(0), b.end());
+        loads.assign(r.size(), 0.);
+        system.add_loads(state.point(), loads.data());
+        for (unsigned int i = 0; i < r.size(); ++i)
+          r[i] -= loads[i];
       }
-    std::copy(rates_of_rows.begin(), rates_of_rows.end(), b.begin() + system.layout.of_multiplier(0));
-    for (const auto i : system.released_multipliers())
-      b[system.layout.of_multiplier(i)] = 0;
+    state.held = was_held;
+  }
+
+
+
+  void
+  Projection::find_accelerations(const Eigen::VectorXd &known, State &state)
+  {
+    const int n_moving = system.layout.of_multiplier(0);
+    b.assign(system.size(), 0.);
+    for (int i = 0; i < n_moving; ++i)
+      b[i] = -r[i];
+    if (!acting.empty())
+      {
+        const bool was_held = state.held;
+        state.held          = false;
+        std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+        for (unsigned int i = 0; i < acting.size(); ++i)
+          state.multipliers[acting[i]] = known(i);
+        system.find_state_rates(state);
+        std::fill(loads.begin(), loads.end(), 0.);
+        system.add_loads(state.point(), loads.data());
+        for (int i = 0; i < n_moving; ++i)
+          b[i] -= loads[i];
+        state.held = was_held;
+      }
+    if (!rates_are_known)
+      find_rates_of_rows(state);
+    for (unsigned int i = 0; i < rates_of_rows.size(); ++i)
+      b[system.layout.of_multiplier(i)] = -rates_of_rows[i];
     // rates of states are known, and in Ġ y already
     std::fill_n(b.begin() + system.layout.of_state(0), system.layout.n_states, 0.);
     solve();
     std::copy(state.state_rates.begin(), state.state_rates.end(), b.begin() + system.layout.of_state(0));
-    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
-      state.multipliers[i] += b[system.layout.of_multiplier(i)];
-    return {b.begin(), b.begin() + system.layout.of_multiplier(0)};
+    std::copy_n(b.begin() + n_moving, system.layout.n_multipliers, state.multipliers.begin());
   }
 } // namespace samara

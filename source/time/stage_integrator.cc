@@ -26,6 +26,35 @@ namespace samara
 
 
 
+    /** renormalised() of the triads of all nodes, four at once. */
+    void
+    renormalise(std::vector<double> &q)
+    {
+      using Lane                 = FourNodes::Lane;
+      const unsigned int n_nodes = q.size() / 12;
+      for (unsigned int first = 1; first < n_nodes; first += 4)
+        {
+          const FourNodes nodes(first, n_nodes);
+          Lane            values[12], result[9];
+          nodes.load(12, q, values);
+          const Lane *const D = values + 3;
+          // D (3/2 I − 1/2 DᵀD)
+          Lane S[3][3];
+          for (int i = 0; i < 3; ++i)
+            for (int j = i; j < 3; ++j)
+              S[i][j] = S[j][i] =
+                Lane(i == j ? 1.5 : 0.) -
+                Lane(0.5) * (D[3 * i] * D[3 * j] + D[3 * i + 1] * D[3 * j + 1] + D[3 * i + 2] * D[3 * j + 2]);
+          for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i)
+              result[3 * j + i] = D[i] * S[0][j] + D[3 + i] * S[1][j] + D[6 + i] * S[2][j];
+          std::copy_n(result, 9, values + 3);
+          nodes.store(12, values, q);
+        }
+    }
+
+
+
     /**
      * The stop of a distance that nothing touches in the step, but that would be touched if the points flew straight,
      * with the distance and its rate at the start and the distance at the end; null if there is none. Of balls d² =
@@ -92,6 +121,7 @@ namespace samara
     const Layout      &layout = system.layout;
     const unsigned int n      = system.size();
     make_factors();
+    make_inertias();
     for (const auto i : layout.nonholonomic)
       is_nonholonomic[i] = true;
     for (const auto i : system.released_multipliers())
@@ -164,7 +194,8 @@ namespace samara
       estimate_error(state, h, result.difference);
     remember(state, h);
     finish(state, h);
-    result.energy = system.energy(state, e_end);
+    result.energy = energy_at_end = system.energy(state, e_end);
+    y_at_end                      = state.y;
     ++n_steps;
     return result;
   }
@@ -177,12 +208,13 @@ namespace samara
     state.held = false;
     choose_rows(state);
     // where the last step ended, strains are known
-    if (!e_end.empty() && state.q == final_q && state.coordinates == final_coordinates)
+    const bool goes_on = !e_end.empty() && state.q == final_q && state.coordinates == final_coordinates;
+    if (goes_on)
       std::swap(e_start, e_end);
     else
       system.strains(state, e_start);
     e_end.clear();
-    const auto energy = system.energy(state, e_start);
+    const auto energy = goes_on && state.y == y_at_end ? energy_at_end : system.energy(state, e_start);
     energy_scale      = energy.kinetic + energy.strain;
     if (first_strain < 0)
       first_strain = energy.strain;
@@ -422,11 +454,7 @@ namespace samara
         for (unsigned int k = 0; k < s; ++k)
           state.states[i] += weights(k) * stages[k].states[i];
       }
-    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-      {
-        Eigen::Map<Matrix3> D(&final_q[12 * node + 3]);
-        D = renormalised(D); // against round-off only
-      }
+    renormalise(final_q); // against round-off only
     state.q           = final_q;
     state.coordinates = final_coordinates;
     for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)

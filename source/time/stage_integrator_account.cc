@@ -150,16 +150,22 @@ namespace samara
     const Layout      &layout  = system.layout;
     const unsigned int n_nodal = 6 * (layout.n_nodes - 1);
     double             most    = -1;
+    const auto         see = [&](const double *r, const double *rates, const unsigned int n, const unsigned int first) {
+      if (n == 0)
+        return;
+      // the largest one by vector instructions; where it is, only if it is larger than what there was
+      const auto work = Eigen::Map<const Eigen::ArrayXd>(r, n) * Eigen::Map<const Eigen::ArrayXd>(rates, n);
+      if (!(work.abs().maxCoeff() > most))
+        return;
+      unsigned int at = 0;
+      most            = work.abs().maxCoeff(&at);
+      result.worst    = first + at;
+    };
     for (const Stage &stage : stages)
-      for (unsigned int i = 0; i < static_cast<unsigned int>(layout.n_kinematic()); ++i)
-        {
-          const double work = std::abs(stage.residual[i] * (i < n_nodal ? stage.y[6 + i] : stage.rates[i - n_nodal]));
-          if (work > most)
-            {
-              most         = work;
-              result.worst = i;
-            }
-        }
+      {
+        see(stage.residual.data(), stage.y.data() + 6, n_nodal, 0);
+        see(stage.residual.data() + n_nodal, stage.rates.data(), stage.rates.size(), n_nodal);
+      }
     // of the constraints that act on the node, or on the coordinate, the one that has to transmit most
     const unsigned int first = result.worst < n_nodal ? result.worst / 6 * 6 : result.worst,
                        end   = result.worst < n_nodal ? first + 6 : first + 1;

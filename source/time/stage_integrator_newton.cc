@@ -37,14 +37,6 @@ namespace samara
       return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     }
 
-    /** The same operation on each. */
-    Lane
-    root_of(const Lane &a)
-    {
-      return Lane(
-        Lane::Vector{std::sqrt(a.values[0]), std::sqrt(a.values[1]), std::sqrt(a.values[2]), std::sqrt(a.values[3])});
-    }
-
 
 
     /** Add twist(nodes, ·) to the twists @p all of nodes, lengths in parts of @p length; what is no number is returned.
@@ -67,7 +59,7 @@ namespace samara
           nodes.store(6, y, all);
           // (|v| + |ω|)²
           const Lane of_v = factor * square_of(d), of_spin = square_of(d + 3),
-                     change = of_v + of_spin + Lane(2.) * root_of(of_v * of_spin);
+                     change = of_v + of_spin + Lane(2.) * sqrt(of_v * of_spin);
           sum += change;
           changes = larger(changes, change);
           squares = larger(squares, larger(factor * square_of(y), square_of(y + 3)));

@@ -148,6 +148,28 @@ namespace samara
 
 
 
+    /** Of a symmetric 6×6 matrix. */
+    constexpr unsigned int n_in_triangle = 21;
+
+    /** Its product with a vector, from the rows of its upper triangle. */
+    void
+    multiply_symmetric(const Lane *M, const Lane *x, Lane *result)
+    {
+      for (int i = 0; i < 6; ++i)
+        result[i] = 0.;
+      for (int i = 0; i < 6; ++i)
+        {
+          result[i] += *M++ * x[i];
+          for (int j = i + 1; j < 6; ++j, ++M)
+            {
+              result[i] += *M * x[j];
+              result[j] += *M * x[i];
+            }
+        }
+    }
+
+
+
     /** Add factor · D Ω~ to @p sum: a row of it is that row of D crossed with Ω. */
     void
     add_rate_of_triad(const Mat3<Lane> &D, const Lane &factor, const Vec3<Lane> &spin, Mat3<Lane> &sum)
@@ -249,10 +271,9 @@ namespace samara
 
 
   void
-  StageIntegrator::evaluate_stresses(const double h)
+  StageIntegrator::find_excesses(const double h)
   {
     const unsigned int n_strains = system.layout.n_strains;
-    evaluate_strain_rates(h);
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
         Stage &stage = stages[k];
@@ -394,57 +415,96 @@ namespace samara
 
 
 
-  double
-  StageIntegrator::add_inertia(const unsigned int k, const State &state, const double h)
+  void
+  StageIntegrator::make_inertias()
   {
-    Stage                           &stage   = stages[k];
-    const unsigned int               n_nodes = system.layout.n_nodes, n_groups = (n_nodes + 2) / 4;
-    thread_local std::vector<double> energies;
-    energies.resize(n_groups);
-    double *const energy = energies.data();
-    const auto    add    = [&](const unsigned int begin, const unsigned int end) {
+    const unsigned int n_nodes = system.layout.n_nodes;
+    inertias.clear();
+    inertias.reserve(n_in_triangle * ((n_nodes + 2) / 4));
+    for (unsigned int first = 1; first < n_nodes; first += 4)
+      {
+        const FourNodes nodes(first, n_nodes);
+        for (int i = 0; i < 6; ++i)
+          for (int j = i; j < 6; ++j)
+            {
+              Lane M;
+              for (int l = 0; l < 4; ++l)
+                M.values[l] = system.model.nodes[nodes[l]].inertia(i, j);
+              inertias.push_back(M);
+            }
+      }
+  }
+
+
+
+  template <int s>
+  void
+  StageIntegrator::add_inertia(const State &state, const double h, double *const energies)
+  {
+    const unsigned int n_nodes = system.layout.n_nodes;
+    const auto         add     = [&](const unsigned int begin, const unsigned int end) {
       for (unsigned int group = begin; group < end; ++group)
         {
-          const FourNodes nodes(1 + 4 * group, n_nodes);
-          Lane            M[36], start[6], y[6], acceleration[6], p[6], r[6];
-          Lanes<double>::load(36,
-                              {system.model.nodes[nodes[0]].inertia.data(),
-                               system.model.nodes[nodes[1]].inertia.data(),
-                               system.model.nodes[nodes[2]].inertia.data(),
-                               system.model.nodes[nodes[3]].inertia.data()},
-                              M);
+          const FourNodes   nodes(1 + 4 * group, n_nodes);
+          const Lane *const M = &inertias[n_in_triangle * group];
+          Lane              start[6], y[s][6];
           nodes.load(6, state.y, start);
-          std::fill_n(acceleration, 6, Lane(0.));
-          for (unsigned int l = 0; l < tableau.s; ++l)
+          for (int k = 0; k < s; ++k)
+            nodes.load(6, stages[k].y, y[k]);
+          Lane energy = 0.;
+          for (int k = 0; k < s; ++k)
             {
-              const Lane factor = tableau.w(k, l) / h;
-              nodes.load(6, stages[l].y, y);
+              Lane acceleration[6], p[6], forces[6], r[6];
               for (int i = 0; i < 6; ++i)
-                acceleration[i] += factor * (y[i] - start[i]);
+                {
+                  acceleration[i] = Lane(tableau.w(k, 0) / h) * (y[0][i] - start[i]);
+                  for (int l = 1; l < s; ++l)
+                    acceleration[i] += Lane(tableau.w(k, l) / h) * (y[l][i] - start[i]);
+                }
+              multiply_symmetric(M, y[k], p);
+              multiply_symmetric(M, acceleration, forces);
+              nodes.load_unknowns(stages[k].residual, r);
+              Lane twice_energy = 0.;
+              for (int i = 0; i < 6; ++i)
+                {
+                  r[i] += forces[i];
+                  twice_energy += p[i] * y[k][i];
+                }
+              // −ad*_y p = (ω × l, ω × a + v × l) of the momenta l, a
+              const Lane *const v = y[k], *const w = v + 3;
+              for (int i = 0; i < 3; ++i)
+                {
+                  const int m = (i + 1) % 3, n = (i + 2) % 3;
+                  r[i] += w[m] * p[n] - w[n] * p[m];
+                  r[3 + i] += w[m] * p[3 + n] - w[n] * p[3 + m] + v[m] * p[n] - v[n] * p[m];
+                }
+              nodes.store_unknowns(r, stages[k].residual);
+              energy += Lane(0.5 * tableau.b(k)) * twice_energy;
             }
-          nodes.load(6, stage.y, y);
-          nodes.load_unknowns(stage.residual, r);
-          Lane twice_energy = 0.;
-          for (int i = 0; i < 6; ++i)
-            {
-              const Lane *const row = M + 6 * i; // of a symmetric matrix
-              p[i] = row[0] * y[0] + row[1] * y[1] + row[2] * y[2] + row[3] * y[3] + row[4] * y[4] + row[5] * y[5];
-              r[i] += row[0] * acceleration[0] + row[1] * acceleration[1] + row[2] * acceleration[2] +
-                      row[3] * acceleration[3] + row[4] * acceleration[4] + row[5] * acceleration[5];
-              twice_energy += p[i] * y[i];
-            }
-          // −ad*_y p = (ω × l, ω × a + v × l) of the momenta l, a
-          for (int i = 0; i < 3; ++i)
-            {
-              const int m = (i + 1) % 3, n = (i + 2) % 3;
-              r[i] += y[3 + m] * p[n] - y[3 + n] * p[m];
-              r[3 + i] += y[3 + m] * p[3 + n] - y[3 + n] * p[3 + m] + y[m] * p[n] - y[n] * p[m];
-            }
-          nodes.store_unknowns(r, stage.residual);
-          energy[group] = 0.5 * nodes.sum(twice_energy);
+          energies[group] = nodes.sum(energy);
         }
     };
-    parallel_for(n_groups, worth_threads, std::cref(add));
+    parallel_for((n_nodes + 2) / 4, worth_threads, std::cref(add)); // a reference needs no memory of its own
+  }
+
+
+
+  double
+  StageIntegrator::add_inertia(const State &state, const double h)
+  {
+    thread_local std::vector<double> energies;
+    energies.resize((system.layout.n_nodes + 2) / 4);
+    switch (tableau.s)
+      {
+        case 1:
+          add_inertia<1>(state, h, energies.data());
+          break;
+        case 2:
+          add_inertia<2>(state, h, energies.data());
+          break;
+        default:
+          add_inertia<3>(state, h, energies.data());
+      }
     return std::accumulate(energies.begin(), energies.end(), 0.);
   }
 
@@ -453,18 +513,23 @@ namespace samara
   void
   StageIntegrator::evaluate(const State &state, const double h)
   {
-    evaluate_stresses(h);
+    // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
+    for (auto &stage : stages)
+      {
+        stage.residual.assign(system.size() + 6, 0.);
+        stage.strain_rates.resize(system.layout.n_strains);
+        system.add_terms_and_strain_rates(stage.point(), stage.residual.data(), stage.strain_rates.data());
+      }
+    find_products(products, tableau, h, e_start, stages);
+    find_excesses(h);
     if (is_exact)
       use_strains_of_stages();
-    kinetic_energy = 0;
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      strains_in_matrix(k).add_forces(stages[k].excess.data(), stages[k].residual.data());
+    kinetic_energy = add_inertia(state, h);
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
         Stage &stage = stages[k];
-        stage.residual.assign(system.size() + 6, 0.);
-        system.add_terms(stage.point(), stage.residual.data());
-        strains_in_matrix(k).add_forces(stage.excess.data(), stage.residual.data());
-        kinetic_energy += tableau.b(k) * add_inertia(k, state, h);
         stage.state_rates.assign(system.layout.n_states, 0.);
         for (unsigned int i = 0; i < system.layout.n_states; ++i)
           {

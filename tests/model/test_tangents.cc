@@ -431,6 +431,63 @@ TEST(Tangents, StrainRatesAreDerivativesOfStrains)
 
 
 
+// What rates of constraints change by while no velocity changes is told exactly: against differences of fourth order along
+// the motion, of all kinds, with triads deformed. What a law of states prescribes is left out by both.
+TEST(Tangents, SecondRatesAreChangesOfRates)
+{
+  constexpr double dt     = 1e-3;
+  unsigned int     n_rows = 0, n_changing = 0;
+  for (const auto &[kind, text] : scenes())
+    {
+      const Scene   scene(text.model());
+      const System &system = scene.system;
+      const Layout &layout = system.layout;
+      if (layout.n_multipliers == 0)
+        continue;
+      State      state  = system.reference();
+      auto       number = [n = 0]() mutable { return std::sin(1. + ++n); };
+      for (auto *const values : {&state.q, &state.coordinates, &state.y, &state.rates})
+        for (unsigned int i = values == &state.q ? 12 : values == &state.y ? 6 : 0; i < values->size(); ++i)
+          (*values)[i] += (values == &state.q || values == &state.coordinates ? 0.05 : 0.5) * number();
+      state.time = 0.4;
+      state.held = false;
+      const auto rates_after = [&](const double by) {
+        State moved = state;
+        for (unsigned int node = 1; node < layout.n_nodes; ++node)
+          {
+            const Matrix3                   D = state.triad(node);
+            const Eigen::Map<const Vector3> v(&state.y[6 * node]), w(&state.y[6 * node + 3]);
+            Eigen::Map<Vector3>(&moved.q[12 * node]) += by * D * v;
+            Eigen::Map<Matrix3>(&moved.q[12 * node + 3]) += by * D * skew(Vector3(w));
+          }
+        for (unsigned int i = 0; i < layout.n_coordinates; ++i)
+          moved.coordinates[i] += by * state.rates[i];
+        moved.time += by;
+        Eigen::VectorXd rates(layout.n_multipliers);
+        system.constraint_rates(moved.point(), rates.data());
+        return rates;
+      };
+      const Eigen::VectorXd differences =
+        (8 * (rates_after(dt) - rates_after(-dt)) - (rates_after(2 * dt) - rates_after(-2 * dt))) / (12 * dt);
+      std::vector<double> second(layout.n_multipliers, 7.);
+      system.constraint_second_rates(state.point(), second.data());
+      for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+        {
+          // what a law of states prescribes
+          if (std::isnan(second[i]))
+            EXPECT_NE(layout.multiplier_names[i].find("prescribed"), std::string::npos) << kind;
+          else
+            EXPECT_NEAR(second[i], differences(i), 1e-9 * (1 + std::abs(differences(i)))) << kind << ", row " << i;
+          ++n_rows;
+          n_changing += std::abs(second[i]) > 1e-3;
+        }
+    }
+  EXPECT_GT(n_rows, 100u);
+  EXPECT_GT(n_changing, n_rows / 2);
+}
+
+
+
 // Whoever offers strains as rows leaves BᵀCB out where the material is not wanted: together they are the tangent.
 TEST(Tangents, StrainRowsHoldTheMaterial)
 {

@@ -18,8 +18,11 @@ namespace samara
 #ifdef __clang__
     // Eigen asks for 16 bytes (EIGEN_MAX_ALIGN_BYTES), and Clang takes no request below what a type has by itself.
     typedef double Vector __attribute__((vector_size(32), aligned(16)));
+    // and makes one instruction of a product and a sum only where it is told so; GCC does it anyway
+#  define SAMARA_FUSED _Pragma("clang fp contract(fast)")
 #else
     typedef double Vector __attribute__((vector_size(32)));
+#  define SAMARA_FUSED
 #endif
     Vector values;
 
@@ -34,12 +37,14 @@ namespace samara
     FourDoubles &
     operator+=(const FourDoubles &b)
     {
+      SAMARA_FUSED
       values += b.values;
       return *this;
     }
     FourDoubles &
     operator-=(const FourDoubles &b)
     {
+      SAMARA_FUSED
       values -= b.values;
       return *this;
     }
@@ -57,16 +62,19 @@ namespace samara
     friend FourDoubles
     operator+(const FourDoubles &a, const FourDoubles &b)
     {
+      SAMARA_FUSED
       return FourDoubles(a.values + b.values);
     }
     friend FourDoubles
     operator-(const FourDoubles &a, const FourDoubles &b)
     {
+      SAMARA_FUSED
       return FourDoubles(a.values - b.values);
     }
     friend FourDoubles
     operator*(const FourDoubles &a, const FourDoubles &b)
     {
+      SAMARA_FUSED
       return FourDoubles(a.values * b.values);
     }
     friend FourDoubles
@@ -80,6 +88,7 @@ namespace samara
     {
       return std::min({values[0], values[1], values[2], values[3]});
     }
+#undef SAMARA_FUSED
   };
 
 

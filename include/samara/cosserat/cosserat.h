@@ -42,6 +42,7 @@ namespace samara
       return n * points.size();
     }
     void   strain_rates(const Point<double> &point, double *rates) const override;
+    void   strain_rates_and_residual(const Point<double> &point, double *rates, double *r) const override;
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   damping(const Point<double> &point, SparseMatrix &C) const override;
     void   strain_rows(const Point<double> &point, StrainRows &rows) const override;

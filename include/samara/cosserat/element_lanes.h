@@ -48,6 +48,9 @@ namespace samara
     template <typename Number>
     void add_forces(const Point<Number> &point, const Number *stress, Number *r) const;
 
+    /** strain_rates() and add_forces(): what both need of a point is found once. */
+    void add_forces_and_rates(const Point<double> &point, const double *stress, double *r, double *rates) const;
+
     /** The lanes must stay where they are. */
     std::unique_ptr<LinearStrains> linear_strains() const;
 
@@ -75,6 +78,9 @@ namespace samara
         unsigned int a, lane;
       };
       std::vector<Arm> arms;
+
+      /** Of the points of an element, in all lanes: the weight, and of a beam its T. */
+      std::vector<FourDoubles> weights, T;
     };
     std::vector<Batch> batches, single_elements; ///< of doubles, of other numbers
     unsigned int       most_nodes_of_element = 0;
@@ -118,6 +124,17 @@ namespace samara
                              const Point<Number>                             &point,
                              const Number                                    *stress,
                              const std::array<Number *, Lanes<Number>::size> &forces);
+
+    template <int N>
+    static void batch_forces_and_rates(const Batch                   &batch,
+                                       const Point<double>           &point,
+                                       const double                  *stress,
+                                       const std::array<double *, 4> &forces,
+                                       double                        *rates);
+
+    /** Section forces at the tying points from the stresses of the model. */
+    template <typename Number>
+    static void batch_to_tying(const Batch &batch, const Number *stress, Vec6<typename Lanes<Number>::type> *tied);
 
     /** Strains of the elements of a batch at their integration points from those at the tying points. */
     template <typename Number>

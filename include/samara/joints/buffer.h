@@ -31,6 +31,11 @@ namespace samara
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
     void rates(const Point<double> &point, double *rates) const override;
 
+    /** None: it is linear in the coordinates. */
+    void
+    second_rates(const Point<double> &, double *) const override
+    {}
+
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;
 

@@ -26,6 +26,7 @@ namespace samara
 
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
     void rates(const Point<double> &point, double *rates) const override;
+    void second_rates(const Point<double> &point, double *rates) const override;
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;

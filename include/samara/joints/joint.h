@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <list>
 
 namespace samara
@@ -60,6 +61,14 @@ namespace samara
     prescribed_rate(const Point<double> &point) const
     {
       return point.factor * (drive ? drive->rate(point) : prescribed.of_time().derivative(point.time));
+    }
+
+    /** Of a function of time alone; NaN of a law of states. */
+    double
+    prescribed_second_rate(const Point<double> &point) const
+    {
+      return drive ? std::numeric_limits<double>::quiet_NaN() :
+                     point.factor * prescribed.of_time().second_derivative(point.time);
     }
 
     int coordinate = -1; ///< its number in the model, negative while nothing uses it

@@ -83,6 +83,21 @@ namespace samara
 
 
 
+  /** How its rates change while the twists stay as they are: second derivatives, of Δ, of AᵀΔ and of AᵀB. */
+  struct PairSecondRates
+  {
+    Vector3 gap;     ///< inertial components [m/s²]
+    Vector3 gaps;    ///< [m/s²]
+    Matrix3 cosines; ///< [1/s²]; not set where the axes of B are not wanted
+
+    PairSecondRates(const PairValues<double> &pair,
+                    const PairRates          &rates,
+                    const double             *y,
+                    bool                      with_axes_of_b = true);
+  };
+
+
+
   /**
    * The quadratic functions of two frames from which every joint is made. Orthonormality of the axes is not used, so
    * that the functions stay quadratic in the coordinates.
@@ -133,6 +148,20 @@ namespace samara
             }
           default:
             return 2 * (p.gap(0) * rates.gap(0) + p.gap(1) * rates.gap(1) + p.gap(2) * rates.gap(2));
+        }
+    }
+
+    double
+    second_rate(const PairValues<double> &p, const PairRates &rates, const PairSecondRates &second) const
+    {
+      switch (kind)
+        {
+          case gap:
+            return second.gaps(i);
+          case cosine:
+            return second.cosines(i, j);
+          default:
+            return 2 * (rates.gap.dot(rates.gap) + p.gap.dot(second.gap));
         }
     }
 

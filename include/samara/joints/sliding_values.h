@@ -132,6 +132,41 @@ namespace samara
       cosines         = E.transpose() * values.at.d[0] + values.E.transpose() * d;
     }
   };
+
+
+
+  /** How those change while Ṡ and the twists stay as they are. */
+  struct SlidingSecondRates
+  {
+    Vector3 x;
+    Matrix3 cosines;
+
+    SlidingSecondRates(const SlidingValues<double> &values,
+                       const Rail                  &rail,
+                       const Frame                 &b,
+                       const double                 v,
+                       const Point<double>         &point)
+      : x(v * v * values.at.x[2])
+    {
+      // of N(S) x: N'' v² x + 2 N' v ẋ + N ẍ, where ẋ = D u, ẍ = D ω~u; of directors the same
+      Matrix3 d_rate = v * values.at.d[1], d = v * v * values.at.d[2];
+      for (const Rail::Weights<double> &part : values.weights)
+        {
+          const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
+          for (unsigned int a = 0; a < frames.size(); ++a)
+            {
+              const Vector6 twist = frames[a].twist(point.y);
+              const Matrix3 D = frames[a].triad(point.q), spin = skew(twist.tail<3>()), D_rate = D * spin;
+              const double  N = part.of[0][a], N_rate = 2 * v * part.of[1][a];
+              x += N_rate * (D * twist.head<3>()) + N * (D_rate * twist.head<3>());
+              d_rate += N * D_rate;
+              d += N_rate * D_rate + N * D_rate * spin;
+            }
+        }
+      const Matrix3 spin_b = skew(b.twist(point.y).tail<3>()), E = values.E * spin_b;
+      cosines = (E * spin_b).transpose() * values.at.d[0] + 2 * E.transpose() * d_rate + values.E.transpose() * d;
+    }
+  };
 } // namespace samara
 
 #endif

@@ -35,13 +35,14 @@ namespace samara
     void constraints(const Point<double> &point, double *r) const override;
     void tangent(const Point<double> &point, SparseMatrix &K) const override;
     void rates(const Point<double> &point, double *rates) const override;
+    void second_rates(const Point<double> &point, double *rates) const override;
 
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
 
   private:
     /** Axes of the support. @throws std::invalid_argument */
-    Matrix3 triad() const;
+    Matrix3                  triad() const;
     std::vector<std::string> places, fixed_entries = {"all"};
     Vector3                  axis = Vector3::UnitZ(), axis_1 = Vector3::Zero();
 

@@ -219,6 +219,9 @@ namespace samara
     void
     rates(const Point<double> &, double *) const override
     {}
+    void
+    second_rates(const Point<double> &, double *) const override
+    {}
 
     template <typename Number>
     void residual_at(const Point<Number> &point, Number *r) const;

@@ -59,6 +59,8 @@ namespace samara
     /** All of them: Bᵀσ + Gᵀλ − f, g. */
     template <typename Number>
     void add_terms(const Point<Number> &point, Number *r) const;
+    /** The same, and the rates of the strains. */
+    void add_terms_and_strain_rates(const Point<double> &point, double *r, double *rates) const;
     /** −f of the loads, or only of those without potential. */
     void add_loads(const Point<double> &point, double *r, bool with_potential = true) const;
     /** −f of load @p i of n_loads(). */
@@ -70,6 +72,8 @@ namespace samara
     /** ġ = G y + ∂g/∂t, and ∂g/∂t alone. */
     void constraint_rates(const Point<double> &point, double *rates) const;
     void constraint_time_rates(const Point<double> &point, double *rates) const;
+    /** g̈ where no velocity changes, see Constraint::second_rates(). */
+    void constraint_second_rates(const Point<double> &point, double *rates) const;
 
     /** ż = g(q, y, z, t) of all states of first order; those of a state into it. */
     void state_rates(const Point<double> &point, double *rates) const;
@@ -131,8 +135,8 @@ namespace samara
     Drawing draw(const State &state) const;
 
     /**
-     * Forces and constraints, r = Bᵀσ + Gᵀλ − loads − ad*_y(M y), g, with the stress given; the last six entries are the
-     * force and moment on the ground, seen at the origin. Size size() + 6.
+     * Forces and constraints, r = Bᵀσ + Gᵀλ − loads − ad*_y(M y), g, with the stress given; the last six entries are
+     * the force and moment on the ground, seen at the origin. Size size() + 6.
      */
     void residual(const State &state, const std::vector<double> &stress, std::vector<double> &r) const;
 
@@ -147,7 +151,7 @@ namespace samara
 
     /** B, C and C_d of all strains at the state. */
     StrainRows strain_rows(const State &state, Part part = Part::all) const;
-    void mass(SparseMatrix &M) const;
+    void       mass(SparseMatrix &M) const;
 
     /**
      * Add the increments @p z (nodal twists, joint coordinates, multipliers) to the state; its stress becomes

@@ -135,6 +135,14 @@ namespace samara
     virtual void
     strain_rows(const Point<double> &, StrainRows &) const
     {}
+
+    /** strain_rates() and residual() of one point, where both are wanted. */
+    virtual void
+    strain_rates_and_residual(const Point<double> &point, double *rates, double *r) const
+    {
+      strain_rates(point, rates);
+      residual(point, r);
+    }
   };
 
 
@@ -166,6 +174,13 @@ namespace samara
     virtual void
     follow_angles(State &) const
     {}
+
+    /**
+     * g̈ where no velocity changes, Ġ y + d(∂g/∂t)/dt: nodes move along y, coordinates along their rates. Into the
+     * global array of multipliers, which is zero before. NaN of what a law of states prescribes, whose states move,
+     * too.
+     */
+    virtual void second_rates(const Point<double> &, double *) const = 0;
   };
 
 

@@ -66,35 +66,49 @@ namespace samara
     std::unique_ptr<SparseMatrix> saddle;
     std::unique_ptr<LinearSolver> solver;
 
+    const std::vector<unsigned int> released; ///< multipliers of angles that statics alone hold
+    const std::vector<unsigned int> acting;   ///< multipliers on which forces depend
+
     std::vector<unsigned int> left_out_of_solver;
     std::vector<unsigned int> left_out; ///< in the present matrix: those of the state, at singular positions more
     bool                      is_massless = false; ///< something without mass moves freely, and no choice of rows helps
-    std::vector<double> no_multipliers, moved_q, moved_coordinates, moved_states, moved_state_rates, rates, later, r, b,
-      small_b, rates_of_rows; ///< of the last: −Ġ y of the present state, empty where it is not known yet
+    std::vector<double> no_multipliers, moved_q, moved_coordinates, moved_states, moved_state_rates, rates, b, small_b;
+    std::vector<double> r, loads; ///< what is left without accelerations: of all, or of all but loads where those act
+    std::vector<double> rates_of_rows; ///< g̈ of the present state where nothing accelerates
+    bool                rates_are_known = false;
 
     void   make_solver_without();
     void   factorize(const State &state, double least_condition = 0);
     void   factorize_rows(const State &state);
     void   sort_nodes();
     double project(State &state);
-    /** The saddle-point matrix's solution for b: in the place of b. */
-    void                solve();
-    std::vector<double> solve_for_accelerations(State &state);
-    /** The same where forces see these multipliers as known, and others as zero; the state has those found then. */
-    std::vector<double>
-    accelerations_about(const std::vector<unsigned int> &acting, const Eigen::VectorXd &known, State &state);
+    /** The saddle-point matrix's solution for b: in the place of b. Without forces only what is bound moves. */
+    void solve(bool with_forces = true);
+
+    /** @name Accelerations, in b, and multipliers @{ */
+    void solve_for_accelerations(State &state);
     /**
-     * Ġ y, taken off the rows of the multipliers: by differences of fourth order over a time in which nothing turns by
-     * more than a thousandth; with it, what changes with time alone, however fast that is.
+     * Residual without accelerations and reactions, once for all passes over loads that depend on reactions: with
+     * all loads if none does, else without any.
      */
-    void subtract_rates_of_rows(const State &state);
+    void find_forces_but_loads(State &state);
+    /** Where loads see these multipliers that act as known. */
+    void find_accelerations(const Eigen::VectorXd &known, State &state);
+    /** Second rates are exact, but for what laws of states prescribe. */
+    void find_rates_of_rows(const State &state);
+    /**
+     * What laws of states prescribe changes its rate: by differences of fourth order over a time in which nothing turns
+     * by more than a thousandth; with it, what changes with time alone, however fast that is.
+     */
+    void add_second_rates_of_laws(const State &state);
+    /** @} */
+
     /** Where no state that laws of constraints name changes within dt, rates of states are not found any more. */
     void          forget_states_that_stay(const State &state, double dt);
     Point<double> later_at(const State &state, double by);
+    /** All after @p dt straight along its velocities, with the rates that states have there. */
+    Point<double> moved_by(const State &state, double dt);
     void          constraint_rates(const Point<double> &point, std::vector<double> &rates) const;
-
-    /** Constraint rates at these twists where the nodes are after @p dt straight along their velocities. */
-    void constraint_rates_after(const State &state, double dt, std::vector<double> &rates);
   };
 } // namespace samara
 

@@ -5,6 +5,7 @@
 #include <samara/solvers/linear.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/exact_stages.h>
+#include <samara/time/four_nodes.h>
 #include <samara/time/integrator.h>
 #include <samara/time/projection.h>
 #include <samara/time/stage_bristles.h>
@@ -163,9 +164,11 @@ namespace samara
       double       value;
     };
     std::vector<MassEntry> mass;
-    std::vector<double>    gap_scale; ///< of multipliers, see row_scale(); 1 where that is 0
-    std::vector<bool>      is_nonholonomic;
-    std::vector<bool>      is_active; ///< multipliers: neither released nor left out
+    /** Of four nodes at once their inertias, rows of the upper triangles. */
+    std::vector<FourNodes::Lane> inertias;
+    std::vector<double>          gap_scale; ///< of multipliers, see row_scale(); 1 where that is 0
+    std::vector<bool>            is_nonholonomic;
+    std::vector<bool>            is_active; ///< multipliers: neither released nor left out
 
     std::unique_ptr<ExactStages>                exact;            ///< the exact matrix, made when it is needed first
     bool                                        is_exact = false; ///< whether it is in use
@@ -175,7 +178,9 @@ namespace samara
     std::vector<unsigned int>      left_out;  ///< those that are not active in this step
 
     std::vector<double> e_start, final_q, final_coordinates, final_states, constraints_at_end;
-    std::vector<double> e_end; ///< strains where the last step ended; empty: not known
+    std::vector<double> e_end;                  ///< strains where the last step ended; empty: not known
+    System::Energy      energy_at_end = {0, 0}; ///< the same
+    std::vector<double> y_at_end;               ///< with these velocities
 
     /** Velocities, and states, at the start and the stages of the last step, and whether extrapolating them was a good
      * start. */
@@ -253,7 +258,8 @@ namespace samara
     template <int s>
     void move_nodes(const State &state, double h);
     void evaluate(const State &state, double h);
-    void evaluate_stresses(double h);
+    /** What the configurations' stresses have more than the iterated ones, from the rates of the strains. */
+    void find_excesses(double h);
     /** Rates of the strains in all stages. */
     void evaluate_strain_rates(double h);
     /** The same for @p stages of a step from the strains @p e_start: products follow from the other rates. */
@@ -264,8 +270,11 @@ namespace samara
                               std::vector<Stage>               &stages);
     /** Stresses of changes of strains in stage @p k, linearised there. */
     void change_of_stresses(unsigned int k, const double *e, const double *rates, std::vector<double> &stress) const;
-    /** Add the inertial forces of stage @p k to its residual; returns its kinetic energy. */
-    double add_inertia(unsigned int k, const State &state, double h);
+    void make_inertias();
+    /** Add the inertial forces of all stages to their residuals; returns the mean kinetic energy. */
+    double add_inertia(const State &state, double h);
+    template <int s>
+    void add_inertia(const State &state, double h, double *energies);
     /** From this many groups of four nodes on threads are faster. */
     static constexpr unsigned int worth_threads = 200;
     void                          evaluate_constraints(const State &state, double h);
