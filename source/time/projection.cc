@@ -500,13 +500,16 @@ namespace samara
   {
     const bool was_held = state.held;
     state.held          = false;
-    std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
+    // laws of reactions need not know what none at all would do
+    if (acting.empty())
+      std::fill(state.multipliers.begin(), state.multipliers.end(), 0.);
     system.find_state_rates(state);
     system.residual(state, state.stress, r);
     if (!acting.empty())
       {
         loads.assign(r.size(), 0.);
         system.add_loads(state.point(), loads.data());
+        system.add_constraints(state.point(), loads.data());
         for (unsigned int i = 0; i < r.size(); ++i)
           r[i] -= loads[i];
       }
