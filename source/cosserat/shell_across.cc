@@ -51,10 +51,12 @@ namespace samara
                                                          lagrange(along, index(node[1]), table->points[g][1]);
         }
 
+    if (inner_nodes.empty())
+      return; // of degree 1: see knows_across()
     // as polynomials of these nodes, in the least squares: shear along a direction is known to one degree less than
     // places, and its derivative to two
     const Eigen::MatrixXd weighed = inner_to_points.transpose() * table->weights.asDiagonal();
-    for (unsigned int i = 0; i < 2 && !inner_nodes.empty(); ++i)
+    for (unsigned int i = 0; i < 2; ++i)
       slopes_at_points[i] =
         inner_to_points * (weighed * inner_to_points).llt().solve(weighed * table->gradient_at_points[i] * to_nodes);
   }
