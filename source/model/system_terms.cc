@@ -19,6 +19,16 @@ namespace samara
     {
       return dynamic_cast<const RelativeMotions *>(&item);
     }
+
+
+
+    template <typename Terms, typename Number>
+    void
+    add_residuals(const Terms &terms, const Point<Number> &point, Number *const r)
+    {
+      for (const auto *term : terms)
+        term->residual(point, r);
+    }
   } // namespace
 
 
@@ -68,14 +78,10 @@ namespace samara
   void
   System::add_terms(const Point<Number> &point, Number *const r) const
   {
-    for (const auto *d : deformations)
-      d->residual(point, r);
-    for (const auto *c : layout.constraints)
-      c->residual(point, r);
-    for (const auto *f : layout.forces)
-      f->residual(point, r);
-    for (const auto *z : layout.state_equations)
-      z->residual(point, r);
+    add_residuals(deformations, point, r);
+    add_residuals(layout.constraints, point, r);
+    add_residuals(layout.forces, point, r);
+    add_residuals(layout.state_equations, point, r);
   }
 
 
@@ -85,12 +91,9 @@ namespace samara
   {
     for (const auto *d : deformations)
       d->strain_rates_and_residual(point, rates + d->first_strain, r);
-    for (const auto *c : layout.constraints)
-      c->residual(point, r);
-    for (const auto *f : layout.forces)
-      f->residual(point, r);
-    for (const auto *z : layout.state_equations)
-      z->residual(point, r);
+    add_residuals(layout.constraints, point, r);
+    add_residuals(layout.forces, point, r);
+    add_residuals(layout.state_equations, point, r);
   }
 
 

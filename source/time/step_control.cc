@@ -178,7 +178,7 @@ namespace samara
     Decision     decision;
     decision.accept = good || h <= settings.smallest_step;
     cap *= 1.05; // a length that failed is approached again in about five steps
-    // corrections that hardly shrink: half of the length would take less than half of the iterations
+    // corrections that hardly shrink: half of the length would take half of the iterations or less
     constexpr unsigned int many_iterations = 30;
     if (step.iterations > many_iterations)
       cap = std::min(cap, 0.9 * h);

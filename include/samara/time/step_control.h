@@ -84,7 +84,7 @@ namespace samara
    *
    * A step without solution is tried again with half its length. Later steps are at most 0.8 times as long as the one
    * that failed, 0.6 times where that was as long as this limit allows; it grows by 5 % in each step. After a step of
-   * more than 30 iterations it is 0.9 times its length: two shorter ones cost less.
+   * more than 30 iterations it is 0.9 times its length: two of half the length cost no more.
    */
   class StepController
   {
