@@ -1,4 +1,5 @@
 #include <samara/aero/finite_state.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 
 #include <array>
@@ -96,7 +97,7 @@ namespace samara
         }
     u.resize(size(), 0.);
     stretch            = find_stretch();
-    first_without_skew = influence(0., 0.).inverse().row(0);
+    first_without_skew = inverse(influence(0., 0.)).row(0);
   }
 
 
@@ -371,7 +372,7 @@ namespace samara
   FiniteStateInflow::mean_flow(const Eigen::VectorXd &z, const Flight<double> &flight, const double least) const
   {
     thread_local Eigen::MatrixXd                      L, slope;
-    thread_local Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+    thread_local Lu                                   lu;
     const double                                      mu        = std::hypot(flight.mu_x, flight.mu_y);
     const int                                         n_cosines = sine_of.size();
     MeanFlow                                          mean;
@@ -424,7 +425,7 @@ namespace samara
   FiniteStateInflow::loads_of(const Eigen::VectorXd &z, const Flow<double> &f, const MeanFlow &mean) const
   {
     thread_local Eigen::MatrixXd                      L;
-    thread_local Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+    thread_local Lu                                   lu;
     const double                                      X         = std::hypot(f.X_x, f.X_y);
     const int                                         n_cosines = sine_of.size(), n_sines = size() - n_cosines;
     Eigen::VectorXd                                   y = turned(z, mean.c, mean.s);
@@ -445,7 +446,7 @@ namespace samara
   Eigen::VectorXcd
   FiniteStateInflow::loads_of(const Eigen::VectorXcd &z, const Flow<std::complex<double>> &f, const MeanFlow &) const
   {
-    return influence(f.X_x, f.X_y).partialPivLu().solve(z);
+    return solution(influence(f.X_x, f.X_y), z);
   }
 
 
@@ -498,7 +499,7 @@ namespace samara
     // columns: z, then μ_x, μ_y, λ_f
     const unsigned int                         n = size();
     const Eigen::MatrixXd                      L = influence(f.X_x, f.X_y);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(L);
+    const Lu                                   lu(L);
     const auto [by_x, by_y]   = influence_slopes(f.X_x, f.X_y);
     const Eigen::VectorXd Y_x = lu.solve(by_x * f.y), Y_y = lu.solve(by_y * f.y);
     using Row                   = Eigen::RowVectorXd;

@@ -1,4 +1,5 @@
 #include <samara/aero/momentum_inflow.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 
 #include <algorithm>
@@ -204,7 +205,7 @@ namespace samara
     // through air that moves. In motions a flow without mass has nothing but its own slope
     if (flow.V_T < 0.1 * least_speed() && (point.held || !is_algebraic))
       {
-        const Eigen::MatrixXd inverse = theory.influence(flow.X_x, flow.X_y).inverse();
+        const Eigen::MatrixXd inverse = samara::inverse(theory.influence(flow.X_x, flow.X_y));
         for (unsigned int k = 0; k < n; ++k)
           K.row(6 + k).segment(6, n) += 100 * least_speed() / (R * theory.apparent_mass[k]) * inverse.row(k);
       }

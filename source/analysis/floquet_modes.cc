@@ -1,4 +1,5 @@
 #include <samara/analysis/floquet_modes.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/solvers/eigen_system.h>
@@ -35,7 +36,7 @@ namespace samara
           for (unsigned int l = 0; l < tableau.s; ++l)
             A(k, l) = (k == l ? 1. : 0.) - z * tableau.a_alpha(k, l);
         }
-      const Complex R = 1. + z * (b.transpose() * A.partialPivLu().solve(Eigen::VectorXcd::Ones(tableau.s)))(0, 0);
+      const Complex R = 1. + z * (b.transpose() * solution(A, Eigen::VectorXcd::Ones(tableau.s)))(0, 0);
       // arg R lies within a turn of ωh
       const double beyond = std::remainder(std::arg(R) - z.imag(), 2 * M_PI);
       return Complex(std::log(std::abs(R)) - z.real(), beyond) / h;

@@ -3,6 +3,7 @@
 
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/check.h>
+#include <samara/base/dense.h>
 #include <samara/base/text.h>
 #include <samara/solvers/from_eigen.h>
 #include <samara/solvers/linear.h>
@@ -257,11 +258,11 @@ namespace samara
     Eigen::MatrixXd
     simplest_basis(const Eigen::MatrixXd &Z)
     {
-      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Z.transpose());
-      Eigen::MatrixXd                                   pivots(Z.cols(), Z.cols());
+      const PivotedQr qr(Z.transpose());
+      Eigen::MatrixXd pivots(Z.cols(), Z.cols());
       for (int j = 0; j < Z.cols(); ++j)
-        pivots.row(j) = Z.row(qr.colsPermutation().indices()(j));
-      return Z * pivots.inverse();
+        pivots.row(j) = Z.row(qr.column(j));
+      return Z * inverse(pivots);
     }
 
 
@@ -341,8 +342,7 @@ namespace samara
               X.col(j) = Eigen::Map<Eigen::VectorXd>(b.data(), n);
             }
           // orthonormal in D
-          Eigen::HouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * X);
-          X = root.cwiseInverse().asDiagonal() * (qr.householderQ() * Eigen::MatrixXd::Identity(n, block));
+          X = root.cwiseInverse().asDiagonal() * orthonormal_columns(root.asDiagonal() * X);
         }
       return X;
     }
@@ -364,12 +364,12 @@ namespace samara
           KX.col(j) = Eigen::Map<Eigen::VectorXd>(y.data(), n) - shift * D.cwiseProduct(X.col(j));
           GX.col(j) = Eigen::Map<Eigen::VectorXd>(y.data() + n, m).cwiseProduct(scale);
         }
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(X.transpose() * KX + GX.transpose() * GX);
-      const Eigen::MatrixXd                                Z = X * ritz.eigenvectors();
-      std::vector<int>                                     zero;
+      const HermitianEigen<double> ritz = symmetric_eigen(X.transpose() * KX + GX.transpose() * GX);
+      const Eigen::MatrixXd        Z    = X * ritz.vectors;
+      std::vector<int>             zero;
       for (int j = 0; j < block; ++j)
         // relative to D: K has round-off of its stiff parts, and strains that are computed from the motion have less
-        if (std::abs(ritz.eigenvalues()(j)) < 1e-8 && pieces.strain_energy(Z.col(j)) < 1e-14)
+        if (std::abs(ritz.values(j)) < 1e-8 && pieces.strain_energy(Z.col(j)) < 1e-14)
           zero.push_back(j);
       return Z(Eigen::all, zero);
     }
@@ -418,8 +418,8 @@ namespace samara
       // there is no common measure of both: any damping counts
       if (const double most = damping.cwiseAbs().maxCoeff(); most > 0)
         held += whole.trace() / (most * most) * damping.transpose() * damping;
-      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(held, whole);
-      return Z * ritz.eigenvectors().leftCols((ritz.eigenvalues().array() < none).count());
+      const HermitianEigen<double> ritz = symmetric_eigen(held, whole);
+      return Z * ritz.vectors.leftCols((ritz.values.array() < none).count());
     }
   } // namespace
 

@@ -1,5 +1,7 @@
 #include <samara/analysis/integrating_states.h>
 
+#include <samara/base/dense.h>
+
 namespace samara
 {
   std::vector<std::string>
@@ -21,11 +23,10 @@ namespace samara
     for (unsigned int i = 0; i < n; ++i)
       if (const double size = rates.row(i).cwiseAbs().maxCoeff(); size > 0)
         rates.row(i) /= size;
-    Eigen::FullPivLU<Eigen::MatrixXd> factors(rates);
-    factors.setThreshold(1e-10); // entries are of the size of one: what elimination leaves below is round-off
-    if (factors.rank() == n)
+    // entries are of the size of one: what elimination leaves below is round-off
+    const Eigen::MatrixXd kernel = FullLu(rates, 1e-10).kernel();
+    if (kernel.cols() == 0)
       return {};
-    const Eigen::MatrixXd    kernel = factors.kernel();
     std::vector<std::string> names;
     for (unsigned int i = 0; i < n; ++i)
       if (kernel.row(i).cwiseAbs().maxCoeff() > 1e-6 * kernel.cwiseAbs().maxCoeff())

@@ -1,5 +1,6 @@
 #include <samara/analysis/controls.h>
 #include <samara/analysis/linear_system_matrices.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/output/write_matrices.h>
@@ -26,12 +27,11 @@ namespace samara
     std::vector<Eigen::MatrixXcd> result;
     if (A.rows() == 0)
       return std::vector<Eigen::MatrixXcd>(frequencies.size(), D.cast<Complex>());
-    const Eigen::ComplexSchur<Eigen::MatrixXd> schur(A);
-    const Eigen::MatrixXcd                     B_s = schur.matrixU().adjoint() * B.cast<Complex>(),
-                           C_s                     = C.cast<Complex>() * schur.matrixU();
+    const Schur<Eigen::MatrixXcd> schur = complex_schur(A);
+    const Eigen::MatrixXcd        B_s = schur.U.adjoint() * B.cast<Complex>(), C_s = C.cast<Complex>() * schur.U;
     for (const double frequency : frequencies)
       {
-        Eigen::MatrixXcd T = -schur.matrixT();
+        Eigen::MatrixXcd T = -schur.T;
         T.diagonal().array() += Complex(0, frequency);
         result.push_back(C_s * T.triangularView<Eigen::Upper>().solve(B_s) + D.cast<Complex>());
       }

@@ -1,4 +1,5 @@
 #include <samara/analysis/linear_system_matrices.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/model/algebraic_states.h>
@@ -99,9 +100,8 @@ namespace samara
       if (rows.rows() == 0)
         return MatrixXd::Identity(n, n);
       // rows have length one: a pivot below is a row that the others imply
-      Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
-      qr.setThreshold(1e-10);
-      return MatrixXd(qr.householderQ()).rightCols(n - qr.rank());
+      const PivotedQr qr(rows.transpose(), 1e-10);
+      return qr.Q().rightCols(n - qr.rank());
     }
 
 
@@ -116,9 +116,9 @@ namespace samara
       if (rows.empty())
         return;
       const MatrixXd                   K_rows = K(rows, Eigen::all), C_rows = damping(rows, Eigen::all);
-      const Eigen::FullPivLU<MatrixXd> of_rows(K_rows(Eigen::all, rows));
+      const FullLu                     of_rows(K_rows(Eigen::all, rows));
       const MatrixXd                   factors = K(Eigen::all, rows);
-      if (!of_rows.isInvertible())
+      if (!of_rows.is_invertible())
         throw NotConverged("linear system: what the state <" + system.layout.name_of(rows.front()) +
                            "> follows at once does not determine it");
       K -= factors * of_rows.solve(K_rows);
@@ -177,14 +177,14 @@ namespace samara
     P.topRows(n)     = basis;
     const MatrixXd M = P.transpose() * motion.M * P;
 
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> of_mass(M);
-    if (m > 0 && !(of_mass.eigenvalues()(0) > least_mass * of_mass.eigenvalues()(m - 1)))
+    const HermitianEigen<double> of_mass = symmetric_eigen(M);
+    if (m > 0 && !(of_mass.values(0) > least_mass * of_mass.values(m - 1)))
       throw NotConverged("linear system: something without mass moves, most at " +
-                         massless_unknown(system, basis, of_mass.eigenvectors().col(0)) +
+                         massless_unknown(system, basis, of_mass.vectors.col(0)) +
                          ".\n  Give it a mass or an inertia; there is no acceleration that its forces make");
     const MatrixXd E       = Z.transpose() * motion.damping * Z;
-    const auto     solve_M = M.llt();
-    const auto     solve_E = E.partialPivLu();
+    const Cholesky solve_M(M);
+    const Lu       solve_E(E);
 
     const auto rates_of = [&](const MatrixXd &X, const MatrixXd &V) { // of displacements X and velocities V
       const MatrixXd f = motion.K * X + motion.damping * V;

@@ -1,5 +1,7 @@
 #include <samara/analysis/mode_families.h>
 
+#include <samara/base/dense.h>
+
 #include <Eigen/Eigenvalues>
 
 namespace samara
@@ -36,13 +38,13 @@ namespace samara
           all += energies[m];
           numbered += double(m) * energies[m];
         }
-      if (Eigen::SelfAdjointEigenSolver<MatrixXcd>(all, Eigen::EigenvaluesOnly).eigenvalues().minCoeff() <=
+      if (symmetric_eigenvalues(all).minCoeff() <=
           least_energy_of_parts * all.trace().real())
         return;
-      const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXcd> solver(numbered, all);
-      if (solver.info() != Eigen::Success)
+      const HermitianEigen<std::complex<double>> solved = symmetric_eigen(numbered, all);
+      if (!solved.was_found)
         return;
-      const MatrixXcd turned = shapes * solver.eigenvectors();
+      const MatrixXcd turned = shapes * solved.vectors;
       for (std::size_t i = 0; i < n; ++i)
         modes[first + i].shape = turned.col(i).normalized();
     }

@@ -1,5 +1,7 @@
 #include <samara/analysis/mode_tracking.h>
 
+#include <samara/base/dense.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -49,8 +51,8 @@ namespace samara
             M_shapes.col(i) = weighted(M, modes[first + i].shape);
           }
         // coordinates in which the kinetic energy is the sum of squares
-        const Eigen::LLT<Eigen::MatrixXcd> gram(shapes.adjoint() * M_shapes);
-        if (gram.info() != Eigen::Success)
+        const ComplexCholesky gram(shapes.adjoint() * M_shapes);
+        if (!gram.is_positive())
           continue;
         // columns of no branch where there are none yet: shapes become orthogonal all the same, as otherwise a branch
         // that lies in the others would find nothing to go on with at the next speed
@@ -58,11 +60,10 @@ namespace samara
         for (unsigned int j = 0; j < previous.size(); ++j)
           {
             const double norm = std::sqrt(std::abs(previous[j].shape.dot(weighted(M, previous[j].shape))));
-            in_group.col(j)   = gram.matrixL().solve(M_shapes.adjoint() * previous[j].shape) / std::max(norm, 1e-300);
+            in_group.col(j)   = gram.solve_lower(M_shapes.adjoint() * previous[j].shape) / std::max(norm, 1e-300);
           }
         // the largest projection first, then what is largest normal to it
-        const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(in_group);
-        const Eigen::MatrixXcd turned = shapes * gram.matrixU().solve(Eigen::MatrixXcd(qr.householderQ()));
+        const Eigen::MatrixXcd turned = shapes * gram.solve_upper(pivoted_q(in_group));
         for (unsigned int i = 0; i < k; ++i)
           modes[first + i].shape = turned.col(i).normalized();
       }

@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/near_redundancy.h>
+#include <samara/base/dense.h>
 #include <samara/base/disjoint_sets.h>
 #include <samara/base/text.h>
 #include <samara/solvers/newton.h>
@@ -139,12 +140,12 @@ namespace samara
     std::pair<std::vector<int>, std::vector<int>>
     far_and_near(const Eigen::MatrixXd &Gt)
     {
-      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
-      std::vector<int>                                  far, near;
+      const PivotedQr  qr(Gt);
+      std::vector<int> far, near;
       for (int k = 0; k < Gt.cols(); ++k)
         {
-          const int j = qr.colsPermutation().indices()(k);
-          if (k < Gt.rows() && std::abs(qr.matrixQR()(k, k)) > nearly)
+          const int j = qr.column(k);
+          if (k < Gt.rows() && qr.pivot(k) > nearly)
             far.push_back(j);
           else if (!Gt.col(j).isZero(0.))
             near.push_back(j);
@@ -166,8 +167,8 @@ namespace samara
       // first along the constraints, then Newton's method back to them: quadratic, a few steps are enough
       for (unsigned int iteration = 0; iteration < 6; ++iteration)
         {
-          const Eigen::MatrixXd Gt        = Eigen::MatrixXd(rows.transposed(result))(Eigen::all, far);
-          const auto            of_normal = (Gt.transpose() * Gt).eval().ldlt();
+          const Eigen::MatrixXd Gt = Eigen::MatrixXd(rows.transposed(result))(Eigen::all, far);
+          const SymmetricSolve  of_normal(Gt.transpose() * Gt);
           if (iteration == 0)
             x -= Gt * of_normal.solve(Gt.transpose() * x);
           else
@@ -213,7 +214,7 @@ namespace samara
     // at a singular position they are near for a moment only
     const State           there = moved(state, rows, far);
     const Eigen::MatrixXd Gt(rows.transposed(there)), span = Gt(Eigen::all, far), rest = Gt(Eigen::all, near);
-    const Eigen::MatrixXd X        = (span.transpose() * span).ldlt().solve(span.transpose() * rest),
+    const Eigen::MatrixXd X        = SymmetricSolve(span.transpose() * span).solve(span.transpose() * rest),
                           distance = rest - span * X;
     std::vector<std::string> joints;
     double                   largest = 0;
@@ -302,12 +303,12 @@ namespace samara
       Eigen::VectorXd squares = Eigen::VectorXd::Constant(v.cols(), -1);
       for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
         {
-          v = Eigen::HouseholderQR<Eigen::MatrixXd>(factors.solve(v)).householderQ() *
-              Eigen::MatrixXd::Identity(v.rows(), v.cols());
-          const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(v.transpose() * (A * v));
-          v                   = v * ritz.eigenvectors();
+          v = orthonormal_columns(factors.solve(v));
+
+          const HermitianEigen<double> ritz = symmetric_eigen(v.transpose() * (A * v));
+          v                                 = v * ritz.vectors;
           const double before = squares(0);
-          squares             = ritz.eigenvalues();
+          squares             = ritz.values;
           if (std::abs(squares(0) - before) < enough * squares(0) + shift)
             break;
         }

@@ -1,5 +1,6 @@
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/negative_directions.h>
+#include <samara/base/dense.h>
 #include <samara/base/text.h>
 #include <samara/solvers/equilibrate.h>
 #include <samara/solvers/inertia.h>
@@ -208,8 +209,7 @@ namespace samara
       Eigen::MatrixXd E = Eigen::MatrixXd::Zero(p, p), of_each = E;
       Eigen::VectorXd sizes = Eigen::VectorXd::Zero(p);
       add(X, E, sizes);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(0.5 * (E + E.transpose()));
-      const Eigen::MatrixXd                                Z = X * ritz.eigenvectors();
+      const Eigen::MatrixXd Z = X * symmetric_eigen(0.5 * (E + E.transpose())).vectors;
       sizes.setZero();
       add(Z, of_each, sizes);
       std::vector<int> negative;
@@ -243,14 +243,14 @@ namespace samara
     Eigen::MatrixXd
     Tangent::orthonormal(const Eigen::MatrixXd &X) const
     {
-      Eigen::MatrixXd                                      unit = X * X.colwise().norm().cwiseInverse().asDiagonal();
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(unit.transpose() * D.asDiagonal() * unit);
-      std::vector<int>                                     kept;
+      const Eigen::MatrixXd        unit = X * X.colwise().norm().cwiseInverse().asDiagonal();
+      const HermitianEigen<double> gram = symmetric_eigen(unit.transpose() * D.asDiagonal() * unit);
+      std::vector<int>             kept;
       for (int c = 0; c < X.cols(); ++c)
-        if (gram.eigenvalues()(c) > 1e-10 * gram.eigenvalues()(X.cols() - 1))
+        if (gram.values(c) > 1e-10 * gram.values(X.cols() - 1))
           kept.push_back(c);
-      return unit * gram.eigenvectors()(Eigen::all, kept) *
-             gram.eigenvalues()(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+      return unit * gram.vectors(Eigen::all, kept) *
+             gram.values(kept).cwiseSqrt().cwiseInverse().asDiagonal();
     }
 
 

@@ -4,6 +4,7 @@
 #include <samara/analysis/controls.h>
 #include <samara/analysis/periodic_linear_system.h>
 #include <samara/analysis/start_of_motion.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/output/write_matrices.h>
@@ -185,7 +186,7 @@ namespace samara
         "periodic linear system",
         "there are no averages: something turns by half a cycle in a sample, or dies away in it; "
         "take more <Samples>");
-    const Eigen::VectorXcd lambda = space.averaged.A.eigenvalues();
+    const Eigen::VectorXcd lambda = general_eigenvalues(space.averaged.A);
     context.log.line("  averaged: the least damped motion grows by exp(" +
                      number_to_text("%.6g", lambda.real().maxCoeff()) + " 1/s t)");
     if (context.probes.empty())

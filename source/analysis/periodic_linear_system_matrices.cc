@@ -2,6 +2,7 @@
 
 #include <samara/analysis/periodic_linear_system.h>
 #include <samara/analysis/periodic_motion.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
 #include <samara/base/text.h>
@@ -9,7 +10,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ namespace samara
     Eigen::MatrixXd product = A.front();
     for (unsigned int k = 1; k < A.size(); ++k)
       product = A[k] * product;
-    const Eigen::VectorXcd            values = product.eigenvalues();
+    const Eigen::VectorXcd            values = general_eigenvalues(product);
     std::vector<std::complex<double>> result(values.data(), values.data() + values.size());
     std::stable_sort(result.begin(), result.end(), [](const auto &a, const auto &b) {
       return std::abs(a) > std::abs(b);
@@ -84,9 +84,8 @@ namespace samara
           throw NotConverged(
             "periodic linear system: the constraints leave different numbers of motions along the way");
         // of all orthonormal bases of this space the one nearest to the first: it comes back with the motion
-        const Eigen::MatrixXd                   seen = allowed.transpose() * bases[0];
-        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(seen, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        bases.push_back(allowed * (svd.matrixU() * svd.matrixV().transpose()));
+        const SingularValues svd = singular_values(allowed.transpose() * bases[0]);
+        bases.push_back(allowed * (svd.U * svd.V.transpose()));
       }
     // back to increments as they are marched
     for (unsigned int k = 0; k < n_samples; ++k)
@@ -197,11 +196,11 @@ namespace samara
         Eigen::MatrixXd both          = Eigen::MatrixXd::Identity(n + m, n + m);
         both.topLeftCorner(n, n)      = space.A[k];
         both.topRightCorner(n, m)     = space.B[k];
-        const Eigen::VectorXcd values = space.A[k].eigenvalues();
+        const Eigen::VectorXcd values = general_eigenvalues(space.A[k]);
         for (const std::complex<double> value : values)
           if (std::abs(value) < smallest_rest || std::abs(std::arg(value)) > largest_angle * M_PI)
             return;
-        sum += both.log() * (n_samples / period) / n_samples;
+        sum += logarithm(both) * (n_samples / period) / n_samples;
       }
     mean.inputs       = space.inputs;
     mean.outputs      = space.outputs;

@@ -1,4 +1,5 @@
 #include <samara/analysis/repeated_parts.h>
+#include <samara/base/dense.h>
 #include <samara/base/text.h>
 #include <samara/solvers/newton.h>
 #include <samara/time/increment.h>
@@ -214,21 +215,21 @@ namespace samara
     for (unsigned int i = 1; i < nodes.size(); ++i)
       if (node_becomes[i] != i)
         H += (nodes[i].x - centre) * (nodes[node_becomes[i]].x - centre).transpose();
-    Eigen::JacobiSVD<Matrix3> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Vector3             sizes = svd.singularValues();
+    SingularValues svd   = singular_values(H);
+    const Vector3  sizes = svd.sizes;
     if (sizes(1) < 1e-6 * sizes(0) || !(sizes(0) > 0))
       {
         // all on one line, as two straight blades: what they turn about tells the rest
-        const Vector3 line = svd.matrixU().col(0), across = spin - line * line.dot(spin);
+        const Vector3 line = svd.U.col(0), across = spin - line * line.dot(spin);
         if (!(across.norm() > 0) || !(sizes(0) > 0))
           throw std::invalid_argument("nothing tells how one part comes to the place of the next: all of them lie on "
                                       "one line, and do not turn at the start");
         H += sizes(0) * across.normalized() * across.normalized().transpose();
-        svd.compute(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+        svd = singular_values(H);
       }
     Matrix3 sense     = Matrix3::Identity();
-    sense(2, 2)       = svd.matrixV().determinant() * svd.matrixU().determinant() > 0 ? 1 : -1;
-    const Matrix3 R   = svd.matrixV() * sense * svd.matrixU().transpose();
+    sense(2, 2)       = Matrix3(svd.V).determinant() * Matrix3(svd.U).determinant() > 0 ? 1 : -1;
+    const Matrix3 R   = svd.V * sense * svd.U.transpose();
     const double  out = n_parts > 2 ? vector_of_rotation(R).dot(spin) : 1.;
     if (spin.norm() > 0 && !(out > 0))
       throw std::invalid_argument("parts stand in another order than that in which they come round: each must be named "

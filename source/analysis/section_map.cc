@@ -1,5 +1,6 @@
 #include <samara/analysis/controls.h>
 #include <samara/analysis/section_map.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
 
@@ -322,9 +323,8 @@ namespace samara
 
     const auto kernel = [](const Eigen::MatrixXd &A) {
       // rows have length one: a pivot below is a row that the others imply
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
-      qr.setThreshold(1e-10);
-      return Eigen::MatrixXd(Eigen::MatrixXd(qr.householderQ()).rightCols(A.cols() - qr.rank()));
+      const PivotedQr qr(A.transpose(), 1e-10);
+      return Eigen::MatrixXd(qr.Q().rightCols(A.cols() - qr.rank()));
     };
     Eigen::MatrixXd of_positions   = Eigen::MatrixXd::Zero(G.rows() + kept.size(), n_positions);
     of_positions.topRows(G.rows()) = G;
@@ -344,7 +344,6 @@ namespace samara
           result(i, j) = x[i] / scale[i];
       }
     result.bottomRightCorner(n_velocities, velocities.cols()) = velocities;
-    return Eigen::HouseholderQR<Eigen::MatrixXd>(result).householderQ() *
-           Eigen::MatrixXd::Identity(result.rows(), result.cols());
+    return orthonormal_columns(result);
   }
 } // namespace samara

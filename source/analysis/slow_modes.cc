@@ -2,6 +2,7 @@
 #include <samara/analysis/slow_modes.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/solvers/eigen.h>
 #include <samara/solvers/eigen_system.h>
 #include <samara/solvers/redundant_rows.h>
@@ -126,7 +127,7 @@ namespace samara
             Matrix6 inertia = map.system.model.nodes[node].inertia / unit;
             for (unsigned int i = 0; i < 6; ++i)
               inertia(i, i) += std::pow(weights(layout.of_node(node) + i) / highest, 2);
-            roots.push_back(inertia.llt().matrixU());
+            roots.push_back(cholesky_upper(inertia));
           }
       }
 

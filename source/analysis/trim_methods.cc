@@ -1,6 +1,7 @@
 // Three ways to trim: Newton's method on periodicity and targets, and two auto-pilots.
 
 #include <samara/analysis/trim_run.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 
@@ -80,17 +81,16 @@ namespace samara
             U.col(i) = u[i];
             Q.col(i) = q[i];
           }
-        const Eigen::MatrixXd V =
-          Eigen::HouseholderQR<Eigen::MatrixXd>(U).householderQ() * Eigen::MatrixXd::Identity(n, m);
+        const Eigen::MatrixXd V = orthonormal_columns(U);
         // principal directions: pairs of which each turns in a plane of its own
-        const Eigen::BDCSVD<Eigen::MatrixXd> svd(V.transpose() * Q, Eigen::ComputeThinU | Eigen::ComputeThinV);
-        const Eigen::MatrixXd                v = V * svd.matrixU(), w = Q * svd.matrixV();
+        const SingularValues  svd = singular_values(V.transpose() * Q);
+        const Eigen::MatrixXd v = V * svd.U, w = Q * svd.V;
         from.resize(n, m);
         to.resize(n, m);
         unsigned int n_planes = 0;
         for (unsigned int i = 0; i < m; ++i)
           {
-            const double          cosine = svd.singularValues()(i);
+            const double          cosine = svd.sizes(i);
             const Eigen::VectorXd across = v.col(i) - cosine * w.col(i);
             const double          sine   = across.norm();
             if (sine < 1e-8) // one direction in both spaces: nothing to turn
@@ -357,7 +357,7 @@ namespace samara
         for (unsigned int j = 0; j < n; ++j)
           scaled(k, j) *= controls[j].scale / targets[k].scale;
       }
-    VectorX x = scaled.fullPivLu().solve(b);
+    VectorX x = FullLu(scaled).solve(b);
     for (unsigned int j = 0; j < n; ++j)
       x(j) *= controls[j].scale;
     return x;

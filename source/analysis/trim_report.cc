@@ -1,6 +1,7 @@
 // What a search for trim says: on its way, where it fails and why, and what it leaves.
 
 #include <samara/analysis/trim_run.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 
@@ -60,8 +61,8 @@ namespace samara
     for (unsigned int k = 0; k < n; ++k)
       if (!(scaled.row(k).cwiseAbs().maxCoeff() > without_effect * largest))
         return "no control has an effect on the target <" + targets[k].name + ">";
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    if (svd.singularValues()(n - 1) > without_effect * svd.singularValues()(0))
+    const SingularValues svd = singular_values(scaled);
+    if (svd.sizes(n - 1) > without_effect * svd.sizes(0))
       return "";
     const auto names_in = [&](const VectorX &v, const auto &all) {
       std::vector<std::string> names;
@@ -71,8 +72,8 @@ namespace samara
       return join(names, ", ");
     };
     return "the matrix of the controls is singular: a combination of the controls " +
-           names_in(svd.matrixV().col(n - 1), controls) + " has no effect, and a combination of the targets " +
-           names_in(svd.matrixU().col(n - 1), targets) + " cannot be met";
+           names_in(svd.V.col(n - 1), controls) + " has no effect, and a combination of the targets " +
+           names_in(svd.U.col(n - 1), targets) + " cannot be met";
   }
 
 
@@ -80,18 +81,18 @@ namespace samara
   std::string
   TrimAnalysis::Run::hardest_of(const Eigen::MatrixXd &J) const
   {
-    const unsigned int                      n = controls.size();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(in_scales(J), Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const auto                              list = [&](const VectorX &v, const auto &all) {
+    const unsigned int   n    = controls.size();
+    const SingularValues svd  = singular_values(in_scales(J));
+    const auto           list = [&](const VectorX &v, const auto &all) {
       std::vector<std::string> parts;
       for (unsigned int i = 0; i < n; ++i)
         if (std::abs(v(i)) > 0.1 * v.cwiseAbs().maxCoeff())
           parts.push_back(number_to_text("%.2f", v(i)) + " <" + all[i].name + ">");
       return join(parts, ", ");
     };
-    const auto &s = svd.singularValues();
-    return "hardest to move are, in scales, the targets " + list(svd.matrixU().col(n - 1), targets) +
-           ", which the controls " + list(svd.matrixV().col(n - 1), controls) + " move by " +
+    const auto &s = svd.sizes;
+    return "hardest to move are, in scales, the targets " + list(svd.U.col(n - 1), targets) +
+           ", which the controls " + list(svd.V.col(n - 1), controls) + " move by " +
            number_to_text("%.2g", s(n - 1)) + "; the easiest are moved by " + number_to_text("%.2g", s(0));
   }
 

@@ -1,5 +1,6 @@
 #include <samara/analysis/complex_step.h>
 #include <samara/analysis/verification.h>
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/model/strain_products.h>
@@ -116,10 +117,7 @@ namespace samara
         if (const double size = here.row(i).norm(); size > 0)
           here.row(i) /= size;
       // rows and columns have length one: a pivot below is a motion without strain
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-      qr.setThreshold(1e-9);
-      qr.compute(here);
-      return used.size() - qr.rank();
+      return used.size() - PivotedQr(here, 1e-9).rank();
     }
 
     double

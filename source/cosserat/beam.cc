@@ -1,6 +1,7 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/beam.h>
 #include <samara/model/frame_probe.h>
+#include <samara/rotation/matrix6.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -444,7 +445,7 @@ namespace samara
               a.col(k) += t.weights(g) * L.value(t.points[g][0]) *
                           Eigen::Map<const Vector6>(e + 6 * (elements[i].first_point + g));
           }
-        result.push_back(C.llt().matrixU() * (std::sqrt(h) * a));
+        result.push_back(cholesky_upper(C) * (std::sqrt(h) * a));
       }
     return result;
   }

@@ -2,6 +2,7 @@
 
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/section_average.h>
+#include <samara/rotation/matrix6.h>
 
 #include <algorithm>
 #include <numeric>
@@ -167,8 +168,8 @@ namespace samara
       return result;
     // of the compliance: section forces are smooth where stiffnesses jump
     for (const Matrix6 &compliance :
-         section_averages(points, weights, breaks, [&](const double xi) { return Matrix6(stiffness(xi).inverse()); }))
-      result.push_back(compliance.inverse());
+         section_averages(points, weights, breaks, [&](const double xi) { return inverse6(stiffness(xi)); }))
+      result.push_back(inverse6(compliance));
     return result;
   }
 

@@ -3,6 +3,7 @@
 #include <samara/model/drawing.h>
 #include <samara/model/frame_probe.h>
 #include <samara/model/system.h>
+#include <samara/rotation/matrix6.h>
 
 #include <cmath>
 #include <sstream>
@@ -110,7 +111,7 @@ namespace samara
         J(1, 2) = J(2, 1) = inertia[5];
       }
     // J₁ + J₂ − J₃ = 2 ∫ y₃² dm, and so on; but for round-off of given numbers
-    const Vector3 principal = Eigen::SelfAdjointEigenSolver<Matrix3>(J).eigenvalues();
+    const Vector3 principal = symmetric_eigenvalues3(J);
     if (principal(0) < -1e-12 * J.norm() || principal(2) > (principal(0) + principal(1)) * (1 + 1e-9) + 1e-300)
       model.complaints.add(parameters.where("Inertia"),
                            "no body has these moments of inertia: each principal one must be at most the sum of the "

@@ -1,6 +1,7 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/section.h>
 #include <samara/model/drawing.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/section/symmetric_matrix.h>
 
 #include <cmath>
@@ -68,11 +69,11 @@ namespace samara
     const Vector6 diagonal = values.stiffness.diagonal();
     const Vector6 scale    = diagonal.cwiseAbs().cwiseSqrt().cwiseInverse();
     const Matrix6 scaled   = scale.asDiagonal() * values.stiffness * scale.asDiagonal();
-    if (!(diagonal.minCoeff() > 0.) || !(Eigen::SelfAdjointEigenSolver<Matrix6>(scaled).eigenvalues()(0) > 0.))
+    if (!(diagonal.minCoeff() > 0.) || !(symmetric_eigenvalues6(scaled)(0) > 0.))
       return "the stiffness of " + what +
              " is not positive definite: every one of EA, GA2, GA3, GJ, EI2, EI3 must be positive, and couplings must be "
              "small enough";
-    if (!(Eigen::SelfAdjointEigenSolver<Matrix6>(values.inertia).eigenvalues()(0) >= -1e-12 * values.inertia.norm()))
+    if (!(symmetric_eigenvalues6(values.inertia)(0) >= -1e-12 * values.inertia.norm()))
       return "the inertia of " + what + " is not positive semidefinite";
     return fault_of(values.trapeze, values.stiffness, what);
   }
@@ -200,7 +201,7 @@ namespace samara
           throw std::invalid_argument("give either <Stiffness> or <Compliance>");
         values.stiffness = symmetric_matrix(stiffness.empty() ? compliance : stiffness);
         if (stiffness.empty())
-          values.stiffness = values.stiffness.inverse().eval();
+          values.stiffness = inverse6(values.stiffness);
         values.outline = drawn_outline(drawn_radii, values.stiffness);
         if (!inertia.empty())
           values.inertia = symmetric_matrix(inertia);

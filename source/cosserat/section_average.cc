@@ -1,5 +1,6 @@
 #include <samara/base/composite_rule.h>
 #include <samara/cosserat/section_average.h>
+#include <samara/rotation/matrix6.h>
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ namespace samara
       const Vector6 size  = B.diagonal().cwiseMax(A.diagonal().cwiseAbs());
       const Vector6 scale = size.unaryExpr([](const double x) { return x > 0 ? 1 / std::sqrt(x) : 0.; });
       const Matrix6 S     = scale.asDiagonal() * (A - B) * scale.asDiagonal();
-      return Eigen::SelfAdjointEigenSolver<Matrix6>(S).eigenvalues()(0) >= -1e-10;
+      return symmetric_eigenvalues6(S)(0) >= -1e-10;
     }
 
 

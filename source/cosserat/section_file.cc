@@ -1,5 +1,6 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/section_file.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/section/section_constants.h>
 #include <samara/section/symmetric_matrix.h>
 
@@ -127,7 +128,7 @@ namespace samara
     void
     check_remarks(const SectionLines &lines, const std::vector<Remark> &remarks, const SectionValues &values)
     {
-      const SectionConstants constants(values.stiffness.inverse(), values.inertia);
+      const SectionConstants constants(inverse6(values.stiffness), values.inertia);
       const double           size = std::sqrt(constants.principal_bending.larger / constants.EA);
       for (const auto &known : constants.list())
         for (const auto &remark : remarks)
@@ -165,7 +166,7 @@ namespace samara
     };
     for (const auto &[remark, number] : remarks)
       line(remark, "", number);
-    for (const auto &known : SectionConstants(values.stiffness.inverse(), values.inertia).list())
+    for (const auto &known : SectionConstants(inverse6(values.stiffness), values.inertia).list())
       line(known.name, known.unit, known.number);
     write_block(out,
                 stiffness_block + ": F1 F2 F3 M1 M2 M3 from Gamma1 Gamma2 Gamma3 K1 K2 K3 [N, N m, N m^2]",

@@ -1,6 +1,8 @@
+#include <samara/base/dense.h>
 #include <samara/base/text.h>
 #include <samara/cosserat/imported_mesh.h>
 #include <samara/cosserat/shell.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/section/laminate.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -100,7 +102,7 @@ namespace samara
       return;
     make_rule();
     for (const auto &laminate : laminates)
-      compliances.push_back(laminate.ABD.llt().solve(Matrix6::Identity()));
+      compliances.push_back(positive_inverse(laminate.ABD));
     make_nodes_and_elements();
     if (model->complaints.count() != before)
       return;
@@ -225,7 +227,7 @@ namespace samara
         }
     rule = made;
     // as many points of integration as nodes: what is known at the points is interpolated to the nodes
-    to_nodes = made->N.inverse();
+    to_nodes = inverse(made->N);
     make_rule_across();
   }
 

@@ -1,6 +1,7 @@
 // What the stress across the layers of a shell follows from: the balance along the normal inside of each cell.
 
 #include <samara/base/composite_rule.h>
+#include <samara/base/dense.h>
 #include <samara/cosserat/shell.h>
 
 #include <algorithm>
@@ -58,7 +59,7 @@ namespace samara
     const Eigen::MatrixXd weighed = inner_to_points.transpose() * table->weights.asDiagonal();
     for (unsigned int i = 0; i < 2; ++i)
       slopes_at_points[i] =
-        inner_to_points * (weighed * inner_to_points).llt().solve(weighed * table->gradient_at_points[i] * to_nodes);
+        inner_to_points * Cholesky(weighed * inner_to_points).solve(weighed * table->gradient_at_points[i] * to_nodes);
   }
 
 

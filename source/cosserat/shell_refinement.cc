@@ -1,6 +1,7 @@
 // What automatic_mesh.h asks of shells: their mesh, and how two solutions of them differ.
 
 #include <samara/base/composite_rule.h>
+#include <samara/base/dense.h>
 #include <samara/cosserat/shell.h>
 
 #include <deal.II/base/polynomial.h>
@@ -68,7 +69,7 @@ namespace samara
     const std::vector<double>                own = line(*table);
     std::vector<Eigen::Matrix<double, n, n>> roots; // of the stiffness
     for (const auto &material : finer.materials)
-      roots.push_back(material.stiffness.llt().matrixU());
+      roots.push_back(Cholesky(material.stiffness).upper());
     const auto     &points = finer.integration_points();
     Eigen::VectorXd result(n * points.size());
     for (unsigned int i = 0; i < finer.n_elements(); ++i)

@@ -2,6 +2,7 @@
 #include <samara/base/text.h>
 #include <samara/input/mechanism_graph.h>
 #include <samara/model/moved.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/solvers/assembly.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ namespace samara
         Matrix3 spread = Matrix3::Zero();
         for (const auto &x : places)
           spread += (x - middle) * (x - middle).transpose();
-        const Matrix3 E = Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvectors(); // of the smallest first
+        const Matrix3 E = symmetric_eigenvectors3(spread); // of the smallest first
         // of the coordinate axes that which is nearest to the view goes up, or to the right
         axes.row(0) = E.col(2).transpose();
         axes.row(1) = E.col(1).transpose();

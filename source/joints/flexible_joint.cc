@@ -2,6 +2,7 @@
 #include <samara/joints/joint.h>
 #include <samara/model/drawing.h>
 #include <samara/model/strain_rows.h>
+#include <samara/rotation/matrix6.h>
 
 #include <algorithm>
 #include <array>
@@ -100,7 +101,7 @@ namespace samara
       for (unsigned int i = 0, k = 0; i < 6; ++i)
         for (unsigned int j = i + 1; j < 6; ++j, ++k)
           C(i, j) = C(j, i) = coupling[k];
-    if (Eigen::SelfAdjointEigenSolver<Matrix6>(C).eigenvalues()(0) < -1e-12 * C.norm())
+    if (symmetric_eigenvalues6(C)(0) < -1e-12 * C.norm())
       m.complaints.add(parameters.where("Coupling"), "the stiffness matrix has a negative eigenvalue");
   }
 

@@ -3,12 +3,17 @@
 #include <samara/program/program.h>
 #include <samara/solvers/blas_kernels.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <CLI/CLI.hpp>
+#include <dlfcn.h>
 #include <malloc.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <iostream>
 
 #ifndef SAMARA_VERSION
@@ -36,6 +41,34 @@ namespace
 
 
 
+  /**
+   * The copy of libdeal.ii that starts quickly (cmake/quick_start.py) serves as long as the system's library is that of
+   * which it was made; its size and time tell. Else the program starts again with the system's libraries.
+   */
+  void
+  start_again_if_libraries_changed([[maybe_unused]] char **argv)
+  {
+#ifdef SAMARA_DEAL_II
+    static volatile const std::int64_t size_then = SAMARA_DEAL_II_SIZE; // volatile: a test changes it in the file
+    const std::string                  system    = SAMARA_DEAL_II;
+    Dl_info           loaded = {};
+    struct stat       now    = {};
+    if (dladdr(reinterpret_cast<void *>(&dealii::Utilities::System::get_hostname), &loaded) == 0 ||
+        system == loaded.dli_fname || stat(system.c_str(), &now) != 0 ||
+        (now.st_size == size_then && now.st_mtime == SAMARA_DEAL_II_SECONDS))
+      return;
+    // this folder stands before that of the copy; started so, the path of what is loaded is the system's
+    const std::string folder = system.substr(0, system.rfind('/'));
+    const char       *others = getenv("LD_LIBRARY_PATH");
+    if (others != nullptr && std::string(others).rfind(folder, 0) == 0)
+      return;
+    setenv("LD_LIBRARY_PATH", (others != nullptr ? folder + ":" + others : folder).c_str(), 1);
+    execv("/proc/self/exe", argv);
+#endif
+  }
+
+
+
   /** Memory of large arrays goes back when they are gone, whichever thread had them; small models do not notice. */
   void
   return_memory()
@@ -50,6 +83,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  start_again_if_libraries_changed(argv);
   samara::Options          options;
   std::vector<std::string> models;
   CLI::App                 app{"Samara: flexible multibody dynamics. Usage: samara model.prm"};

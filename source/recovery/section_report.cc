@@ -7,6 +7,7 @@
 #include <samara/output/table.h>
 #include <samara/output/write_hdf5.h>
 #include <samara/recovery/section_report.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/section/section_constants.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ namespace samara
                                                      {"k2", "1/m", row.curvature(1)},
                                                      {"k3", "1/m", row.curvature(2)},
                                                      {"area", "m^2", row.area}};
-      for (const auto &one : SectionConstants(row.values.stiffness.inverse(), row.values.inertia).list())
+      for (const auto &one : SectionConstants(inverse6(row.values.stiffness), row.values.inertia).list())
         result.push_back(one);
       result.push_back({"unknowns", "", row.unknowns});
       result.push_back({"change with one degree more", "", row.change});

@@ -1,3 +1,4 @@
+#include <samara/rotation/matrix6.h>
 #include <samara/section/cross_section.h>
 #include <samara/section/elasticity.h>
 #include <samara/section/trapeze.h>
@@ -264,7 +265,7 @@ namespace samara
           sum += point.weight * Z.transpose() * Z;
           of_warping += point.weight * Z.transpose() * point.warping;
         }
-      const Matrix6 motion = sum.ldlt().solve(of_warping);
+      const Matrix6 motion = symmetric_inverse(sum) * of_warping;
       for (auto &point : points)
         point.warping -= shift_by(point.place - near) * motion;
     }
@@ -484,7 +485,7 @@ namespace samara
   {
     // strains of the line are those of the centre at the distance −c, and the other way round
     const Matrix6 of_line = strains_at(-centre), of_centre = strains_at(centre);
-    const Matrix6 K = F.llt().solve(Matrix6::Identity());
+    const Matrix6 K = positive_inverse(F);
     compliance      = of_line * F * of_line.transpose();
     stiffness       = of_centre.transpose() * K * of_centre;
     compliance      = (0.5 * (compliance + compliance.transpose())).eval();
@@ -547,7 +548,7 @@ namespace samara
             point.axes   = mesh.material_axes(index, point.place, jacobian(values, q));
             point.C      = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
             point.helix  = (Eigen::Vector2d(point.place[0], point.place[1]) - of_shear).squaredNorm() /
-                          point.C.ldlt().solve(Vector6::Unit(0))(0);
+                          symmetric_solution(point.C, Vector6::Unit(0))(0);
             const double g = root_g(k, point.place);
             at.fill(values, q, k, g);
             const auto Z = shift_by(point.place - centre);

@@ -3,6 +3,8 @@
 
 #include <samara/section/cross_section.h>
 
+#include <samara/base/dense.h>
+
 #include <Eigen/CholmodSupport>
 
 #include <complex>
@@ -170,7 +172,7 @@ namespace samara
       const Warping<Number>                    &P;
       const std::array<unsigned int, 6>        &pinned;
       const ComplexColumns                      PB, rows;
-      const Eigen::PartialPivLU<ComplexColumns> complement;
+      const ComplexLu                           complement;
 
       ComplexColumns
       without_pins(ComplexColumns x) const

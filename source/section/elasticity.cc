@@ -1,5 +1,7 @@
 #include <samara/section/elasticity.h>
 
+#include <samara/rotation/matrix6.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -26,12 +28,11 @@ namespace samara
       compliance(0, 1) = compliance(1, 0) = -m.nu12 / m.E1;
       compliance(0, 2) = compliance(2, 0) = -m.nu13 / m.E1;
       compliance(1, 2) = compliance(2, 1) = -m.nu23 / m.E2;
-      const Eigen::LLT<Matrix6> factors(compliance);
-      if (factors.info() != Eigen::Success)
+      if (!is_positive_definite(compliance))
         throw std::invalid_argument(
           "these moduli and Poisson ratios give no positive energy: the ratios are too large (|nu12| < sqrt(E1/E2), "
           "and likewise for the others and for all three together)");
-      return factors.solve(Matrix6::Identity());
+      return positive_inverse(compliance);
     }
 
 

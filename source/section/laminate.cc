@@ -1,3 +1,4 @@
+#include <samara/rotation/matrix6.h>
 #include <samara/section/elasticity.h>
 #include <samara/section/laminate.h>
 
@@ -30,7 +31,7 @@ namespace samara
     Matrix3
     reduced_stiffness(const Matrix6 &C)
     {
-      const Matrix6 F = C.llt().solve(Matrix6::Identity());
+      const Matrix6 F = positive_inverse(C);
       Matrix3       in;
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -49,7 +50,7 @@ namespace samara
       {
         if (!(lamina.thickness > 0))
           throw std::invalid_argument("a ply needs a thickness above zero");
-        if (lamina.stiffness.llt().info() != Eigen::Success)
+        if (!is_positive_definite(lamina.stiffness))
           throw std::invalid_argument("the stiffness of a ply's material is not positive definite");
         thickness += lamina.thickness;
       }
@@ -96,7 +97,7 @@ namespace samara
         ABD.bottomLeftCorner<3, 3>() += z1 * layer.reduced;
         ABD.bottomRightCorner<3, 3>() += z2 * layer.reduced;
       }
-    const Matrix6 compliance = ABD.llt().solve(Matrix6::Identity());
+    const Matrix6 compliance = positive_inverse(ABD);
     unit_moments.col(0)      = compliance.col(3);
     unit_moments.col(1)      = compliance.col(5);
   }
@@ -143,7 +144,7 @@ namespace samara
         for (int g = 0; g < 3; ++g)
           {
             const Eigen::Matrix2d at = shear_stresses(layer, layer.bottom + h * (1 + point[g]) / 2);
-            compliance += weight[g] * h * at.transpose() * layer.shear.llt().solve(at);
+            compliance += weight[g] * h * at.transpose() * layer.shear.inverse() * at;
           }
         f = shear_stresses(layer, layer.top);
       }

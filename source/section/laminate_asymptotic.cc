@@ -2,6 +2,8 @@
 
 #include <samara/section/laminate.h>
 
+#include <samara/base/dense.h>
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 
@@ -112,8 +114,8 @@ namespace samara
       const double scale = t.E.diagonal().maxCoeff() / t.H.cwiseAbs().maxCoeff();
       bordered.topRightCorner(n, 3) *= scale;
       bordered.bottomLeftCorner(3, n) *= scale;
-      const Eigen::PartialPivLU<Eigen::MatrixXd> factors(bordered);
-      const auto                                 solve = [&](const Six &right) {
+      const Lu   factors(bordered);
+      const auto solve = [&](const Six &right) {
         Eigen::MatrixXd b = Eigen::MatrixXd::Zero(n + 3, 6);
         b.topRows(n)      = right;
         return Six(factors.solve(b).topRows(n));
@@ -188,10 +190,7 @@ namespace samara
     // shear flexibilities are many powers of ten from the others: columns of one length
     const Eigen::VectorXd lengths = A.colwise().norm().cwiseMax(1e-300);
     A                             = A * lengths.cwiseInverse().asDiagonal();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(1e-11);
-    decomposition.compute(A);
-    const Eigen::VectorXd x = decomposition.solve(right).cwiseQuotient(lengths);
+    const Eigen::VectorXd x = MinimumNorm(A, 1e-11).solve(right).cwiseQuotient(lengths);
     Eigen::Matrix2d       F;
     F << x(0), x(1), x(1), x(2);
     if (!(F(0, 0) > 0 && F.determinant() > 0))

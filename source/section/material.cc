@@ -1,4 +1,5 @@
 #include <samara/model/model.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/section/material.h>
 #include <samara/section/symmetric_matrix.h>
 
@@ -66,8 +67,7 @@ namespace samara
         // moduli differ by powers of ten: a matrix is judged by what is left when its diagonal is one
         const Vector6 scale = own.stiffness.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
         if (!scale.allFinite() || !(own.stiffness.diagonal().minCoeff() > 0) ||
-            !(Eigen::SelfAdjointEigenSolver<Matrix6>(scale.asDiagonal() * own.stiffness * scale.asDiagonal())
-                .eigenvalues()(0) > 1e-12))
+            !(symmetric_eigenvalues6(scale.asDiagonal() * own.stiffness * scale.asDiagonal())(0) > 1e-12))
           throw std::invalid_argument("the stiffness of material <" + name + "> is not positive definite");
       }
     catch (const std::invalid_argument &problem)
@@ -173,7 +173,7 @@ namespace samara
     const Matrix6 A = symmetric_matrix(given_compliance.empty() ? given_stiffness : given_compliance);
     if (!given_compliance.empty() && std::abs(A.determinant()) == 0)
       throw std::invalid_argument("the compliance of material <" + name + "> has no inverse");
-    return given_compliance.empty() ? A : Matrix6(A.inverse());
+    return given_compliance.empty() ? A : inverse6(A);
   }
 
 

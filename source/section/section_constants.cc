@@ -1,5 +1,7 @@
 #include <samara/section/section_constants.h>
 
+#include <samara/rotation/matrix6.h>
+
 namespace samara
 {
   namespace
@@ -7,14 +9,14 @@ namespace samara
     SectionConstants::Principal
     principal_of(const Eigen::Matrix2d &A)
     {
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(A);
-      SectionConstants::Principal                          result;
-      result.smaller = solver.eigenvalues()(0);
-      result.larger  = solver.eigenvalues()(1);
+      const Eigen::Vector2d       values = symmetric_eigenvalues2(A);
+      SectionConstants::Principal result;
+      result.smaller = values(0);
+      result.larger  = values(1);
       // of a section that has none, or nearly, the angle would be noise
       if (result.larger - result.smaller > 1e-9 * result.larger)
         {
-          const Eigen::Vector2d axis = solver.eigenvectors().col(1);
+          const Eigen::Vector2d axis = symmetric_eigenvectors2(A).col(1);
           result.angle               = std::atan2(axis(1), axis(0));
           if (result.angle > M_PI / 2 * (1 + 1e-12))
             result.angle -= M_PI;

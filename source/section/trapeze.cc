@@ -1,4 +1,5 @@
 #include <samara/base/text.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/section/cross_section.h>
 #include <samara/section/trapeze.h>
 
@@ -20,7 +21,7 @@ namespace samara
     const Vector6 scale = C.diagonal().cwiseSqrt().cwiseInverse();
     const Matrix6 unit  = scale.asDiagonal() * C * scale.asDiagonal();
     const Vector6 p     = scale.asDiagonal() * trapeze.coupling;
-    return p.dot(unit.ldlt().solve(p));
+    return p.dot(symmetric_solution(unit, p));
   }
 
 

@@ -1,5 +1,7 @@
 #include <samara/solvers/arnoldi.h>
 
+#include <samara/base/dense.h>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -117,12 +119,10 @@ namespace samara
   void
   Arnoldi::solve_small()
   {
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(H);
-    const Eigen::VectorXcd                    nu = eigen.eigenvalues();
-    const Eigen::MatrixXcd                    y  = eigen.eigenvectors();
-    std::vector<unsigned int>                 order(m);
+    const auto [nu, y] = general_eigen(H);
+    std::vector<unsigned int> order(m);
     std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
+    std::stable_sort(order.begin(), order.end(), [&, &nu = nu](const unsigned int a, const unsigned int b) {
       return std::abs(nu(a)) > std::abs(nu(b));
     });
     values.clear();
@@ -160,13 +160,13 @@ namespace samara
     E.setZero();
     while (m < first + steps)
       add_block();
-    const unsigned int                        k = m - first;
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(H.bottomRightCorner(k, k), false);
+    const unsigned int     k      = m - first;
+    const Eigen::VectorXcd values = general_eigenvalues(H.bottomRightCorner(k, k));
     m                      = first;
     H                      = old_H;
     E                      = old_E;
     V.middleCols(m, block) = next;
-    return eigen.eigenvalues().cwiseAbs().maxCoeff();
+    return values.cwiseAbs().maxCoeff();
   }
 
 

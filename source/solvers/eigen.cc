@@ -1,3 +1,4 @@
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/solvers/arnoldi.h>
 #include <samara/solvers/eigen.h>
@@ -39,9 +40,8 @@ namespace samara
         if (Gt.col(j).norm() > 0)
           Gt.col(j).normalize();
       // columns have length one: a pivot below is a constraint that the others imply
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(Gt);
-      qr.setThreshold(1e-12);
-      return Eigen::MatrixXd(qr.householderQ()).rightCols(n - qr.rank());
+      const PivotedQr qr(Gt, 1e-12);
+      return qr.Q().rightCols(n - qr.rank());
     }
 
 
@@ -57,9 +57,8 @@ namespace samara
             Z.col(j).cwiseProduct(Eigen::Map<const Eigen::VectorXd>(motion.units.data(), Z.rows()));
           op.momenta(v.data(), P.col(j).data());
         }
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(P);
-      qr.setThreshold(1e-12);
-      return Eigen::MatrixXd(qr.householderQ()).leftCols(qr.rank());
+      const PivotedQr qr(P, 1e-12);
+      return qr.leading(qr.rank());
     }
 
 
@@ -90,22 +89,21 @@ namespace samara
           op.apply(z.data(), image.data());
           A.col(j) << Z.transpose() * image.head(n), P.transpose() * image.tail(n);
         }
-      const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
+      const EigenSystem eigen = general_eigen(A);
       // what has no mass is twice defective at zero: its eigenvalues are there to the root of round-off
-      const double           zero = 1e-9 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+      const double           zero = 1e-9 * eigen.values.cwiseAbs().maxCoeff();
       std::vector<EigenPair> pairs;
       for (unsigned int i = 0; i < size; ++i)
-        if (std::abs(eigen.eigenvalues()(i)) > zero)
-          pairs.push_back({op.shift() + 1. / eigen.eigenvalues()(i),
-                           op.zeta(Z.cast<Complex>() * eigen.eigenvectors().col(i).head(m))});
+        if (std::abs(eigen.values(i)) > zero)
+          pairs.push_back({op.shift() + 1. / eigen.values(i),
+                           op.zeta(Z.cast<Complex>() * eigen.vectors.col(i).head(m))});
       // Free motions are there twice at zero, all at the same place: computed eigenvectors need not span them.
       if (op.shift() != 0.)
         {
           // λ = 0 is ν = −1/σ: vectors of the kernel of A + I/σ
-          Eigen::FullPivLU<Eigen::MatrixXd> lu(A + Eigen::MatrixXd::Identity(size, size) / op.shift());
-          lu.setThreshold(1e-10);
-          const Eigen::MatrixXd kernel = lu.kernel(); // a column of zeros if there is none
-          for (int k = 0; k < static_cast<int>(lu.dimensionOfKernel()); ++k)
+          const Eigen::MatrixXd kernel =
+            FullLu(A + Eigen::MatrixXd::Identity(size, size) / op.shift(), 1e-10).kernel();
+          for (int k = 0; k < kernel.cols(); ++k)
             pairs.push_back({0., op.zeta(Z.cast<Complex>() * kernel.col(k).head(m).cast<Complex>())});
         }
       return pairs;
@@ -271,13 +269,12 @@ namespace samara
           all.col(2 * i)           = x.real() / x.norm();
           all.col(2 * i + 1)       = x.imag() / x.norm();
         }
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(all);
-      qr.setThreshold(round_off);
-      const Eigen::MatrixXd Q = Eigen::MatrixXd(qr.householderQ() * Eigen::MatrixXd::Identity(all.rows(), qr.rank()));
+      const PivotedQr       qr(all, round_off);
+      const Eigen::MatrixXd Q = qr.leading(qr.rank());
       for (int i = 0; i < Q.cols(); ++i)
         {
           const Eigen::VectorXcd shape = Q.col(i).cwiseProduct(units).normalized().cast<Complex>();
-          if (std::abs(qr.matrixQR()(i, i)) <= surely_independent * std::abs(qr.matrixQR()(0, 0)))
+          if (qr.pivot(i) <= surely_independent * qr.pivot(0))
             {
               const auto judgement = op.judge(0., shape);
               if (!(judgement.work <= low * frequency * low * frequency * judgement.mass))

@@ -1,13 +1,14 @@
 #include <samara/solvers/eigen_system.h>
 
+#include <samara/base/dense.h>
+
 namespace samara
 {
   EigenSystem
   eigen_system_of(const Eigen::MatrixXd &A)
   {
-    constexpr double                          round_off = 1e-10; // of maps, which come from converged steps
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(A);
-    EigenSystem                               result{eigen.eigenvalues(), eigen.eigenvectors()};
+    constexpr double round_off = 1e-10; // of maps, which come from converged steps
+    EigenSystem      result    = general_eigen(A);
     for (int i = 0; i + 1 < A.cols(); ++i)
       if (const std::complex<double> value = result.values(i); value.imag() > 0 &&
                                                                value.imag() <= round_off * std::abs(value.real()) &&

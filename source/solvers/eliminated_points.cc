@@ -1,5 +1,7 @@
 #include <samara/solvers/eliminated_points.h>
 
+#include <samara/base/dense.h>
+
 #include <algorithm>
 
 namespace samara
@@ -70,7 +72,7 @@ namespace samara
               }
           }
     g.F.push_back(F);
-    g.stiffness.push_back(F.ldlt().solve(Eigen::MatrixXd::Identity(F.rows(), F.cols())));
+    g.stiffness.push_back(SymmetricSolve(F).solve(Eigen::MatrixXd::Identity(F.rows(), F.cols())));
   }
 
 

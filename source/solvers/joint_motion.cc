@@ -1,5 +1,6 @@
 // Motions that joints make: what is common, and rigid pieces. All nodes: joint_motion_nodes.cc.
 
+#include <samara/base/dense.h>
 #include <samara/solvers/joint_motion.h>
 #include <samara/solvers/newton.h>
 
@@ -238,8 +239,8 @@ namespace samara
     unsigned int                 n_rows = 0;
     for (const auto &p : rows.points)
       {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(p.weight * rows.C(p));
-        roots.push_back(eigen.eigenvalues().cwiseMax(0.).cwiseSqrt().asDiagonal() * eigen.eigenvectors().transpose());
+        const HermitianEigen<double> eigen = symmetric_eigen(p.weight * rows.C(p));
+        roots.push_back(eigen.values.cwiseMax(0.).cwiseSqrt().asDiagonal() * eigen.vectors.transpose());
         n_rows += p.size;
       }
     Eigen::MatrixXd B(n_rows, pieces.n_unknowns());

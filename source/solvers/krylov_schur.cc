@@ -1,3 +1,4 @@
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/solvers/eigen_system.h>
 #include <samara/solvers/krylov_schur.h>
@@ -174,10 +175,9 @@ namespace samara
       unsigned int
       sort()
       {
-        Eigen::RealSchur<MatrixXd> schur(H.topRows(m));
-        if (schur.info() != Eigen::Success)
+        auto [T, U, was_found] = real_schur(H.topRows(m));
+        if (!was_found)
           throw NotConverged("Arnoldi's method: no Schur form was found");
-        MatrixXd            T = schur.matrixT(), U = schur.matrixU();
         const auto          values = values_of_blocks(T);
         std::vector<double> sizes;
         for (const auto &value : values)

@@ -1,5 +1,7 @@
 #include <samara/solvers/level_by_level.h>
 
+#include <samara/base/dense.h>
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -30,13 +32,8 @@ namespace samara
     const double          largest = AN.colwise().norm().maxCoeff(); // the first pivot
     if (largest <= rank_tolerance)
       return; // said already
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(rank_tolerance * std::max(1., 1. / largest));
-    decomposition.compute(AN);
-    const int rank = decomposition.rank(), left = AN.cols() - rank;
+    const MinimumNorm decomposition(AN, rank_tolerance * std::max(1., 1. / largest));
     x += N * decomposition.solve(b - A * x);
-    // A N P Zᵀ = Q [T 0]: the last columns of P Zᵀ are the null space
-    const Eigen::MatrixXd Z = decomposition.matrixZ();
-    N                       = (N * (decomposition.colsPermutation() * Z.transpose().rightCols(left))).eval();
+    N = (N * decomposition.null_space()).eval();
   }
 } // namespace samara

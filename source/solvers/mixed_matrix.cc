@@ -1,3 +1,4 @@
+#include <samara/base/dense.h>
 #include <samara/solvers/equilibrate.h>
 #include <samara/solvers/from_eigen.h>
 #include <samara/solvers/mixed_matrix.h>
@@ -103,14 +104,14 @@ namespace samara
     Eigen::MatrixXd
     without_null_space(const Eigen::MatrixXd &C, Eigen::MatrixXd &inverse)
     {
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C);
-      const Eigen::VectorXd                                lambda = eigen.eigenvalues();
-      std::vector<int>                                     kept;
+      const HermitianEigen<double> eigen  = symmetric_eigen(C);
+      const Eigen::VectorXd       &lambda = eigen.values;
+      std::vector<int>             kept;
       for (int i = 0; i < lambda.size(); ++i)
         if (std::abs(lambda(i)) > 1e-12 * lambda.cwiseAbs().maxCoeff()) // scaled to a diagonal of about one before
           kept.push_back(i);
       inverse = lambda(kept).cwiseInverse().asDiagonal();
-      return eigen.eigenvectors()(Eigen::all, kept);
+      return eigen.vectors(Eigen::all, kept);
     }
   } // namespace
 
@@ -135,9 +136,9 @@ namespace samara
         scaled(i, j) = C(stiff[i], stiff[j]) / (d(i) * d(j));
     Point                             result;
     Eigen::MatrixXd                   V = Eigen::MatrixXd::Identity(m, m);
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(scaled);
+    const Cholesky                    cholesky(scaled);
     // the inverse keeps its digits; else combinations without stiffness are taken out
-    if (cholesky.info() == Eigen::Success && (cholesky.matrixLLT().diagonal().array() > 1e-6).all())
+    if (cholesky.is_positive() && (cholesky.pivots().array() > 1e-6).all())
       result.F = cholesky.solve(V);
     else
       V = without_null_space(scaled, result.F);

@@ -1,5 +1,6 @@
 // The combinations X of redundant rows: GᵀX = 0, X = 1 on the rows left out.
 
+#include <samara/base/dense.h>
 #include <samara/solvers/part_without.h>
 #include <samara/solvers/redundant_rows.h>
 
@@ -222,7 +223,7 @@ namespace samara
     Eigen::VectorXd lambda(m);
     for (int i = 0; i < m; ++i)
       lambda(i) = scale[i] > 0 ? state.multipliers[i] / scale[i] : 0.;
-    const Eigen::VectorXd least = X * (X.transpose() * X).ldlt().solve(X.transpose() * lambda);
+    const Eigen::VectorXd least = X * SymmetricSolve(X.transpose() * X).solve(X.transpose() * lambda);
     for (int i = 0; i < m; ++i)
       state.multipliers[i] -= scale[i] * least(i);
   }

@@ -1,3 +1,4 @@
+#include <samara/base/dense.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/solvers/row_scale.h>
@@ -287,9 +288,9 @@ namespace samara
   {
     // columns of Gᵀ by elimination with a choice of columns: those that are left depend on the others
     std::vector<unsigned int> rows;
-    const auto                rest = [&](const auto &qr) {
-      for (int k = qr.rank(); k < m; ++k)
-        if (const unsigned int i = qr.colsPermutation().indices()(k); !is_absent[i])
+    const auto                rest = [&](const int rank, const auto &column) {
+      for (int k = rank; k < m; ++k)
+        if (const unsigned int i = column(k); !is_absent[i])
           rows.push_back(i);
     };
     // of the unknowns only those that have a part in constraints
@@ -308,9 +309,8 @@ namespace samara
     Gt.setFromTriplets(entries.begin(), entries.end());
     if (m <= few_rows)
       {
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(n_used, m);
-        qr.setThreshold(dependent);
-        rest(qr.compute(Eigen::MatrixXd(Gt)));
+        const PivotedQr qr(Gt, dependent);
+        rest(qr.rank(), [&](const int k) { return qr.column(k); });
       }
     else if (!is_certainly_independent())
       {
@@ -318,7 +318,7 @@ namespace samara
         Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> qr;
         qr.setPivotThreshold(dependent);
         qr.compute(Gt);
-        rest(qr);
+        rest(qr.rank(), [&](const int k) { return qr.colsPermutation().indices()(k); });
       }
     std::sort(rows.begin(), rows.end());
     return rows;

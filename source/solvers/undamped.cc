@@ -1,3 +1,4 @@
+#include <samara/base/dense.h>
 #include <samara/base/interrupt.h>
 #include <samara/solvers/undamped.h>
 
@@ -167,19 +168,19 @@ namespace samara
   void
   BlockLanczos::solve_small()
   {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (H + H.transpose()));
-    std::vector<unsigned int>                            order(m);
+    const HermitianEigen<double> eigen = symmetric_eigen(0.5 * (H + H.transpose()));
+    std::vector<unsigned int>    order(m);
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
-      return std::abs(eigen.eigenvalues()(a)) > std::abs(eigen.eigenvalues()(b));
+      return std::abs(eigen.values(a)) > std::abs(eigen.values(b));
     });
     values.clear();
     residuals.clear();
     small_vectors.resize(m, m);
     for (unsigned int i = 0; i < m; ++i)
       {
-        values.push_back(eigen.eigenvalues()(order[i]));
-        small_vectors.col(i) = eigen.eigenvectors().col(order[i]);
+        values.push_back(eigen.values(order[i]));
+        small_vectors.col(i) = eigen.vectors.col(order[i]);
         residuals.push_back((E * small_vectors.col(i)).norm());
       }
   }
@@ -217,12 +218,11 @@ namespace samara
           MX.col(j) = op.mass_times(x.col(j).head(n));
         const Eigen::MatrixXd K = x.topRows(n).transpose() * MV, M = x.topRows(n).transpose() * MX;
         // M is turned by its scale and K by M's Cholesky factor: vectors of modes far apart differ much in size
-        const Eigen::VectorXd                                           d = M.diagonal().cwiseSqrt().cwiseInverse();
-        const Eigen::MatrixXd                                           D = d.asDiagonal();
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * D * (K + K.transpose()) * D,
-                                                                              D * M * D);
-        squares = eigen.eigenvalues().array() - op.shift() * op.shift();
-        x       = x * (D * eigen.eigenvectors());
+        const Eigen::VectorXd        d     = M.diagonal().cwiseSqrt().cwiseInverse();
+        const Eigen::MatrixXd        D     = d.asDiagonal();
+        const HermitianEigen<double> eigen = symmetric_eigen(0.5 * D * (K + K.transpose()) * D, D * M * D);
+        squares = eigen.values.array() - op.shift() * op.shift();
+        x       = x * (D * eigen.vectors);
       }
     };
 

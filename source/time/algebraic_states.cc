@@ -1,3 +1,4 @@
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/time/algebraic_states.h>
@@ -87,7 +88,7 @@ namespace samara
             from(i)  = state.states[algebraic[i]];
             sizes(i) = std::max(std::abs(from(i)), system.model.states[algebraic[i]].scale);
           }
-        const Eigen::VectorXd dz = slopes_of(system, algebraic, state, sizes, g).fullPivLu().solve(-g);
+        const Eigen::VectorXd dz = FullLu(slopes_of(system, algebraic, state, sizes, g)).solve(-g);
         change                   = dz.cwiseQuotient(sizes).lpNorm<Eigen::Infinity>();
         if (step == most_steps_of_algebraic || !std::isfinite(change))
           throw NotConverged("t = " + number_to_text("%.6g", state.time) + " s: no value of <" +

@@ -1,3 +1,4 @@
+#include <samara/base/dense.h>
 #include <samara/time/exact_stages.h>
 #include <samara/time/wider_pattern.h>
 
@@ -97,7 +98,7 @@ namespace samara
           A.block<3, 3>(3 * l, 3 * k) -=
             h * tableau.a(k, l) * skew(Vector3(Eigen::Map<const Vector3>(stages[l].y + 6 * node + 3)));
       }
-    const Eigen::MatrixXd P = A.inverse();
+    const Eigen::MatrixXd P = samara::inverse(A);
     for (unsigned int l = 0; l < s; ++l)
       for (unsigned int i = 0; i < 3; ++i)
         {

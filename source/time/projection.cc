@@ -1,5 +1,6 @@
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/solvers/anderson.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/algebraic_states.h>
@@ -85,13 +86,12 @@ namespace samara
           is_bound[1 + i / 6] = true;
     for (unsigned int node = 1; node < layout.n_nodes; ++node)
       {
-        const Matrix6             &mass = system.model.nodes[node].inertia;
-        const Eigen::LDLT<Matrix6> of_mass(mass);
+        const Matrix6 &mass = system.model.nodes[node].inertia;
         // where there is none, to round-off, elimination shall say so
-        if (is_bound[node] || !(of_mass.rcond() > 1e-14))
+        if (is_bound[node] || !(symmetric_rcond(mass) > 1e-14))
           bound.push_back(node);
         else
-          free.push_back({node, of_mass.solve(Matrix6::Identity())});
+          free.push_back({node, symmetric_inverse(mass)});
       }
   }
 

@@ -1,5 +1,7 @@
 #include <samara/time/stage_bristles.h>
 
+#include <samara/base/dense.h>
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -120,7 +122,7 @@ namespace samara
               M(k, k) += scale(k) * stages[k].r;
             }
         }
-      return M.partialPivLu().inverse() * scale.asDiagonal();
+      return inverse(M) * scale.asDiagonal();
     }
 
 

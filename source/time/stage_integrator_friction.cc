@@ -136,13 +136,10 @@ namespace samara
   BristleForces
   StageIntegrator::bristles_now(const Device &device, const double h) const
   {
-    std::array<double, 30> values;
-    double                 normal[3];
-    for (unsigned int p = 0; p < device.n_ports; ++p)
-      for (unsigned int k = 0; k < tableau.s; ++k)
-        values[tableau.s * p + k] = port_value(ports[device.first_port + p], k);
-    normal_forces(device, values.data(), h, normal, nullptr);
-    return bristles_of(device, values.data(), normal, h, false);
+    const double *const values = port_values(device);
+    double              normal[3];
+    normal_forces(device, values, h, normal, nullptr);
+    return bristles_of(device, values, normal, h, false);
   }
 
 

@@ -1,5 +1,6 @@
 // The stages of a step: where they are, and how far their equations are from being satisfied.
 
+#include <samara/base/dense.h>
 #include <samara/base/threads.h>
 #include <samara/time/four_nodes.h>
 #include <samara/time/stage_integrator.h>
@@ -57,15 +58,14 @@ namespace samara
     void
     eliminate_with_pivots(Lane (&A)[n][n + m], const int lane)
     {
-      Eigen::Matrix<double, n, n> matrix;
-      Eigen::Matrix<double, n, m> right;
+      Eigen::MatrixXd matrix(n, n), right(n, m);
       for (int i = 0; i < n; ++i)
         for (int k = 0; k < n + m; ++k)
           (k < n ? matrix(i, k) : right(i, k - n)) = A[i][k].values[lane];
-      const Eigen::Matrix<double, n, m> solution = matrix.partialPivLu().solve(right);
+      const Eigen::MatrixXd result = solution(matrix, right);
       for (int i = 0; i < n; ++i)
         for (int k = 0; k < m; ++k)
-          A[i][n + k].values[lane] = solution(i, k);
+          A[i][n + k].values[lane] = result(i, k);
     }
 
 

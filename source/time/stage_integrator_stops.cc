@@ -7,6 +7,7 @@
 //     η = η₀ − W (f(u + η) − f(u)),     u rates and multipliers at the ports, η₀ their correction that the factors
 //     give.
 
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/model/pressing.h>
@@ -45,6 +46,8 @@ namespace samara
           ports.push_back({layout.of_multiplier(multiplier), 1., true, false});
         devices.back().pressing = pressing_of(layout, friction);
       });
+    for (const Device &device : devices)
+      values_of_ports.resize(std::max<std::size_t>(values_of_ports.size(), tableau.s * device.n_ports));
     columns.resize(layout.n_coordinates);
     free_changes.resize(tableau.s * ports.size());
     device_forces_now.setZero(tableau.s * ports.size());
@@ -53,11 +56,14 @@ namespace samara
 
 
   const double *
-  StageIntegrator::gap_rates(const unsigned int i, double *const rates) const
+  StageIntegrator::port_values(const Device &device) const
   {
-    for (unsigned int k = 0; k < tableau.s; ++k)
-      rates[k] = port_value(ports[devices[i].first_port], k);
-    return rates;
+    Assert(tableau.s * device.n_ports <= values_of_ports.size(),
+           dealii::ExcIndexRange(tableau.s * device.n_ports, 0, values_of_ports.size() + 1));
+    for (unsigned int p = 0; p < device.n_ports; ++p)
+      for (unsigned int k = 0; k < tableau.s; ++k)
+        values_of_ports[tableau.s * p + k] = port_value(ports[device.first_port + p], k);
+    return values_of_ports.data();
   }
 
 
@@ -118,21 +124,17 @@ namespace samara
   void
   StageIntegrator::evaluate_stops(const double h)
   {
-    std::array<double, 30> values;
     for (unsigned int i = 0; i < devices.size(); ++i)
       {
         const Device &device = devices[i];
         const auto    force  = device_forces_now.segment(tableau.s * device.first_port, tableau.s * device.n_ports);
         if (device.is_friction)
           {
-            for (unsigned int p = 0; p < device.n_ports; ++p)
-              for (unsigned int k = 0; k < tableau.s; ++k)
-                values[tableau.s * p + k] = port_value(ports[device.first_port + p], k);
-            friction_forces(device, values.data(), h, force, nullptr);
+            friction_forces(device, port_values(device), h, force, nullptr);
           }
         else
           {
-            stop_forces_now[i] = stop_forces(system.layout.stops[i], tableau, gaps[i], gap_rates(i, values.data()), h);
+            stop_forces_now[i] = stop_forces(system.layout.stops[i], tableau, gaps[i], port_values(device), h);
             for (unsigned int k = 0; k < tableau.s; ++k)
               device_forces_now(tableau.s * device.first_port + k) = stop_forces_now[i].force[k];
           }
@@ -278,7 +280,7 @@ namespace samara
         touched_matrix.noalias() = touched_compliance * touched_slopes;
         touched_matrix.diagonal().array() += 1;
         const Eigen::VectorXd change =
-          touched_matrix.partialPivLu().solve(touched_free - port_changes - touched_compliance * force_changes);
+          solution(touched_matrix, touched_free - port_changes - touched_compliance * force_changes);
         if (!change.allFinite())
           return false;
         size = 0;
@@ -405,18 +407,14 @@ namespace samara
   void
   StageIntegrator::add_slopes_of_stops(const double h)
   {
-    std::array<double, 30> values;
-    Eigen::MatrixXd        slopes;
-    Eigen::VectorXd        force;
+    Eigen::MatrixXd slopes;
+    Eigen::VectorXd force;
     for (const Device &device : devices)
       {
-        for (unsigned int p = 0; p < device.n_ports; ++p)
-          for (unsigned int k = 0; k < tableau.s; ++k)
-            values[tableau.s * p + k] = port_value(ports[device.first_port + p], k);
         const unsigned int n = tableau.s * device.n_ports;
         slopes.setZero(n, n);
         force.resize(n);
-        device_forces(device, values.data(), h, force, &slopes);
+        device_forces(device, port_values(device), h, force, &slopes);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             {
@@ -437,11 +435,10 @@ namespace samara
   void
   StageIntegrator::account_for_stops(const State &state, const double h, StepResult &result)
   {
-    double rates[3];
     for (unsigned int i = 0; i < gaps.size(); ++i)
       {
-        gap_rates(i, rates);
-        const StopForces forces = stop_forces(system.layout.stops[i], tableau, gaps[i], rates, h);
+        const double *const rates  = port_values(devices[i]);
+        const StopForces    forces = stop_forces(system.layout.stops[i], tableau, gaps[i], rates, h);
         if (!forces.is_touched)
           continue;
         result.viscous_loss += forces.loss;

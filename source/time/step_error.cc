@@ -1,5 +1,7 @@
 #include <samara/time/step_error.h>
 
+#include <samara/rotation/matrix6.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,7 +24,7 @@ namespace samara
       const double mass = inertia(0, 0);
       if (!(mass > 0))
         return 0;
-      return std::sqrt(Eigen::SelfAdjointEigenSolver<Matrix3>(inertia.bottomRightCorner<3, 3>()).eigenvalues()(2) /
+      return std::sqrt(symmetric_eigenvalues3(inertia.bottomRightCorner<3, 3>())(2) /
                        mass);
     }
     /** Lowest and highest coordinates of all nodes but the ground. */

@@ -1,5 +1,6 @@
 // What a change at the start of a step, and of its stages, changes in the equations of the stages.
 
+#include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/time/step_tangent.h>
 
@@ -102,7 +103,7 @@ namespace samara
           for (unsigned int k = 0; k < s; ++k)
             A.block<3, 3>(3 * l, 3 * k) -=
               h * tableau.a(k, l) * skew(Eigen::Map<const Vector3>(&stages[l].y[6 * node + 3]));
-        Eigen::Map<Eigen::MatrixXd>(&inverses[std::size_t(9) * s * s * node], 3 * s, 3 * s) = A.inverse();
+        Eigen::Map<Eigen::MatrixXd>(&inverses[std::size_t(9) * s * s * node], 3 * s, 3 * s) = inverse(A);
       }
 
     Vector strains;

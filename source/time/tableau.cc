@@ -1,5 +1,7 @@
 #include <samara/time/tableau.h>
 
+#include <samara/base/dense.h>
+
 #include <deal.II/base/quadrature_lib.h>
 
 #include <stdexcept>
@@ -65,12 +67,12 @@ namespace samara
           }
       }
     a_alpha = a + alpha / (2 * (2. * s - 1)) * p * (p.cwiseProduct(b)).transpose();
-    w       = a_alpha.inverse();
+    w       = inverse(a_alpha);
 
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(a_alpha);
-    const Eigen::MatrixXcd                    right = eigen.eigenvectors(), left = right.inverse();
+    const auto [values, right]  = general_eigen(a_alpha);
+    const Eigen::MatrixXcd left = inverse(right);
     for (unsigned int k = 0; k < s; ++k)
-      if (eigen.eigenvalues()(k).imag() >= 0)
-        eigenvalues.push_back({eigen.eigenvalues()(k), left.row(k).transpose(), right.col(k)});
+      if (values(k).imag() >= 0)
+        eigenvalues.push_back({values(k), left.row(k).transpose(), right.col(k)});
   }
 } // namespace samara

@@ -1,6 +1,8 @@
 #ifndef samara_tests_aero_goland_exact_h
 #define samara_tests_aero_goland_exact_h
 
+#include <samara/base/dense.h>
+
 #include <Eigen/Dense>
 
 #include <cmath>
@@ -95,7 +97,7 @@ namespace samara::aero_models
                         by_omega = (determinant(U, omega + h) - determinant(U, omega - h)) / (2 * h);
           Eigen::Matrix2d J;
           J << by_U.real(), by_omega.real(), by_U.imag(), by_omega.imag();
-          const Eigen::Vector2d step = J.partialPivLu().solve(Eigen::Vector2d(f.real(), f.imag()));
+          const Eigen::Vector2d step = J.inverse() * Eigen::Vector2d(f.real(), f.imag());
           U -= step(0);
           omega -= step(1);
           left = std::abs(determinant(U, omega));

@@ -1,6 +1,8 @@
 #ifndef samara_tests_aero_growth_h
 #define samara_tests_aero_growth_h
 
+#include <samara/base/dense.h>
+
 #include <Eigen/Dense>
 
 #include <complex>
@@ -20,7 +22,7 @@ namespace samara::aero_models
         A.row(n) << y[n + 1], -y[n];
         next(n) = y[n + 2];
       }
-    const Eigen::Vector2d      ab     = A.colPivHouseholderQr().solve(next);
+    const Eigen::Vector2d      ab     = PivotedQr(A).solve(next);
     const std::complex<double> z      = 0.5 * (ab(0) + std::sqrt(std::complex<double>(ab(0) * ab(0) - 4 * ab(1))));
     const std::complex<double> lambda = std::log(z) / h;
     return {lambda.real(), std::abs(lambda.imag())};

@@ -5,6 +5,7 @@
 // Their equations without elastic coupling are derived anew here; what they found, that the blade is least stable where
 // both frequencies are sqrt(4/3), follows from them.
 
+#include <samara/base/dense.h>
 #include <samara/time/projection.h>
 #include <samara/time/stage_integrator.h>
 
@@ -41,7 +42,7 @@ namespace
     A(2, 3)           = -(2 * beta - lock / 8 * (2 * theta - phi));
     A(3, 2)           = 2 * beta - lock / 8 * (theta - 2 * phi);
     A(3, 3)           = -lock / 8 * (2 * drag / a + theta * phi);
-    return A.eigenvalues().real().maxCoeff();
+    return general_eigenvalues(A).real().maxCoeff();
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <samara/aero/finite_state.h>
 #include <samara/base/composite_rule.h>
+#include <samara/base/dense.h>
 
 #include "../complex_step.h"
 #include "../reference.h"
@@ -64,7 +65,7 @@ namespace
             for (unsigned int j = 0; j < inflow.size(); ++j)
               J(j, k) += inflow.load_weights[j] * d(j) / inflow.apparent_mass[j];
           }
-        z -= J.partialPivLu().solve(rate(z));
+        z -= solution(J, rate(z));
       }
     EXPECT_LT(rate(z).cwiseAbs().maxCoeff(), 1e-13);
     return z;
@@ -372,11 +373,10 @@ TEST(FiniteStateInflow, GrowsInTime)
       Eigen::VectorXd                         b    = uniform_load(inflow, 1.);
       for (unsigned int k = 0; k < inflow.size(); ++k)
         b(k) *= inflow.load_weights[k] / inflow.apparent_mass[k];
-      const Eigen::EigenSolver<Eigen::MatrixXd> modes(A);
-      const Eigen::MatrixXcd                    V     = modes.eigenvectors();
-      const Eigen::VectorXcd                    e     = (modes.eigenvalues() * t).array().exp();
-      const Eigen::VectorXd                     final = -A.partialPivLu().solve(b);
-      const Eigen::VectorXd                     z     = final - (V * e.asDiagonal() * V.inverse() * final).real();
+      const auto [lambda, V]       = general_eigen(A);
+      const Eigen::VectorXcd e     = (lambda * t).array().exp();
+      const Eigen::VectorXd  final = -solution(A, b);
+      const Eigen::VectorXd  z     = final - (V * e.asDiagonal() * inverse(V) * final).real();
       EXPECT_NEAR(disk_average(inflow, z) / disk_average(inflow, final), number(row, "average"), 1e-4);
       EXPECT_NEAR(z(0) / final(0), number(row, "alpha_01"), 1e-4);
     }

@@ -2,6 +2,7 @@
 
 #include <samara/analysis/modal.h>
 #include <samara/analysis/static.h>
+#include <samara/base/dense.h>
 #include <samara/time/projection.h>
 #include <samara/time/stage_integrator.h>
 
@@ -58,7 +59,7 @@ namespace
     const unsigned int n         = S.rows() - 6;
     Eigen::MatrixXcd   condensed = S.topLeftCorner<6, 6>();
     if (n > 0)
-      condensed -= S.topRightCorner(6, n) * S.bottomRightCorner(n, n).partialPivLu().solve(S.bottomLeftCorner(n, 6));
+      condensed -= S.topRightCorner(6, n) * solution(S.bottomRightCorner(n, n), S.bottomLeftCorner(n, 6));
     Eigen::Matrix2cd F;
     F << -condensed(2, 2), -condensed(2, 4), -condensed(4, 2), -condensed(4, 4);
     return F;

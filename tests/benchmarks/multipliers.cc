@@ -7,6 +7,7 @@
 // same orbit, and correct it until it closes. Seconds are those of the processor.
 
 #include <samara/analysis/floquet.h>
+#include <samara/base/dense.h>
 #include <samara/input/catalogue.h>
 #include <samara/time/projection.h>
 
@@ -123,10 +124,9 @@ namespace
   double
   error_of(const Eigen::MatrixXd &map)
   {
-    const Eigen::EigenSolver<Eigen::MatrixXd> eigen(map);
-    double                                    error = 1;
-    for (int i = 0; i < map.cols(); ++i)
-      error = std::min(error, std::abs(eigen.eigenvalues()(i) - reference));
+    double error = 1;
+    for (const std::complex<double> &value : general_eigenvalues(map))
+      error = std::min(error, std::abs(value - reference));
     return error;
   }
 
@@ -186,7 +186,7 @@ namespace
           break;
         map = turns.map(start, basis, scales);
         const Eigen::VectorXd x =
-          basis * (Eigen::MatrixXd::Identity(map.rows(), map.cols()) - map).partialPivLu().solve(lacking);
+          basis * solution(Eigen::MatrixXd::Identity(map.rows(), map.cols()) - map, lacking);
         std::vector<double> scaled(x.data(), x.data() + x.size());
         for (unsigned int k = 0; k < scaled.size(); ++k)
           scaled[k] *= scales[k];

@@ -3,7 +3,6 @@
 #include <samara/cosserat/beamdyn_file.h>
 #include <samara/cosserat/section_file.h>
 
-#include "../debug.h"
 
 #include "catalogued.h"
 
@@ -284,8 +283,6 @@ TEST_F(Catalogued, AnalysedSections)
         "Sections/it",
         joined(of_ellipse, {{material, {"Radius 2", "0.2"}, {"Radius 3", "0.2"}}}),
         {{"Elements per ply", "there are no plies"}});
-  if (is_debug) // the same classes and entries
-    return;
   check("box",
         analysed("    set Type = box\n    set Width 2 = 0.2\n    set Width 3 = 0.15\n    set Thickness = 0.02\n"
                  "    set Material = metal\n"),
@@ -356,7 +353,7 @@ TEST_F(Catalogued, SectionsFromOutlinesAndMeshes)
                  "    set Thickness = 0.01\n"),
         "Sections/it",
         joined(common,
-               {{{"Elements", is_debug ? "3" : "8"},
+               {{{"Elements", "8"},
                  {"Elements per ply", "2"},
                  {"NACA", "2418"},
                  {"NACA trailing edge", "sharp"},

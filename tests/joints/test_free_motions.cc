@@ -2,6 +2,8 @@
 // how many there are, by three routes, and where they point. A free rigid body hangs on the ground by one joint at J,
 // away from its centre, with a skew axis.
 
+#include <samara/base/dense.h>
+
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -96,9 +98,7 @@ subsection Joints
     Eigen::MatrixXd       A(m + n, n);
     const Eigen::MatrixXd dense = K.dense();
     A << dense.bottomLeftCorner(m, n), dense.topLeftCorner(n, n);
-    Eigen::FullPivLU<Eigen::MatrixXd> lu(A);
-    lu.setThreshold(1e-10);
-    const Eigen::MatrixXd kernel = lu.dimensionOfKernel() > 0 ? Eigen::MatrixXd(lu.kernel()) : Eigen::MatrixXd(n, 0);
+    const Eigen::MatrixXd kernel = FullLu(A, 1e-10).kernel();
     const Matrix3         D      = state.triad(1);
     Eigen::MatrixXd       result(6, kernel.cols());
     for (int k = 0; k < kernel.cols(); ++k)
@@ -151,7 +151,7 @@ TEST(FreeMotions, DirectionsOfEveryKind)
         {
           Vector6 expected;
           expected << velocity, spin;
-          const Eigen::VectorXd combination = motions.colPivHouseholderQr().solve(expected);
+          const Eigen::VectorXd combination = PivotedQr(motions).solve(expected);
           EXPECT_LT((motions * combination - expected).norm(), 1e-12) << name << ": " << expected.transpose();
         }
     }
@@ -293,6 +293,6 @@ TEST(FreeMotions, ShapesThatAreDrawn)
               EXPECT_LT(std::abs(rate), 1e-6 * check.shapes[k].norm()) << name;
             all.col(k) = check.shapes[k].head<6>();
           }
-        EXPECT_EQ(Eigen::FullPivLU<Eigen::MatrixXd>(all).rank(), static_cast<int>(kind.n_free)) << name;
+        EXPECT_EQ(FullLu(all).rank(), static_cast<int>(kind.n_free)) << name;
       }
 }

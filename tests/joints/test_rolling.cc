@@ -3,6 +3,8 @@
 
 #include <samara/model/drawing.h>
 
+#include <samara/base/dense.h>
+
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -199,7 +201,7 @@ TEST(RollingBall, ForcesHaveNoPower)
         at.state.multipliers[i] = 3. - 2. * i;
       std::vector<double> r(at.scene.system.size() + 6, 0.);
       at.scene.system.add_constraints(at.state.point(), r.data());
-      const Eigen::MatrixXd admissible = b.fullPivLu().kernel();
+      const Eigen::MatrixXd admissible = FullLu(b).kernel();
       ASSERT_EQ(admissible.cols(), 12 - static_cast<int>(m));
       EXPECT_LT((admissible.transpose() * Eigen::Map<const Eigen::VectorXd>(r.data(), 12)).norm(), 1e-13);
       EXPECT_GT(Eigen::Map<const Eigen::VectorXd>(r.data(), 12).norm(), 1.);

@@ -5,6 +5,7 @@
  * 5/6 of a homogeneous plate.
  */
 
+#include <samara/base/dense.h>
 #include <samara/section/elasticity.h>
 #include <samara/section/laminate.h>
 
@@ -74,7 +75,7 @@ namespace
     C.bottomRightCorner<2, 2>()      = G;
     Eigen::Matrix<double, 5, 1> load = Eigen::Matrix<double, 5, 1>::Zero();
     load(2)                          = 1;
-    return (B.transpose() * C * B).llt().solve(load)(2);
+    return Cholesky(B.transpose() * C * B).solve(load)(2);
   }
 } // namespace
 
@@ -291,7 +292,7 @@ namespace
           whole = exponential(A * h) * whole;
         }
       at_bottom.setZero();
-      at_bottom.head<2>() = whole.bottomLeftCorner<2, 2>().lu().solve(Eigen::Vector2d(-1, 0));
+      at_bottom.head<2>() = whole.bottomLeftCorner<2, 2>().inverse() * Eigen::Vector2d(-1, 0);
     }
 
     /** σ₃₃ over the sine at the height @p z above the bottom of a ply. */

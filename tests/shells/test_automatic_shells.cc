@@ -8,7 +8,6 @@
 #include <samara/cosserat/shell.h>
 #include <samara/study/automatic_mesh.h>
 
-#include "../debug.h"
 #include <gtest/gtest.h>
 
 #include "models.h"
@@ -28,8 +27,6 @@ namespace
 // Effectivity: the estimate over the error, with a margin of 1.5 for what the finer solution lacks.
 TEST(AutomaticShells, MeetTheError)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the same code as the others for more unknowns";
   const double wanted = 5e-2;
   for (const auto &[model, name, entries] :
        {std::make_tuple(roof, std::string("roof"), Words()),
@@ -52,8 +49,6 @@ TEST(AutomaticShells, MeetTheError)
 // Of uniform meshes, the square falls like h^2p: the first mode of a plate, a product of sines.
 TEST(AutomaticShells, TheEstimateHasTheOrderOfTheElements)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the same code as the others for more unknowns";
   const auto estimate = [](const unsigned int p, const unsigned int n) {
     const std::string both = std::to_string(n) + ", " + std::to_string(n);
     return FoundMesh(plate_modes,
@@ -72,8 +67,6 @@ TEST(AutomaticShells, TheEstimateHasTheOrderOfTheElements)
 // Elements become small along the tank, at the clamp: nowhere else, and round it only as the circle wants it.
 TEST(AutomaticShells, ResolveALayerWhereItIs)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the same code as the others for more unknowns";
   const FoundMesh found(tank, {"Constants/error = 3e-2"});
   Scene           scene(tank, found.overrides);
   scene.equilibrium();
@@ -97,8 +90,6 @@ TEST(AutomaticShells, ResolveALayerWhereItIs)
 // Modes without loads, two of them with the same frequency: exact by Mindlin's theory.
 TEST(AutomaticShells, ResolveModesWhereNothingLoads)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the same code as the others for more unknowns";
   const FoundMesh found(plate_modes, {"Bodies/plate/Elements = automatic, 1e-1 from 2, 2", "Modal/Modes = 4"});
   Scene           scene(plate_modes, found.overrides);
   const auto     &modes = scene.modes();

@@ -2,7 +2,6 @@
 
 #include <samara/analysis/dynamic.h>
 
-#include "../debug.h"
 #include "../momentum.h"
 #include <gtest/gtest.h>
 
@@ -103,8 +102,6 @@ TEST(ShellInMotion, SwingsOnItsSupport)
 // For 10 000 steps of 2 ms after the throw; of two elements, and stiffer, so that they are short.
 TEST(ShellInFlight, KeepsThemForTenThousandSteps)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the same steps as above, more of them";
   Scene scene(
     "prm/examples/shells/thrown_plate.prm",
     {"Bodies/plate/Elements = 2, 1", "Bodies/plate/E = 20 MPa", "Dynamic/Step = 2 ms", "Dynamic/End time = 20.2"});

@@ -8,7 +8,6 @@
  * Iterations: of a small model each has a factorisation.
  */
 
-#include "../debug.h"
 #include "../output/scratch_folder.h"
 #include "../reference.h"
 #include <gtest/gtest.h>
@@ -205,8 +204,6 @@ TEST(ShellsOfSze, CantileverUnderAnEndMomentIsRolledUp)
 // The list is of 16 x 16 linear elements, up to 0.5 % too soft at the end.
 TEST(ShellsOfSze, HemisphereWithAHole)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the same code as the others for more unknowns";
   const ShellPath path(
     "prm/examples/shells/pinched_hemisphere.prm",
     {"Bodies/shell/Elements = 6, 6", "Bodies/shell/Degree = 4", "Static/Load factor = s", "Static/Load steps = 5"});
@@ -230,8 +227,6 @@ TEST(ShellsOfSze, HemisphereWithAHole)
 // much at B and C. There is no limit point on the way, which there is where a single node is pulled.
 TEST(ShellsOfSze, OpenCylinderPulledApart)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the same code as the others for more unknowns";
   const ShellPath path("prm/benchmarks/shells/open_cylinder.prm", {});
   EXPECT_NEAR(path.column("static.csv load factor").back(), 1, 1e-9);
   EXPECT_TRUE(path.limits.empty());

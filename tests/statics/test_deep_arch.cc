@@ -6,7 +6,6 @@
 
 #include <samara/base/text.h>
 
-#include "../debug.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -80,8 +79,6 @@ TEST(DeepArch, DisplacementsGoToThoseOfTheLimitPoint)
 // sqrt(P_limit − P).
 TEST(DeepArch, IsStableUpToTheLimit)
 {
-  if (is_debug)
-    GTEST_SKIP() << "release only";
   double square[2];
   for (const unsigned int k : {0, 1})
     {

@@ -9,6 +9,8 @@
 
 #include <samara/base/text.h>
 
+#include <samara/rotation/matrix6.h>
+
 #include <gtest/gtest.h>
 
 #include "entries.h"
@@ -35,7 +37,7 @@ namespace
   exact_end(const Rod &rod, const Vector3 &f, const Vector3 &m)
   {
     using State              = Eigen::Matrix<double, 3, 5>; // x, R, m
-    const Matrix6 compliance = rod.stiffness.inverse();
+    const Matrix6 compliance = inverse6(rod.stiffness);
     const auto    derivative = [&](const double s, const State &y) {
       const Matrix3 R = y.middleCols<3>(1);
       Vector6       stress;

@@ -4,6 +4,8 @@
 // between the diagonal Padé approximation of exp(z) for ρ∞ = 1 and the one below the diagonal for ρ∞ = 0, in numerator
 // and denominator linear in α. With a damper the same of the matrix of the system.
 
+#include <samara/base/dense.h>
+
 #include <gtest/gtest.h>
 
 #include "systems.h"
@@ -75,7 +77,7 @@ namespace
         ones.middleRows<2>(2 * k) = Eigen::Matrix2d::Identity();
         b.middleCols<2>(2 * k)    = t.b(k) * z;
       }
-    return Eigen::Matrix2d::Identity() + b * A.partialPivLu().solve(ones);
+    return Eigen::Matrix2d::Identity() + b * solution(A, ones);
   }
 
   std::complex<double>

@@ -3,6 +3,7 @@
  * Reference: central differences of sixth order of converged steps
  */
 
+#include <samara/base/dense.h>
 #include <samara/time/increment.h>
 #include <samara/time/step_tangent.h>
 
@@ -177,7 +178,7 @@ TEST(StepTangent, OfAnOscillatorWithALagIsThatOfTheTableau)
         J << m / h * tableau.w + k * h * tableau.a_alpha + c * one, f * one, -h / T * tableau.a,
           tableau.w / h + one / T;
         right << -k * ones, m / h * tableau.w * ones, 0 * ones, ones / T, 0 * ones, tableau.w * ones / h;
-        const Eigen::MatrixXd stages = J.fullPivLu().solve(right);
+        const Eigen::MatrixXd stages = FullLu(J).solve(right);
         Eigen::Matrix3d       map    = Eigen::Matrix3d::Identity();
         map.row(0) += h * tableau.b.transpose() * stages.topRows(s);
         map.row(1) *= 1 - w_b.sum();
@@ -289,7 +290,7 @@ namespace
               J.col(j)      = residual(u, y_start, z, end).imag() / epsilon;
               of_end.col(j) = end.imag() / epsilon;
             }
-          y -= J.fullPivLu().solve(r).cast<Complex>().eval();
+          y -= FullLu(J).solve(r).cast<Complex>().eval();
         }
       for (unsigned int j = 0; j < 2; ++j)
         {
@@ -297,7 +298,7 @@ namespace
             residual(Complex(u, j == 0 ? epsilon : 0), Complex(y_start, j == 1 ? epsilon : 0), y, end).imag() / epsilon;
           direct.col(j) = end.imag() / epsilon;
         }
-      return direct - of_end * J.fullPivLu().solve(right);
+      return direct - of_end * FullLu(J).solve(right);
     }
   };
 } // namespace

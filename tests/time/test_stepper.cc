@@ -6,7 +6,6 @@
 #include <samara/base/errors.h>
 #include <samara/time/stepper.h>
 
-#include "../debug.h"
 #include <gtest/gtest.h>
 
 #include "systems.h"
@@ -133,8 +132,6 @@ TEST(Stops, EnergyOfAllMembers)
       for_all_members([&](const Tableau &tableau) {
         for (const double h : {0.002, 0.013, 0.1})
           {
-            if (is_debug && h < 0.01)
-              continue;
             SCOPED_TRACE("h = " + std::to_string(h));
             const StepperCourse c = course(scene.system, scene.system.reference(), tableau, h, 3.);
             EXPECT_LT(c.balance, 1e-12);
@@ -389,7 +386,7 @@ TEST(Stepper, RejectsAndRecovers)
         StageIntegrator          integrator(system, Tableau(s, rho), 1e-14);
         StepController::Settings settings;
         // ten periods of ω = 5 about x = 0.2, from x = 0 to 0.4
-        const double end = 4 * M_PI, tolerance = is_debug ? 1e-4 : 1e-6;
+        const double end = 4 * M_PI, tolerance = 1e-6;
         settings.tolerance = tolerance;
         settings.duration  = end;
         settings.length    = 0.2;

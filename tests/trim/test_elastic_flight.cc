@@ -6,7 +6,6 @@
 
 #include <samara/analysis/trim.h>
 
-#include "../debug.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -42,8 +41,6 @@ namespace
 // has.
 TEST(ElasticFlight, ControlsBesideRigidBladesAndTheDeck)
 {
-  if (is_debug)
-    GTEST_SKIP() << "the paths are those of other tests of trim and of elastic blades";
   const Flight elastic("prm/rotorcraft/puma_elastic_flight.prm"), rigid("prm/rotorcraft/puma_flight.prm");
   EXPECT_LE(elastic.turns, 20);
   EXPECT_NEAR(elastic.collective, 13.45, 1.2);

@@ -9,7 +9,6 @@
 #include <samara/base/errors.h>
 #include <samara/study/trim_variants.h>
 
-#include "../debug.h"
 #include "../reference.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
@@ -317,8 +316,6 @@ TEST(Trim, FlappingRotor)
       const double      mu     = std::stod(row.at("mu"));
       const bool        others = inflow == "glauert" && mu == 0.1;
       SCOPED_TRACE(inflow + ", mu = " + row.at("mu"));
-      if (is_debug && !(mu == 0.2 && inflow == "glauert"))
-        continue;
       Scene       scene(rotor,
                   {std::string("Aerodynamics/flow/Type = ") +
                            (inflow == "glauert" ? "uniform inflow" : "Pitt-Peters inflow"),
@@ -333,7 +330,7 @@ TEST(Trim, FlappingRotor)
         EXPECT_NEAR(trim.report.controls[j] * 180 / M_PI, std::stod(row.at(name)), 1e-5) << name;
       ++n_rows;
     }
-  EXPECT_EQ(n_rows, is_debug ? 1u : 7u);
+  EXPECT_EQ(n_rows, 7u);
 }
 
 
@@ -348,7 +345,7 @@ TEST(Trim, FlappingRotorWithStripsOnALine)
     {
       const double mu = std::stod(row.at("mu"));
       SCOPED_TRACE(mu);
-      if (mu == 0 || (is_debug && mu != 0.2))
+      if (mu == 0)
         continue;
       Scene       scene(rotor,
                   {"Aerodynamics/flow/Type = uniform inflow",
@@ -366,7 +363,7 @@ TEST(Trim, FlappingRotorWithStripsOnALine)
         }
       ++count;
     }
-  EXPECT_EQ(count, is_debug ? 1u : 3u);
+  EXPECT_EQ(count, 3u);
 }
 
 

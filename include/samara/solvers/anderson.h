@@ -1,6 +1,8 @@
 #ifndef samara_solvers_anderson_h
 #define samara_solvers_anderson_h
 
+#include <samara/base/dense.h>
+
 #include <Eigen/Dense>
 
 #include <deque>
@@ -38,7 +40,7 @@ namespace samara
           dF.col(k) = residuals[k + 1] - residuals[k];
           dG.col(k) = images[k + 1] - images[k];
         }
-      return g - dG * dF.colPivHouseholderQr().solve(residuals.back());
+      return g - dG * PivotedQr(dF).solve(residuals.back());
     }
 
   private:

@@ -1,17 +1,10 @@
 #ifndef samara_solvers_eigen_system_h
 #define samara_solvers_eigen_system_h
 
-#include <Eigen/Dense>
+#include <samara/base/dense.h>
 
 namespace samara
 {
-  /** Eigenvalues, and their vectors as columns. */
-  struct EigenSystem
-  {
-    Eigen::VectorXcd values;
-    Eigen::MatrixXcd vectors;
-  };
-
   /**
    * Eigenvalues of the real matrix @p A. A real one that is there several times comes out of round-off as pairs whose
    * imaginary part is nothing; each of the two is a real one of its own here, with a real vector of their plane.

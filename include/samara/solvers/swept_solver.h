@@ -1,6 +1,7 @@
 #ifndef samara_solvers_swept_solver_h
 #define samara_solvers_swept_solver_h
 
+#include <samara/base/dense.h>
 #include <samara/solvers/linear.h>
 
 #include <Eigen/Dense>
@@ -182,7 +183,7 @@ namespace samara
     std::vector<Number>                              of_down, of_up;
     std::unique_ptr<internal::SparseFactors<Number>> qq, whole;
     Matrix                                           A_zz;
-    Eigen::PartialPivLU<Matrix>                      zz;
+    LuFactors<Number>                                zz;
     mutable std::vector<Number>                      q;
     unsigned int                                     n_refused = 0;
 

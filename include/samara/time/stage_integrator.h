@@ -355,6 +355,7 @@ namespace samara
     std::vector<Column>       columns;
     std::vector<unsigned int> touched, touched_ports; ///< devices that act, and their ports
     Eigen::VectorXd           device_forces_now;      ///< of all ports
+    mutable std::vector<double> values_of_ports;      ///< of one device, as long as that of the most ports needs
     std::vector<double>       states_at_start;        ///< deflections of bristles among them
     Eigen::VectorXd           touched_free, port_changes, force_changes;
     Eigen::MatrixXd           touched_compliance, touched_slopes, touched_matrix;
@@ -364,7 +365,7 @@ namespace samara
     void          evaluate_stops(double h);
     const Column &column(unsigned int coordinate);
     void          forget_columns();
-    const double *gap_rates(unsigned int i, double *rates) const;
+    const double *port_values(const Device &device) const; ///< number s p + k: port p, stage k; until the next call
     double        port_value(const Port &port, unsigned int k) const;
     double        free_change(const Port &port, unsigned int k, double h) const;
     void          compliance(const Port &a, const Port &b, double h, Eigen::Ref<Eigen::MatrixXd> W);
@@ -415,7 +416,7 @@ namespace samara
     std::shared_ptr<const Pattern> with_couplings(const std::shared_ptr<const Pattern> &pattern);
     /** @} */
 
-    /** @name Nonlinear springs: stretches at the start, and what keeps their energy (stage_springs.cc) @{ */
+    /** @name Nonlinear springs: stretches at the start, and what keeps their energy (stage_integrator_springs.cc) @{ */
     std::vector<double> stretches;
     void                start_springs(const State &state);
     void                evaluate_springs(double h);
