@@ -212,6 +212,8 @@ namespace samara
   void
   StaticAnalysis::run(Context &context)
   {
+    if (!solver)
+      start(context); // who runs it once need not
     n_steps = n_iterations = n_shown = 0;
     is_shown_stable                  = false;
     singular_points.clear();
