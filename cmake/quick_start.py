@@ -1,21 +1,23 @@
 #!/usr/bin/env python3
 """A start of the program without look-ups that nothing needs: a folder of libraries that are found before the system's.
 
-usage: quick_start.py LIBRARY FOLDER REGEX
+usage: quick_start.py LIBRARY FOLDER NEVER_CALLED WITH_MANY_LOOK_UPS
 
 LIBRARY is libdeal.ii. It loads some 150 libraries, and the loader looks for each of its 190 000 symbols in all of them.
-- Of its libraries whose names match REGEX, which the program never calls, FOLDER gets stand-ins: the same name, no
-  libraries of their own, and those symbols that libdeal.ii must find when it is loaded. Functions of a stand-in stop the
-  program, objects are zeros.
-- FOLDER gets a copy of LIBRARY whose references to its own functions, vtables and type information are relative, as
-  -Bsymbolic would have made them. Data objects keep their look-up, as the program may hold the copy that counts.
-- FOLDER/build_id tells what LIBRARY was. Where that is what it says there already, nothing is done.
+- Of its libraries whose names match the regular expression NEVER_CALLED, FOLDER gets stand-ins: the same name, no libraries of
+  their own, and those symbols that libdeal.ii must find when it is loaded. Functions of a stand-in stop the program, objects
+  are zeros.
+- Of LIBRARY, and of those that match WITH_MANY_LOOK_UPS, FOLDER gets copies whose references to their own functions, vtables
+  and type information are relative, as -Bsymbolic would have made them. Data objects keep their look-up, as the program may
+  hold the copy that counts.
+- FOLDER/build_ids tells what these were. Where they are that still, nothing is done.
 
-Prints the names of the stand-ins. Fails on other machines than x86-64, where the program starts as it always did.
+Prints the names of all in FOLDER but LIBRARY. Fails on other machines than x86-64, where the program starts as it always did.
 """
 
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -64,12 +66,10 @@ def assembly_of(symbols):
     return "\n".join(lines + ['.section .note.GNU-stack,"",@progbits', ""])
 
 
-def make_stand_ins(library, folder, regex):
-    """Stand-ins in the folder; returns their names."""
+def make_stand_ins(library, libraries, names, folder):
+    """Stand-ins in the folder for those libraries, given with their paths, that are named."""
     eager = {match[1].split("@")[0] for match in map(EAGER.match, output_of("readelf", "-rW", library).splitlines()) if match}
     wanted = eager & symbols_of(library)[1]
-    libraries = dict(re.findall(r"(\S+) => (/\S+)", output_of("ldd", library)))
-    names = [name for name in libraries if re.match(regex, name)]
     # what other libraries have as well, as functions of the standard library that many were compiled with, is theirs
     for name, path in libraries.items():
         if name not in names:
@@ -78,7 +78,6 @@ def make_stand_ins(library, folder, regex):
         own = {symbol: what for symbol, what in symbols_of(libraries[name])[0].items() if symbol in wanted}
         subprocess.run(["cc", "-shared", "-nostdlib", "-x", "assembler", "-", "-o", folder / name, f"-Wl,-soname,{name}"],
                        input=assembly_of(own), text=True, check=True)
-    return names
 
 
 def relative(data):
@@ -112,19 +111,24 @@ def relative(data):
     return changed
 
 
-def main(library, folder, regex):
+def main(library, folder, never_called, with_many_look_ups):
     library, folder = pathlib.Path(library).resolve(), pathlib.Path(folder)
-    made_of = folder / "build_id"
-    said = f"{build_id(library)}\n{regex}\n"
-    names = folder / "names"
-    if not made_of.exists() or made_of.read_text() != said:
-        folder.mkdir(parents=True, exist_ok=True)
-        data = bytearray(library.read_bytes())
-        relative(data)
-        (folder / library.name).write_bytes(data)
-        names.write_text("\n".join(make_stand_ins(library, folder, regex)))
-        made_of.write_text(said)
-    print(";".join(names.read_text().split()))
+    libraries = dict(re.findall(r"(\S+) => (/\S+)", output_of("ldd", library)))
+    stand_ins = [name for name in libraries if re.match(never_called, name)]
+    copies = {library.name: library, **{name: path for name, path in libraries.items() if re.match(with_many_look_ups, name)}}
+    stamp = folder / "build_ids"
+    said = "".join(f"{name} {build_id(path)}\n" for name, path in copies.items()) + "\n".join(stand_ins)
+    if not stamp.exists() or stamp.read_text() != said:
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        for name, path in copies.items():
+            data = bytearray(pathlib.Path(path).read_bytes())
+            relative(data)
+            (folder / name).write_bytes(data)
+        make_stand_ins(library, libraries, stand_ins, folder)
+        (folder / "stand_ins").write_text("\n".join(stand_ins))
+        stamp.write_text(said)
+    print(";".join(stand_ins + [name for name in copies if name != library.name]))
 
 
 if __name__ == "__main__":
