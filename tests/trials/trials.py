@@ -9,6 +9,7 @@ import extremes
 import judges
 import mutations
 import relatives
+import renamed
 from further import Further, curved_mechanism, further_mechanism, rough_further
 from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
@@ -78,6 +79,37 @@ class ShelledRelativeTrial(RelativeTrial):
         if any(re.search("[1-9][0-9]* without solution", run.output) for run in (first, second)):
             return list(judges.outcome(second))
         return [*judges.outcome(second), *relatives.compare(thing, first, second, self.world, self.tolerance)]
+
+
+class NamedTrial(Trial):
+    """The same model with hostile names: equal to the last bit, in tables and in frequencies."""
+
+    def __init__(self, name, thing, seed):
+        super().__init__(name, thing)
+        self.seed = seed
+
+    def complaints(self, program, thing):
+        text = thing.text_here()
+        first, second = Run(program, text), Run(program, renamed.with_hostile_names(text, random.Random(f"names {self.seed}")))
+        self.code, self.seconds = first.code, first.seconds + second.seconds
+        said = [*judges.outcome(second), *renamed.compare(first, second, 0.0)]
+        if "modes" in first.tables and "modes" in second.tables:
+            said += relatives.compare_modes(first.tables["modes"], second.tables["modes"], World(), 1e-12)
+        # as many warnings, whoever is named in them
+        n_warnings = [run.output.count("arning") for run in (first, second)]
+        if n_warnings[0] != n_warnings[1]:
+            said.append(f"{n_warnings[0]} warnings become {n_warnings[1]}: {second.output[-500:]}")
+        return said
+
+
+class TwiceTrial(Trial):
+    """A model and a second copy of it that knows nothing of the first; of motions, as modes come in pairs then."""
+
+    def complaints(self, program, thing):
+        text = thing.text_here()
+        first, second = Run(program, text), Run(program, renamed.with_a_second_copy(text))
+        self.code, self.seconds = first.code, first.seconds + second.seconds
+        return [*judges.outcome(second), *renamed.compare(first, second, 1e-8)]
 
 
 class TextTrial(Trial):
@@ -271,6 +303,17 @@ def relative_trials(seed):
     yield RelativeTrial(f"units {seed} {name}", model, World(**units))
 
 
+def named_trials(seed):
+    """Other names, and a second copy, of smooth motions over a short time."""
+    generator = Generator(seed)
+    generator.stops = False
+    model = generator.mechanism().with_(steps=10, newton=1e-13)
+    yield NamedTrial(f"named {seed}", model, seed)
+    model = model.with_(analyses=("dynamic",))
+    model.radius = 0.5 if model.stages == 1 else model.radius
+    yield TwiceTrial(f"twice {seed}", model)
+
+
 def shipped_models():
     """Small models of the repository that name no other file."""
     for path in sorted((ROOT / "prm").rglob("*.prm")):
@@ -304,6 +347,8 @@ def short(program):
         yield RoughTrial(f"rough-touching {seed}", rough_touching(seed))
     for seed in range(6):
         yield from relative_trials(seed)
+    for seed in range(4):
+        yield from named_trials(seed)
     for seed in range(14):
         yield mutant_trial(seed)
     for seed in range(14):
@@ -337,6 +382,8 @@ def endless(program, start):
         yield from (touching_trial(10 * seed + k) for k in range(10))
         yield from relative_trials(seed)
         yield from placed_trials(seed)
+        for k in range(5):
+            yield from named_trials(10 * seed + k)
         yield from (further_trial(10 * seed + k) for k in range(10))
         yield from (curved_trial(10 * seed + k) for k in range(3))
         yield from further_relatives(seed)
