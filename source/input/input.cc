@@ -47,7 +47,7 @@ namespace samara
       linear_solver,
       "Library that factorises matrices. Automatic: KLU for beams and mechanisms, where it is the fastest; for what "
       "fills more LU with pivots on the diagonal, or MUMPS where these are not accurate.",
-      dealii::Patterns::Selection("automatic|KLU|UMFPACK|MUMPS"));
+      dealii::Patterns::Selection("automatic|KLU|MUMPS"));
     prm.add("Threads",
             threads,
             "Most threads for loops over elements, used where a body has so many that it helps; 0: one a processor.",

@@ -16,8 +16,6 @@ namespace samara
     {
       switch (library)
         {
-          case Library::umfpack:
-            return umfpack_factorization<Number>(pattern);
           case Library::mumps:
             return mumps_factorization<Number>(pattern);
           case Library::klu:
@@ -130,8 +128,6 @@ namespace samara
       return Library::automatic;
     if (name == "KLU")
       return Library::klu;
-    if (name == "UMFPACK")
-      return Library::umfpack;
     if (name == "MUMPS")
       return Library::mumps;
     throw std::invalid_argument("there is no linear solver " + name);

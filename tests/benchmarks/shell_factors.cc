@@ -1,7 +1,7 @@
 // Factors of the stiffness of a shell, a curved plate of n × n elements of degree 3 held along two sides: the first
 // factorisation, with the order of elimination, another one with the same pattern, a solution. CPU time of one thread.
 //
-//     bench_shell_factors [N] [automatic|KLU|UMFPACK|MUMPS]
+//     bench_shell_factors [N] [automatic|KLU|MUMPS]
 
 #include <samara/solvers/equilibrate.h>
 #include <samara/solvers/linear.h>

@@ -3,7 +3,7 @@
 // doc/benchmarks/sizes_figures.
 //
 //   bench_sizes                        all, the largest of 100 000 unknowns
-//   bench_sizes beam 500 UMFPACK       one: a beam of 500 elements, or a garland of 500 bodies
+//   bench_sizes beam 500 MUMPS         one: a beam of 500 elements, or a garland of 500 bodies
 
 #include <samara/analysis/dynamic.h>
 #include <samara/base/threads.h>
@@ -125,7 +125,7 @@ main(const int n_arguments, char **arguments)
   const std::vector<std::pair<std::string, std::vector<unsigned int>>> models = {
     {"beam", {5, 17, 50, 167, 500, 1667, 5000}}, {"garland", {10, 32, 100, 320, 1000, 3200, 10000}}};
   for (const auto &[model, sizes] : models)
-    for (const std::string library : {"KLU", "UMFPACK", "MUMPS"})
+    for (const std::string library : {"KLU", "MUMPS"})
       for (const unsigned int n : sizes)
         {
           if (fork() == 0)

@@ -1,4 +1,4 @@
-// KLU, UMFPACK and MUMPS behind one interface: on the matrices of models, real and complex, with multipliers, all have
+// KLU and MUMPS behind one interface: on the matrices of models, real and complex, with multipliers, all have
 // the residual of round-off, the sign of the determinant that dense elimination finds, and name an unknown without a
 // pivot.
 
@@ -14,15 +14,12 @@ using namespace samara;
 
 namespace
 {
-  const std::vector<Library> libraries = {Library::klu, Library::umfpack, Library::mumps, Library::automatic};
+  const std::vector<Library> libraries = {Library::klu, Library::mumps, Library::automatic};
 
   std::string
   name_of(const Library library)
   {
-    return library == Library::klu     ? "KLU" :
-           library == Library::umfpack ? "UMFPACK" :
-           library == Library::mumps   ? "MUMPS" :
-                                         "automatic";
+    return library == Library::klu ? "KLU" : library == Library::mumps ? "MUMPS" : "automatic";
   }
 
   /** A joint of every kind, loops, a turning rotor; all redundant constraints left in place but those that are fixed.

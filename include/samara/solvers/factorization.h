@@ -61,8 +61,6 @@ namespace samara
   std::unique_ptr<Factorization<Number>> klu_factorization(const Pattern &pattern,
                                                            Ordering       ordering = Ordering::symmetric);
   template <typename Number>
-  std::unique_ptr<Factorization<Number>> umfpack_factorization(const Pattern &pattern);
-  template <typename Number>
   std::unique_ptr<Factorization<Number>> mumps_factorization(const Pattern &pattern);
 
   /** The number of negative eigenvalues of a symmetric matrix, by pivots of one and two rows; nothing if there are no

@@ -75,19 +75,18 @@ namespace samara
 
   /**
    * The libraries to choose from. KLU of SuiteSparse: left-looking LU for matrices as sparse as those of chains of
-   * bodies. UMFPACK, of SuiteSparse too: fronts of dense matrices, for larger fill-in. MUMPS: a tree of such fronts.
+   * bodies. MUMPS: a tree of fronts of dense matrices, for larger fill-in.
    * Automatic: KLU for patterns that fill little; for others LU with pivots on the diagonal, as long as these are found
    * to be accurate, and MUMPS where they are not.
    */
   enum class Library
   {
     klu,
-    umfpack,
     mumps,
     automatic
   };
 
-  /** The names users choose by: "automatic", "KLU", "UMFPACK", "MUMPS". */
+  /** The names users choose by: "automatic", "KLU", "MUMPS". */
   Library library_by_name(const std::string &name);
 
   /** The library of all solvers that are made from now on; one for the whole process, which computes one model. */
