@@ -216,7 +216,9 @@ namespace samara
   void
   MomentumInflow::check_axes(const Point<double> &point) const
   {
-    const auto spin_of = [&](const Frame &frame) {
+    // blades that feather or flap a little, as the equilibrium of one azimuth may have them, still turn with it
+    constexpr double share_of_spin = 0.1;
+    const auto       spin_of       = [&](const Frame &frame) {
       return Vector3(Frame{frame.node}.triad(point.q) * Frame{frame.node}.twist(point.y).tail<3>());
     };
     const bool has_harmonics =
@@ -224,7 +226,7 @@ namespace samara
     for (const auto *surface : surfaces)
       {
         const Vector3 spin = spin_of(surface->carrier());
-        if (has_harmonics && (spin - spin_of(hub)).norm() > 1e-9 * spin.norm())
+        if (has_harmonics && (spin - spin_of(hub)).norm() > share_of_spin * spin.norm())
           throw InputError(parameters.where("Hub") + ": the hub of inflow <" + name +
                            "> does not turn with its blades: steady harmonics are those in axes that do; name a point "
                            "that turns");

@@ -16,6 +16,26 @@ namespace samara
   {
     /** Of a step, and of all of a run, as multiples of the Newton tolerance: its estimate is good to such a factor. */
     constexpr double allowed_multiple = 10, most_allowed = 1e-3, round_off = 1e-12;
+
+    /** Of the largest energy: what the steps may take of it, or leave open at a stop, without a word. */
+    constexpr double silent_share = 1e-3;
+
+
+
+    /**
+     * What is open of the work of stops in a step: their work defects; and where dampers of stops begin or end within
+     * the step, half of what these take, as they do so to first order alone.
+     */
+    double
+    open_work_of_stops(const Layout &layout, const StepResult &step)
+    {
+      double open = step.work_defect;
+      for (const auto &touch : step.touches)
+        for (const auto &stop : step.touched_stops)
+          if (stop.stop == touch.stop && stop.stop < layout.stops.size() && layout.stops[stop.stop].law.damping > 0)
+            open += 0.5 * stop.loss;
+      return open;
+    }
   } // namespace
 
 
@@ -44,7 +64,7 @@ namespace samara
                                       std::abs(budget.loads),
                                       std::abs(budget.drives)});
     report.indicator      = std::max(report.indicator, advance.step.indicator);
-    report.work_defect    = std::max(report.work_defect, advance.step.work_defect);
+    report.work_defect    = std::max(report.work_defect, open_work_of_stops(context.system.layout, advance.step));
     if (advance.step.unresolved_state >= 0 && report.n_unresolved++ == 0)
       {
         report.first_unresolved = time;
@@ -52,7 +72,8 @@ namespace samara
       }
     // whatever the tolerance, a sum is not known better than its terms are
     const double terms = budget.kinetic + budget.strain + std::abs(budget.potential) + std::abs(budget.start) +
-                         std::abs(budget.loads) + std::abs(budget.drives) + budget.viscous + budget.friction + budget.dissipated;
+                         std::abs(budget.loads) + std::abs(budget.drives) + budget.viscous + budget.friction +
+                         budget.dissipated;
     round_off_of_sum       = std::max(round_off_of_sum, 2 * std::numeric_limits<double>::epsilon() * terms);
     const double miss      = std::abs(budget.balance() - balance_before);
     report.largest_gap     = std::max(report.largest_gap, std::abs(budget.balance()));
@@ -132,14 +153,74 @@ namespace samara
 
 
 
+  std::string
+  DynamicAnalysis::finer(const double excess, const double order) const
+  {
+    const bool   is_fixed = control == "fixed";
+    const double value    = is_fixed ? step * std::pow(excess, -1 / order) : tolerance / excess,
+                 unit     = std::pow(10., std::floor(std::log10(value))); // one digit, rounded down
+    return std::string(is_fixed ? "a <Step>" : "a <Tolerance>") + " of about " +
+           number_to_text("%.1g", unit * std::floor(value / unit)) + (is_fixed ? " s" : "") + " would do";
+  }
+
+
+
+  void
+  DynamicAnalysis::tell_losses(const Context &context) const
+  {
+    if (!(report.largest_energy > energy_floor))
+      return;
+    const double part = budget.dissipated / report.largest_energy;
+    // by the dissipation of a step, h^2s, of which there are 1/h; that of integrators without stages is of second order
+    if (part > silent_share)
+      context.log.warning("",
+                          "the integrator has dissipated " + number_to_text("%.3g", budget.dissipated) + " J, " +
+                            number_to_text("%.2g", 100 * part) +
+                            " % of the largest energy: so much of the motion is lost to the steps, and to no damper; " +
+                            finer(part / silent_share, is_family() ? 2. * n_stages - 1 : 2.) +
+                            (is_family() ? ", and with <Spectral radius = 1> nothing is dissipated" : ""));
+    const double defect = report.work_defect / report.largest_energy;
+    if (defect > silent_share)
+      context.log.warning("",
+                          "contacts with stops are not resolved: within one step they would take or give " +
+                            number_to_text("%.2g", defect) +
+                            " of the largest energy. Energy is kept nevertheless, but " +
+                            (defect > 0.1 ? "where the motion goes after a contact is arbitrary" :
+                                            "the motion after a contact is off by up to as much") +
+                            "; " + finer(defect / silent_share, 2.5)); // doc/theory/step_control.md
+  }
+
+
+
+  void
+  DynamicAnalysis::tell_halved_steps(const Context &context) const
+  {
+    constexpr unsigned int few  = 3;   // at an impact, or where something jumps
+    constexpr double       most = 0.9; // of the step, in the mean
+    const double           mean = (context.state.time - start_time) / std::max(1u, report.n_steps);
+    if (control != "fixed" || report.n_failed <= few || mean > most * step)
+      return;
+    const double wanted = step / std::pow(2., std::ceil(std::log2(step / mean)));
+    context.log.warning("",
+                        std::to_string(report.n_failed) +
+                          " steps had no solution with their length, and were halved; " +
+                          number_to_text("%.3g", 100 * mean / step) +
+                          " % of the <Step> were made in the mean. A run with <Step = " +
+                          number_to_text("%.3g", wanted) +
+                          " s> takes no longer and is more exact; <Step control = adaptive> finds it by itself");
+  }
+
+
+
   void
   DynamicAnalysis::conclude(const Context &context) const
   {
     if (control == "adaptive" && has_bristles(context.system.layout))
-      context.log.warning("",
-                          "adaptive steps do not look at bristles: where these bend, errors are larger than what errors "
-                          "of steps add up to, by hundreds of times after impacts. Compare with a hundredth of the "
-                          "<Tolerance>, or with a shorter <Step>");
+      context.log.warning(
+        "",
+        "adaptive steps do not look at bristles: where these bend, errors are larger than what errors "
+        "of steps add up to, by hundreds of times after impacts. Compare with a hundredth of the "
+        "<Tolerance>, or with a shorter <Step>");
     // what has died away after a few steps does not count any more
     constexpr unsigned int transient = 3;
     if (report.n_unresolved > transient)
@@ -158,12 +239,8 @@ namespace samara
                             number_to_text("%.2g", -100 * budget.dissipated / report.largest_energy) +
                             " % of the largest, out of nothing: the motion is not to be trusted. Take a smaller "
                             "<Step>, or the integrator of the family, which cannot");
-    if (report.work_defect > 0.1 * report.largest_energy)
-      context.log.warning("",
-                          "contacts with stops are not resolved: within one step they would take or give " +
-                            number_to_text("%.2g", report.work_defect / report.largest_energy) +
-                            " of the largest energy. Energy is kept nevertheless, but where the motion goes after a "
-                            "contact is arbitrary. Take a smaller <Step>");
+    tell_losses(context);
+    tell_halved_steps(context);
     if (report.does_close)
       return;
     const std::string text =

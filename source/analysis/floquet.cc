@@ -93,22 +93,24 @@ namespace samara
         }
       double      most = speed_that_may_change;
       std::string worst;
-      for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+      // of what statics held: joints that only follow have rates of round-off, or swing
+      for (const auto &rotation : system.model.rotations)
         {
-          const int    row    = system.layout.of_coordinate(i);
-          const double change = std::abs(rates[row]) * T;
-          if (system.layout.is_length(row) || !(change > most * std::abs(first.rates[i])) || first.rates[i] == 0)
+          if (rotation.coordinate < 0 || first.rates[rotation.coordinate] == 0)
             continue;
-          most  = change / std::abs(first.rates[i]);
-          worst = system.model.coordinates[i];
+          const double change =
+            std::abs(rates[system.layout.of_coordinate(rotation.coordinate)] * T / first.rates[rotation.coordinate]);
+          if (!(change > most))
+            continue;
+          most  = change;
+          worst = system.model.coordinates[rotation.coordinate];
         }
       if (worst.empty())
         return;
-      const std::string text =
-        "nothing holds the speed of <" + worst + "> as statics did: it changes by " +
-        number_to_text("%.2g", 100 * most) +
-        " % in the first period, and a motion that gets slower or faster does not repeat itself; "
-        "let the rotation be <Prescribed>";
+      const std::string text = "nothing holds the speed of <" + worst + "> as statics did: it changes by " +
+                               (most < 1 ? number_to_text("%.2g", 100 * most) + " %" : "more than itself") +
+                               " in the first period, and a motion that gets slower or faster does not repeat itself; "
+                               "let the rotation be <Prescribed>";
       if (!has_controllers(context.system.model))
         throw InputError(where + ": " + text);
       context.log.warning("floquet", text + ", unless a controller brings it back");

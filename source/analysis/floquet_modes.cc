@@ -18,6 +18,9 @@ namespace samara
     /** Images of the basis that leave the space it spans by more are none of the map over a period. */
     constexpr double allowed_remainder = 1e-6;
 
+    /** From one; what is nearer may be one, along which there are orbits everywhere. */
+    constexpr double least_distance_from_one = 1e-6;
+
     /** Multipliers smaller than this, over the size of the map, are round-off of it. */
     constexpr double round_off_of_multipliers = 1e-12;
 
@@ -207,6 +210,28 @@ namespace samara
 
 
 
+  void
+  estimate_errors(const SectionMap &map, const Eigen::MatrixXd &projected, FloquetModes &modes)
+  {
+    Eigen::VectorXcd values(modes.found.size());
+    double           change = 0, nearest = 1;
+    for (unsigned int i = 0; i < modes.found.size(); ++i)
+      {
+        values(i) = modes.found[i].of_section;
+        change    = std::max(change, modes.found[i].residual * std::abs(values(i)));
+        nearest   = std::min(nearest, std::abs(1. - values(i)));
+      }
+    // a gap g leaves the orbit away by (1 − Φ)⁻¹ g, and the map is as much another one
+    const double away    = map.gap.size / std::max(nearest, least_distance_from_one),
+                 size    = projected.cwiseAbs().maxCoeff();
+    change               = std::max(change, (away + map.map.settings.newton_tolerance) * size);
+    const auto distances = changes_of_values(projected, values, change);
+    for (unsigned int i = 0; i < modes.found.size(); ++i)
+      modes.found[i].error = map.repeated().n() * distances(i) / std::abs(values(i));
+  }
+
+
+
   FloquetModes
   all_floquet_modes(SectionMap &map)
   {
@@ -227,10 +252,12 @@ namespace samara
     for (int i = 0; i < A.cols(); ++i)
       if (const Complex value = spectrum.values(i); is_wanted(value))
         {
-          const Eigen::VectorXcd y = spectrum.vectors.col(i);
-          result.found.push_back(mode_of(map, value, B * y, (A * y - value * y).norm()));
+          // with what leaves the space of the basis, which (A y − σ y) would not show
+          const Eigen::VectorXcd y = spectrum.vectors.col(i).normalized(), shape = B * y;
+          result.found.push_back(mode_of(map, value, shape, (images * y - value * shape).norm()));
         }
     put_in_order(result, A.norm());
+    estimate_errors(map, A, result);
     return result;
   }
 
@@ -265,6 +292,7 @@ namespace samara
       if (is_wanted(pairs.values[i]))
         result.found.push_back(mode_of(map, pairs.values[i], pairs.vectors.col(i), pairs.residuals[i]));
     put_in_order(result, std::abs(pairs.values[0]));
+    estimate_errors(map, pairs.projected, result);
     return result;
   }
 

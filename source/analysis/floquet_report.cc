@@ -15,7 +15,9 @@ namespace samara
 {
   namespace
   {
-    /** |multiplier| − 1 that does not tell: free motions, and what is not damped. */
+    /** |multiplier| − 1 that does not tell, nor does a smaller one than its error: free motions, and what is not
+     * damped.
+     */
     constexpr double undecided = 1e-6;
 
 
@@ -106,36 +108,40 @@ namespace samara
   void
   FloquetAnalysis::tell_stability(const Context &context, const FloquetModes &found) const
   {
-    double largest = 0;
+    const FloquetMode *largest = &modes.front(), *growing = nullptr;
+    bool               decays = true;
     for (const auto &mode : modes)
-      largest = std::max(largest, std::abs(mode.multiplier));
-    const std::string value = number_to_text("%.10g", largest);
-    if (largest > 1 + undecided)
-      return context.log.line("  the motion is unstable: the largest multiplier is " + value);
+      {
+        const double size = std::abs(mode.multiplier), margin = std::max(undecided, mode.error);
+        if (size > std::abs(largest->multiplier))
+          largest = &mode;
+        if (size > 1 + margin && (growing == nullptr || size > std::abs(growing->multiplier)))
+          growing = &mode;
+        decays = decays && size < 1 - margin;
+      }
+    const auto text_of = [](const FloquetMode &mode) {
+      const std::string value = number_to_text("%.10g", std::abs(mode.multiplier));
+      return value + (mode.error > undecided ? ", known to " + number_to_text("%.0e", mode.error) : "");
+    };
+    if (growing != nullptr)
+      return context.log.line("  the motion is unstable: the largest multiplier is " + text_of(*growing));
+    const std::string value = text_of(*largest);
     if (found.n_looked_for > 0)
       return context.log.line("  of these slow modes none grows, the largest multiplier is " + value +
                               "; faster ones have not been looked at");
     context.log.line(std::string("  the motion is ") +
-                     (largest < 1 - undecided ? "stable" : "neither stable nor unstable to first order") +
+                     (decays ? "stable" : "neither stable nor unstable to first order") +
                      ": the largest multiplier is " + value);
   }
 
 
 
   void
-  FloquetAnalysis::tell_open_modes(const Context &context, const FloquetModes &found) const
+  FloquetAnalysis::tell_lost_modes(const Context &context, const FloquetModes &found) const
   {
-    if (found.n_looked_for == 0)
-      return;
-    if (found.n_open > 0)
-      context.log.warning("floquet",
-                          std::to_string(found.n_open) + " slow modes have not come to the <Tolerance> with " +
-                            std::to_string(found.n_columns) + " columns, and are left out: residuals are up to " +
-                            number_to_text("%.1e", found.largest_residual));
-    if (found.found.size() + found.n_open < found.n_looked_for)
-      context.log.line("  at the start of the period, as if coefficients stayed, there are " +
-                       std::to_string(found.n_looked_for) + " slow modes; over the period " +
-                       std::to_string(found.found.size() + found.n_open) + " are mostly of these");
+    if (found.n_lost > 0)
+      context.log.line("  modes that decay to round-off between sections are not told: " +
+                       std::to_string(found.n_lost) + " directions of those at the start, as if coefficients stayed");
   }
 
 
@@ -160,7 +166,7 @@ namespace samara
         if (const std::string text = text_of_steps(modes[i], h, T); !text.empty())
           context.log.warning("floquet", "mode " + std::to_string(i + 1) + text);
       }
-    tell_open_modes(context, found);
+    tell_lost_modes(context, found);
     tell_stability(context, found);
     if (context.folder.empty())
       return;

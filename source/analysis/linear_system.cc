@@ -146,10 +146,10 @@ namespace samara
       throw InputError(parameters.where() + ": linear system: what rolls has constraints on velocities alone, " +
                        system.layout.multiplier_names[system.layout.nonholonomic[0]] +
                        ", for which there is none here");
-    const Steady steady = analyse(context);
-    check_inputs(system, steady.linearization, numbers);
-    const LinearSystemSource source{
-      system, steady.state, steady.spins, steady.linearization, numbers, controls, most_states};
+    const Steady        steady = analyse(context);
+    const Linearization with_inputs(system, steady.state, steady.spins, Linearization::Controls::free);
+    check_inputs(system, with_inputs, numbers);
+    const LinearSystemSource source{system, steady.state, steady.spins, with_inputs, numbers, controls, most_states};
     space = {};
     for (const unsigned int i : numbers)
       {

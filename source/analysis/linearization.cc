@@ -1,4 +1,5 @@
 #include <samara/analysis/check.h>
+#include <samara/analysis/controls.h>
 #include <samara/analysis/linearization.h>
 #include <samara/solvers/frequency_scale.h>
 #include <samara/solvers/newton.h>
@@ -83,11 +84,58 @@ namespace samara
         units[i] = system.layout.scale_of(i, length);
       return units;
     }
+
+
+
+    /** Rows of what keeps its value in the equations of the system. */
+    std::vector<unsigned int>
+    rows_of_controls(const System &system)
+    {
+      std::vector<unsigned int> rows = states_of_controls(system);
+      for (auto &row : rows)
+        row = system.layout.of_state(row);
+      return rows;
+    }
+
+
+
+    void
+    clear_columns(const std::vector<unsigned int> &columns, SparseRows &B)
+    {
+      for (unsigned int k = 0; k < B.columns.size(); ++k)
+        if (std::find(columns.begin(), columns.end(), B.columns[k]) != columns.end())
+          B.values[k] = 0;
+    }
+
+
+
+    /** Make the equation of each control 0 = δz, and let nothing depend on it: it is no motion then. */
+    void
+    hold(const std::vector<unsigned int> &controls, LinearMotion &motion)
+    {
+      if (controls.empty())
+        return;
+      for (SparseMatrix *const A : {&motion.M, &motion.gyroscopic, &motion.S})
+        for (const int i : controls)
+          for (int k = A->pattern->column_start[i]; k < A->pattern->column_start[i + 1]; ++k)
+            {
+              A->values[k] = 0;
+              // the pattern is symmetric
+              A->values[A->pattern->position(i, A->pattern->rows[k])] = 0;
+            }
+      for (const int i : controls)
+        motion.S.values[motion.S.pattern->position(i, i)] = 1;
+      clear_columns(controls, motion.strains.B);
+      clear_columns(controls, motion.B_dot);
+    }
   } // namespace
 
 
 
-  Linearization::Linearization(const System &system, const State &state, const std::vector<Vector3> &spins)
+  Linearization::Linearization(const System               &system,
+                               const State                &state,
+                               const std::vector<Vector3> &spins,
+                               const Controls              controls)
     : LinearMotion{SparseMatrix(system.layout.pattern),
                    SparseMatrix(system.layout.pattern),
                    SparseMatrix(system.layout.pattern),
@@ -101,9 +149,18 @@ namespace samara
     system.mass(M);
     system.damping(state, gyroscopic, false);
     system.tangent(state, S, false);
-    if (spins.empty())
-      return;
-    // ζ = Rᵀη with R turning at W in the axes of η: ζ̇ = η̇ − Wη, ζ̈ = η̈ − 2Wη̇ + W²η
+    if (!spins.empty())
+      turn_axes(system, state, spins);
+    if (controls == Controls::held)
+      hold(rows_of_controls(system), *this);
+  }
+
+
+
+  /** ζ = Rᵀη with R turning at W in the axes of η: ζ̇ = η̇ − Wη, ζ̈ = η̈ − 2Wη̇ + W²η. */
+  void
+  Linearization::turn_axes(const System &system, const State &state, const std::vector<Vector3> &spins)
+  {
     SparseMatrix MW(system.layout.pattern);
     add_times_turning(system, state, spins, 1., M, MW);
     add_times_turning(system, state, spins, -1., gyroscopic, S);
@@ -206,6 +263,9 @@ namespace samara
         matrix.factorize(10 * frequency_scale(motion));
         x.assign(matrix.size(), 0.);
         std::transform(r.begin(), r.begin() + system.size(), x.begin(), [](const double r_i) { return -r_i; });
+        // they keep what a trim has found, which is not what the file says
+        for (const unsigned int row : rows_of_controls(system))
+          x[row] = 0;
         matrix.add_strains_of(resultants(motion.strains, lacking).data(), x.data());
         matrix.solve(x.data());
         matrix.stresses(x.data(), change.data());

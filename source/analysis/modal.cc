@@ -114,14 +114,25 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** A state with the rotations of the model: at rest, too, flap is what it is in rotation, and waves go round. */
+    State
+    with_rotations(const Context &context, State state)
+    {
+      set_steady_motion(context.system, state, context.speeds_at(1.));
+      return state;
+    }
+  } // namespace
+
+
+
   void
   ModalAnalysis::name_families(const Context &context)
   {
     if (context.system.model.rotations.empty())
       return;
-    State turning = context.state; // at rest, too, flap is what it is in rotation
-    set_steady_motion(context.system, turning, context.speeds_at(1.));
-    const ModeNames by_content(context.system, turning);
+    const ModeNames by_content(context.system, with_rotations(context, context.state));
     for (const auto &mode : modes)
       {
         contents.emplace_back();
@@ -145,9 +156,12 @@ namespace samara
     try
       {
         const RepeatedParts parts(context.system, groups, {});
-        separate_patterns(context.system, parts, steady.state, modes);
+        const bool          at_rest =
+          std::all_of(context.speeds.begin(), context.speeds.end(), [](const double speed) { return speed == 0.; });
+        const State seen = at_rest ? with_rotations(context, steady.state) : steady.state;
+        separate_patterns(context.system, parts, seen, modes);
         branches = tracking.follow(modes, steady.linearization.M); // which puts equal modes in the order of branches
-        contents = contents_of(context.system, parts, steady.state, modes);
+        contents = contents_of(context.system, parts, seen, modes);
       }
     catch (const std::invalid_argument &problem)
       {

@@ -1,5 +1,6 @@
 // What has no modes, or other ones than those that are found: it is refused, or told.
 
+#include <samara/analysis/controls.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/steady_loads.h>
@@ -146,7 +147,7 @@ namespace samara
   {
     const auto &values      = linearization.M.values;
     const bool  is_massless = std::all_of(values.begin(), values.end(), [](const double m) { return m == 0.; });
-    if (is_massless && system.layout.n_states == 0)
+    if (is_massless && system.layout.n_states == states_of_controls(system).size())
       throw NotConverged(
         "modal analysis: nothing that can move has mass.\n  Give the sections a density or mass, or the "
         "rigid bodies a mass.");

@@ -25,10 +25,16 @@ namespace samara
     /** Modes up to this many times the highest frequency are in the space at the start: what slow ones bend. */
     constexpr double margin = 1.5;
 
-    /** What has more of its norm than this in the slow modes at the start is one of them; but not if its velocities are
-     * so many times faster than the slow ones: a direction that dies in a step lies anywhere. @{ */
+    /** What has more of its norm than this in the slow modes at the start may be one of them; but not if its velocities
+     * are so many times faster than the slow ones: a direction that dies in a step lies anywhere. @{ */
     constexpr double least_share = 0.5, too_fast = 3;
     /** @} */
+
+    /** Multipliers of the section that are smaller, over the largest, are lost in round-off of its steps. */
+    constexpr double lost_over_section = 1e-10;
+
+    /** Displacements that are less of an increment's size say nothing of how fast it is. */
+    constexpr double least_displacement = 1e-6;
 
     /** Multipliers from here on do not decay. */
     constexpr double no_decay = 1 - 1e-6;
@@ -172,9 +178,16 @@ namespace samara
       double
       rate(const VectorXcd &z) const
       {
-        const int    n             = layout.of_coordinate(0);
-        const double displacements = z.head(n).norm() / highest, velocities = z.segment(first, n).norm();
-        return displacements > 0 ? velocities / displacements : 0.;
+        const int n = layout.of_coordinate(0);
+        return has_displacements(z) ? z.segment(first, n).norm() / z.head(n).norm() * highest : 0.;
+      }
+
+      /** (ζ, ζ̇)/(ζ, ζ), by energy: λ where ζ̇ = λ ζ, as coefficients are constant [1/s]. */
+      Complex
+      quotient(const VectorXcd &z) const
+      {
+        const int n = layout.of_coordinate(0);
+        return has_displacements(z) ? z.head(n).dot(z.segment(first, n)) / z.head(n).squaredNorm() * highest : 0.;
       }
 
     private:
@@ -186,6 +199,12 @@ namespace samara
       const double         highest;
       VectorXd             weights; ///< of what is no node
       std::vector<Matrix6> roots;   ///< U of each node, UᵀU = M
+
+      bool
+      has_displacements(const VectorXcd &z) const
+      {
+        return z.head(layout.of_coordinate(0)).norm() > least_displacement * z.norm();
+      }
 
       Matrix6
       ad_of(const unsigned int node) const
@@ -242,6 +261,8 @@ namespace samara
       {
         Complex   value;
         VectorXcd vector, residual; ///< unit norm; S v − σ v
+        double    share  = 0;       ///< of the norm, in the slow modes at the start
+        double    size   = 0;       ///< |λ|, of the λ + i 2π k/T that is nearest to the quotient [1/s]
         double    change = 1;       ///< of σ since the space has grown last, relative
         /** Either may be small by itself: a residual where left vectors are large, a change where nothing is new. */
         double
@@ -249,44 +270,41 @@ namespace samara
         {
           return std::max(residual.norm() / std::max(std::abs(value), 1e-300), change);
         }
+        unsigned int
+        n_dimensions() const
+        {
+          return value.imag() > 0 ? 2 : 1;
+        }
       };
 
       /**
-       * Of pairs the one with Im σ ≥ 0: those with a share in the first @p n_first columns, largest σ first, until they
-       * span as many dimensions, a pair two and what is real one; and all others that do not decay. Where coefficients
-       * change much, modes are not as many as at the start: a pair becomes two real multipliers, more inflow is slow,
-       * and what is left out must be what is damped most, never one that grows.
+       * Of pairs the one with Im σ ≥ 0: all with |λ| up to @p highest; of those with a share in the first @p n_first
+       * columns the slowest, until all span as many dimensions, a pair two and what is real one; and those of them that
+       * do not decay. The steps may damp fast ones less than slow ones are damped: how large σ is tells nothing. Where
+       * coefficients change much, modes are not as many as at the start: a pair becomes two real multipliers.
        */
       std::vector<Pair>
       pairs(const unsigned int n_first, const double highest) const
       {
-        const MatrixXd    H        = V.transpose() * images;
-        const EigenSystem spectrum = eigen_system_of(H);
         std::vector<Pair> result;
-        for (int i = 0; i < H.cols(); ++i)
+        double            largest = 0;
+        for (auto &pair : all_pairs(n_first))
           {
-            const VectorXcd y     = spectrum.vectors.col(i).normalized();
-            const double    share = y.head(n_first).norm();
-            if (spectrum.values(i).imag() < 0 || share < least_share)
-              continue;
-            Pair pair{spectrum.values(i), V * y, {}};
-            pair.residual = images * y - pair.value * pair.vector;
-            if (energy.rate(pair.vector) <= too_fast * highest)
-              result.push_back(pair);
+            largest           = std::max(largest, std::abs(pair.value));
+            const double rate = energy.rate(pair.vector);
+            if ((pair.share >= least_share && rate <= too_fast * highest) || (pair.size <= highest && rate <= highest))
+              result.push_back(std::move(pair));
           }
-        std::stable_sort(result.begin(), result.end(), [](const Pair &a, const Pair &b) {
-          return std::abs(a.value) > std::abs(b.value);
-        });
-        unsigned int n         = 0;
-        const auto   is_beyond = [&](const Pair &pair) {
-          const bool beyond = n >= n_first;
-          n += pair.value.imag() > 0 ? 2 : 1;
-          return beyond && std::abs(pair.value) < no_decay;
-        };
+        std::stable_sort(result.begin(), result.end(), [](const Pair &a, const Pair &b) { return a.size < b.size; });
+        unsigned int      n = 0;
         std::vector<Pair> kept;
         for (auto &pair : result)
-          if (!is_beyond(pair))
-            kept.push_back(std::move(pair));
+          if (std::abs(pair.value) > lost_over_section * largest &&
+              (pair.size <= highest || n < n_first || std::abs(pair.value) >= no_decay))
+            {
+              n += pair.n_dimensions();
+              kept.push_back(std::move(pair));
+            }
         return kept;
       }
 
@@ -296,9 +314,53 @@ namespace samara
         return V.cols();
       }
 
+      MatrixXd
+      projected() const
+      {
+        return V.transpose() * images;
+      }
+
     private:
       SectionMap &map;
       MatrixXd    V, images;
+
+      Pair
+      pair_of(const Complex value, const VectorXcd &y, const unsigned int n_first) const
+      {
+        Pair pair{value, V * y, images * y, y.head(n_first).norm()};
+        pair.residual -= value * pair.vector;
+        const double  section   = map.map.settings.period;
+        const Complex principal = std::log(value) / section;
+        // parts that come round in patterns turn σ by fractions of a turn
+        const double turn   = 2 * M_PI / (section * map.repeated().n()),
+                     beyond = turn * std::round((energy.quotient(pair.vector).imag() - principal.imag()) / turn);
+        pair.size           = std::abs(principal + Complex(0, beyond));
+        return pair;
+      }
+
+      /** One of each pair, real ones by themselves. */
+      std::vector<Pair>
+      all_pairs(const unsigned int n_first) const
+      {
+        const EigenSystem spectrum = eigen_system_of(projected());
+        std::vector<Pair> result;
+        for (int i = 0; i < V.cols(); ++i)
+          {
+            const Complex value = spectrum.values(i);
+            if (value.imag() < 0 || value == 0.)
+              continue;
+            const VectorXcd y    = spectrum.vectors.col(i).normalized();
+            Pair            pair = pair_of(value, y, n_first);
+            // a real one that is there twice is a pair as far as both are not known exactly: two vectors of their plane
+            const VectorXd first = y.real().normalized(), rest = y.imag() - first * first.dot(y.imag());
+            if (value.imag() > 0 && value.imag() <= pair.residual.norm() && rest.norm() > round_off_of_bases)
+              for (const VectorXd &vector : {first, VectorXd(rest.normalized())})
+                result.push_back(pair_of(value.real(), vector.cast<Complex>(), n_first));
+            else
+              result.push_back(std::move(pair));
+          }
+        return result;
+      }
     };
 
 
@@ -324,19 +386,6 @@ namespace samara
           result.push_back(part);
         }
       return result;
-    }
-
-
-
-    /** Whether a mode is that of a control, which keeps its value. */
-    bool
-    is_of_control(const SectionMap &map, const Mode &mode)
-    {
-      VectorXd x                = VectorXd::Zero(map.map.size());
-      x.head(mode.shape.size()) = mode.shape.cwiseAbs();
-      const VectorXd before     = x;
-      map.keep_controls(x.data());
-      return x != before && mode.is_free();
     }
 
 
@@ -384,6 +433,49 @@ namespace samara
           }
       return has_grown;
     }
+    /** Dimensions of slow modes at the start that decay so fast over the section that no step keeps them. */
+    unsigned int
+    n_lost(const SectionMap &map, const std::vector<Mode> &modes, const double highest)
+    {
+      unsigned int n = 0;
+      for (const auto &mode : modes)
+        if (mode.frequency() <= highest && mode.lambda.real() * map.map.settings.period < std::log(lost_over_section))
+          n += mode.lambda.imag() > 0 ? 2 : 1;
+      return n;
+    }
+
+
+
+    /** @throws NotConverged if slow modes are missing that the start has, or have not come to the tolerance */
+    void
+    require_all(const std::vector<Projected::Pair> &pairs,
+                const unsigned int                  n_expected,
+                const SlowModes                    &which,
+                const unsigned int                  n_columns)
+    {
+      unsigned int n = 0, n_open = 0;
+      double       largest = 0;
+      for (const auto &pair : pairs)
+        {
+          n += pair.n_dimensions();
+          if (pair.error() > which.tolerance && pair.size <= which.highest)
+            {
+              ++n_open;
+              largest = std::max(largest, pair.error());
+            }
+        }
+      const std::string below = " below the <Highest frequency>, " + number_to_text("%.4g", which.highest) + " rad/s, ";
+      if (n_open > 0)
+        throw NotConverged(std::to_string(n_open) + " modes" + below + "have not come to the <Tolerance> with " +
+                           std::to_string(n_columns) + " columns: residuals are up to " +
+                           number_to_text("%.1e", largest) +
+                           ".\n  Take a lower <Highest frequency>, or a <Tolerance> above that");
+      if (n < n_expected)
+        throw NotConverged(
+          "modes" + below + "are missing: there are " + std::to_string(n_expected) +
+          " directions of them at the start, of pairs two, and " + std::to_string(n) +
+          " over the period.\n  Take another <Highest frequency>, more <Steps>, or Method = classical");
+    }
   } // namespace
 
 
@@ -404,7 +496,7 @@ namespace samara
       }
     FloquetModes result;
     for (const auto &mode : modes)
-      result.n_looked_for += mode.frequency() <= which.highest && !is_of_control(map, mode);
+      result.n_looked_for += mode.frequency() <= which.highest;
     if (result.n_looked_for == 0)
       throw NotConverged("nothing at the start of the period is as slow as the <Highest frequency>, " +
                          number_to_text("%.4g", which.highest) + " rad/s");
@@ -425,30 +517,23 @@ namespace samara
           pair.change = 0;
 
     result.n_columns = space.size();
+    result.n_lost    = n_lost(map, modes, which.highest);
+    if (pairs.empty() && result.n_lost < n_first)
+      throw NotConverged("none of the " + std::to_string(result.n_looked_for) +
+                         " slow modes at the start of the period, as if coefficients stayed, is slow over all of it; "
+                         "take a larger <Highest frequency>");
+    require_all(pairs, n_first - std::min(n_first, result.n_lost), which, space.size());
     for (const auto &pair : pairs)
       if (pair.error() <= which.tolerance)
         {
           const VectorXcd x = space.energy.to_increment(pair.vector);
           result.found.push_back(mode_of(map, pair.value, x.cwiseQuotient(scales_of(map)), pair.residual.norm()));
         }
-      else
-        {
-          ++result.n_open;
-          result.largest_residual = std::max(result.largest_residual, pair.error());
-        }
-    if (pairs.empty())
-      throw NotConverged(
-        "none of the " + std::to_string(result.n_looked_for) +
-        " slow modes that there are at the start of the period, as if coefficients stayed, is slow over "
-        "all of it; take a larger <Highest frequency>");
-    if (result.found.empty())
-      throw NotConverged("none of " + std::to_string(result.n_looked_for) + " slow modes comes to the tolerance with " +
-                         std::to_string(space.size()) + " columns; residuals are up to " +
-                         number_to_text("%.1e", result.largest_residual));
     double largest = 0;
     for (const auto &mode : result.found)
       largest = std::max(largest, std::abs(mode.of_section));
     put_in_order(result, largest);
+    estimate_errors(map, space.projected(), result);
     return result;
   }
 } // namespace samara

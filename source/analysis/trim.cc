@@ -42,19 +42,19 @@ namespace samara
   {
     tolerance = trim.tolerance;
     find_controls();
-    motion = make_motion();
+    motion = make_motion(trim.n_steps);
     history.emplace(columns());
   }
 
 
 
   std::unique_ptr<PeriodicMotion>
-  TrimAnalysis::Run::make_motion()
+  TrimAnalysis::Run::make_motion(const unsigned int n_steps)
   {
     // the fourth is for BDF alone
     const IntegratorSettings settings{
       trim.spectral_radius, trim.newton_tolerance, trim.max_iterations, 1e-4, trim.n_stages};
-    return std::make_unique<PeriodicMotion>(context, trim.period, trim.n_steps, settings, find_targets());
+    return std::make_unique<PeriodicMotion>(context, trim.period, n_steps, settings, find_targets());
   }
 
 

@@ -24,6 +24,9 @@ namespace samara
     /** Of the equations of a step of Newton's method that is looked at, so that what drifts is not lost in them. */
     constexpr double forcing_of_drift = 1e-4;
 
+    /** Of a gap, what another step of Newton's method shall leave of it. */
+    constexpr double left_by_another_step = 0.1;
+
     constexpr unsigned int most_rounds        = 5;
     constexpr double       smallest_tolerance = 1e-13;
   } // namespace
@@ -80,8 +83,21 @@ namespace samara
     Look found = by_method(now);
     for (unsigned int round = 0;; ++round)
       {
-        const State end      = confirm(found);
-        double      distance = distance_of_orbit(end);
+        std::string why;
+        const auto  there = confirm(found, why);
+        if (!there && round == 0 && trim.method == "Newton-Krylov" && found.size() > smallest_tolerance)
+          {
+            // what dies away slowly shows only now: nearer to the orbit by another step
+            tolerance = std::max(smallest_tolerance, left_by_another_step * found.size());
+            context.log.line("trim: it closes to " + number_to_text("%.1e", found.largest_gap) +
+                             ", and the whole period behind does not yet; on to " + number_to_text("%.1e", tolerance));
+            found = by_method(found);
+            continue;
+          }
+        if (!there)
+          fail(why);
+        const State &end      = *there;
+        double       distance = distance_of_orbit(end);
         if (distance > allowed_distance * trim.tolerance && trim.method == "Newton-Krylov")
           distance = size_of_newton_step(found);
         if (!(distance > allowed_distance * trim.tolerance))

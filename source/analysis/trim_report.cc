@@ -233,8 +233,8 @@ namespace samara
 
 
 
-  State
-  TrimAnalysis::Run::confirm(const Look &look)
+  std::optional<State>
+  TrimAnalysis::Run::confirm(const Look &look, std::string &why)
   {
     // time goes on here, while all turns before were over the same time
     State next = look.end;
@@ -243,7 +243,7 @@ namespace samara
       next.coordinates[i] += look.turned[i];
     State end = next;
     if (parts && !whole)
-      whole = make_motion();
+      whole = make_motion(trim.n_steps);
     PeriodicMotion &of_turn  = parts ? *whole : *motion;
     const auto      averages = averages_in_si(of_turn.turn(end));
     gap_behind               = of_turn.gap(next, end);
@@ -252,11 +252,15 @@ namespace samara
     for (unsigned int k = 0; k < targets.size(); ++k)
       miss = std::max(miss, std::abs(averages(k) - targets[k].value) / targets[k].scale);
     // of the turn behind the one that was found: what grows slowly, or is not quite settled, may still be the orbit
-    if (!(std::max(largest.size, miss) < 100 * trim.tolerance))
-      fail("the motion comes back after " + std::string(parts ? "a section of " : "") + "the period from t = " +
-           number_to_text("%.6g", look.start.time) + " s, but not after the next one" + (parts ? " as a whole" : "") +
-           ", most " + motion->name_of(largest.entry) + ": something that acts does not have this <Period>" +
-           (parts ? " or this <Symmetry>" : "") + ", or what was found is not stable");
+    if (const double size = std::max(largest.size, miss); !(size < 100 * trim.tolerance + 10 * asymmetry))
+      {
+        why = "the motion comes back after " + std::string(parts ? "a section of " : "") +
+              "the period from t = " + number_to_text("%.6g", look.start.time) + " s, but not after the next one" +
+              (parts ? " as a whole" : "") + ", by " + number_to_text("%.1e", size) + " of the scales, most " +
+              motion->name_of(largest.entry) + ": something that acts does not have this <Period>" +
+              (parts ? " or this <Symmetry>" : "") + ", or what was found is not stable";
+        return {};
+      }
     of_turn.begin_again(look.start, end);
     return end;
   }

@@ -351,6 +351,14 @@ namespace samara
 
   namespace
   {
+    /** Unknowns up to which all modes are found where Krylov's space fails: a second. */
+    constexpr unsigned int most_for_dense = 400;
+
+    /** Estimated errors, relative, beyond which a mode is none. */
+    constexpr double lost_in_round_off = 1e-2;
+
+
+
     Modes
     modes_near_shift(const LinearMotion &motion,
                      const ShiftInvert  &op,
@@ -359,13 +367,29 @@ namespace samara
     {
       const unsigned int n = motion.n_kinematic, wanted = std::min(2 * n_modes, most_eigenvalues(motion));
       // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
-      const bool is_small = n <= std::max(2 * wanted, 60u);
-      if (is_small)
-        return select(dense_pairs(motion, op), motion, op, frequency);
-      auto pairs = undamped_pairs(op, n_modes);
-      if (pairs.empty())
-        pairs = krylov_pairs(op, wanted);
-      return select(pairs, motion, op, frequency);
+      const auto dense = [&]() { return select(dense_pairs(motion, op), motion, op, frequency); };
+      if (n <= std::max(2 * wanted, 60u))
+        return dense();
+      // what cannot be found there may not be there: more is asked for than constraints leave
+      const bool can_be_dense = n <= most_for_dense;
+      try
+        {
+          auto pairs = undamped_pairs(op, n_modes);
+          if (pairs.empty())
+            pairs = krylov_pairs(op, wanted);
+          const Modes modes = select(pairs, motion, op, frequency);
+          const bool  lost  = std::any_of(modes.found.begin(), modes.found.end(), [](const Mode &mode) {
+            return mode.error > lost_in_round_off;
+          });
+          if (!lost || !can_be_dense)
+            return modes;
+        }
+      catch (const NotConverged &)
+        {
+          if (!can_be_dense)
+            throw;
+        }
+      return dense();
     }
 
 

@@ -1,6 +1,7 @@
 #include <samara/solvers/eigen_system.h>
 
 #include <samara/base/dense.h>
+#include <random>
 
 namespace samara
 {
@@ -22,6 +23,23 @@ namespace samara
           result.vectors.col(i + 1)       = second.normalized().cast<std::complex<double>>();
           result.values(i) = result.values(i + 1) = value.real();
         }
+    return result;
+  }
+
+
+
+  Eigen::VectorXd
+  changes_of_values(const Eigen::MatrixXd &A, const Eigen::VectorXcd &values, const double change)
+  {
+    std::mt19937                           generator(A.rows());
+    std::uniform_real_distribution<double> number(-1., 1.);
+    Eigen::MatrixXd                        changed = A;
+    for (double &entry : changed.reshaped())
+      entry += change * number(generator);
+    const Eigen::VectorXcd after = eigen_system_of(changed).values;
+    Eigen::VectorXd        result(values.size());
+    for (int i = 0; i < values.size(); ++i)
+      result(i) = (after.array() - values(i)).abs().minCoeff();
     return result;
   }
 } // namespace samara

@@ -62,7 +62,11 @@ namespace samara
 
 
 
-    /** A V = V S + v bᵀ with orthonormal (V, v), as one matrix H = (S; bᵀ). */
+    /**
+     * A V = V S + v bᵀ + D Lᵀ with orthonormal (V, v), the first two terms as one matrix H = (S; bᵀ). Each time when
+     * the iteration goes on from a random start, v and b of before are left behind as columns of D and L: of what had
+     * converged they are the residual.
+     */
     class KrylovSchur
     {
     public:
@@ -77,6 +81,8 @@ namespace samara
         , m(std::min(n, std::max(settings.largest_basis, 2 * wanted + 10)))
         , V(n, m + 1)
         , H(MatrixXd::Zero(m + 1, m))
+        , D(n, 0)
+        , L(m, 0)
         , generator(n)
       {
         V.col(0) = random_vector(0);
@@ -95,12 +101,15 @@ namespace samara
               {
                 const double now = std::abs(pairs->values.back());
                 // all there is, or nothing larger beside it
-                if (m == n || (smallest >= 0 && now <= smallest * (1 + same_size)))
+                const bool is_complete = m == n || (smallest >= 0 && now <= smallest * (1 + same_size));
+                if (is_complete && are_within_tolerance(*pairs))
                   return *pairs;
                 smallest = now;
                 truncate(kept);
-                H.row(size).setZero();
-                V.col(size) = random_vector(size);
+                if (is_complete)
+                  take_up();
+                else
+                  leave_behind(random_vector(size));
               }
             else
               truncate(kept + (m - kept) / 3);
@@ -117,6 +126,7 @@ namespace samara
       const ArnoldiSettings                                 settings;
       const unsigned int                                    m; ///< the largest basis
       MatrixXd                                              V, H;
+      MatrixXd                                              D, L;           ///< left behind, one column a start
       unsigned int                                          size       = 0; ///< of V, without v
       unsigned int                                          n_products = 0;
       std::mt19937                                          generator;
@@ -221,10 +231,11 @@ namespace samara
         H.topRows(m)     = T;
         H.row(m)         = b.transpose();
         V.leftCols(m)    = (V.leftCols(m) * U).eval();
+        L                = (U.transpose() * L).eval();
         return std::max<unsigned int>(n_selected, 1);
       }
 
-      /** Of the first @p kept, if these have converged. */
+      /** Of the first @p kept, if these have converged but for what is left behind; residuals count that, too. */
       std::optional<EigenPairs>
       converged_pairs(const unsigned int kept) const
       {
@@ -237,21 +248,66 @@ namespace samara
         });
         EigenPairs pairs;
         pairs.vectors.resize(n, kept);
-        pairs.n_products   = n_products;
-        const double floor = std::numeric_limits<double>::epsilon() * H.norm();
+        pairs.n_products = n_products;
+        pairs.projected  = H.topLeftCorner(kept, kept);
         for (unsigned int i = 0; i < kept; ++i)
           {
             const std::complex<double> value = spectrum.values(order[i]);
             const Eigen::VectorXcd     y     = spectrum.vectors.col(order[i]);
-            const double               residual =
-              std::abs((H.row(m).head(kept).transpose().cast<std::complex<double>>().cwiseProduct(y)).sum());
-            if (residual > std::max(settings.tolerance * std::abs(value), 10 * floor))
+            const Eigen::VectorXcd     b     = H.row(m).head(kept) * y;
+            if (b.norm() > allowed_residual(value))
               return {};
             pairs.values.push_back(value);
-            pairs.residuals.push_back(residual);
+            pairs.residuals.push_back((V.col(m) * b + D * (L.topRows(kept).transpose() * y)).norm());
             pairs.vectors.col(i) = V.leftCols(kept) * y;
           }
         return pairs;
+      }
+
+      double
+      allowed_residual(const std::complex<double> value) const
+      {
+        const double floor = std::numeric_limits<double>::epsilon() * H.norm();
+        return std::max(settings.tolerance * std::abs(value), 10 * floor);
+      }
+
+      bool
+      are_within_tolerance(const EigenPairs &pairs) const
+      {
+        for (unsigned int i = 0; i < pairs.values.size(); ++i)
+          if (pairs.residuals[i] > allowed_residual(pairs.values[i]))
+            return false;
+        return true;
+      }
+
+      /** Go on from @p start, a unit vector orthogonal to V, in place of v. */
+      void
+      leave_behind(const VectorXd &start)
+      {
+        D.conservativeResize(Eigen::NoChange, D.cols() + 1);
+        L.conservativeResize(Eigen::NoChange, L.cols() + 1);
+        D.rightCols(1) = V.col(size);
+        L.rightCols(1).setZero();
+        L.rightCols(1).topRows(size) = H.row(size).head(size).transpose();
+        H.row(size).setZero();
+        V.col(size) = start;
+      }
+
+      /** Go on from what is largest of all that was left behind: d = V c + ρ v, so that S becomes S + c lᵀ, b = ρ l. */
+      void
+      take_up()
+      {
+        Eigen::Index largest;
+        L.topRows(size).colwise().norm().maxCoeff(&largest);
+        VectorXd       d = D.col(largest), l = L.col(largest).head(size);
+        const VectorXd c   = orthogonalize(d, size);
+        const double   rho = d.norm();
+        L.col(largest).setZero();
+        const bool is_in_space = !(rho > 1e-14); // of a unit vector: round-off
+        leave_behind(is_in_space ? random_vector(size) : VectorXd(d / rho));
+        H.topLeftCorner(size, size) += c * l.transpose();
+        if (!is_in_space)
+          H.row(size).head(size) = rho * l.transpose();
       }
 
       /** Keep the first @p n_kept Schur vectors, and v behind them; a pair that this would tear stays whole. */
@@ -269,6 +325,7 @@ namespace samara
         H.row(n_kept).head(n_kept)      = b.transpose();
         V.col(n_kept)                   = v;
         size                            = n_kept;
+        L.bottomRows(m - size).setZero();
       }
     };
   } // namespace

@@ -49,7 +49,14 @@ namespace samara
   Stepper::Memory
   Stepper::memory() const
   {
-    const std::vector<double> window = {steps.start, double(steps.n), across, switches.start, double(switches.n)};
+    const std::vector<double> window = {steps.start,
+                                        double(steps.n),
+                                        across,
+                                        switches.start,
+                                        double(switches.n),
+                                        too_long.length,
+                                        double(too_long.pause),
+                                        double(too_long.left)};
     if (!controller)
       return {next_step, {}, {}, steady_twists, window};
     return {next_step, controller->memory(), error->memory(), steady_twists, window};
@@ -67,6 +74,9 @@ namespace samara
         steps     = {memory.window.at(0), static_cast<unsigned int>(memory.window.at(1))};
         across    = memory.window.at(2);
         switches  = {memory.window.at(3), static_cast<unsigned int>(memory.window.at(4))};
+        too_long  = {memory.window.at(5),
+                     static_cast<unsigned int>(memory.window.at(6)),
+                     static_cast<unsigned int>(memory.window.at(7))};
       }
     if (!controller || memory.of_controller.empty())
       return;
@@ -223,8 +233,42 @@ namespace samara
              << system.layout.name_of(result.step.worst) << about_reactions(state);
         throw NotConverged(text.str());
       }
+    if (!controller)
+      too_long.failed(h);
     h = controller ? controller->after_failure(h) : h / 2;
     return false;
+  }
+
+
+
+  void
+  Stepper::TooLong::failed(const double h)
+  {
+    constexpr unsigned int longest_pause = 256;
+    const bool             is_again      = h > 0.99 * length && length > 0;
+    pause                                = is_again ? std::min(2 * pause, longest_pause) : 1;
+    length                               = h;
+    left                                 = pause;
+  }
+
+
+
+  bool
+  Stepper::TooLong::may_try(const double h)
+  {
+    if (length == 0 || h < 0.99 * length || left == 0)
+      return true;
+    --left;
+    return false;
+  }
+
+
+
+  void
+  Stepper::TooLong::succeeded(const double h)
+  {
+    if (length > 0 && h > 0.99 * length)
+      *this = {};
   }
 
 
@@ -381,9 +425,11 @@ namespace samara
   {
     if (!controller)
       {
+        too_long.succeeded(h);
         // back to the given step, by doubling, unless this one was cut short
         if (result.n_failed == 0 && h > 0.99 * next_step)
-          next_step = std::min(fixed_step, 2 * next_step);
+          if (const double longer = std::min(fixed_step, 2 * next_step); too_long.may_try(longer))
+            next_step = longer;
         return true;
       }
     controller->update(energy_of_change(trial), error->largest_displacement(trial));

@@ -236,3 +236,96 @@ TEST(Tracking, SymmetryOfUnknownParts)
   const std::string said = said_by<InputError>([&]() { scene.modes(); });
   EXPECT_NE(said.find("<blade 5:"), std::string::npos) << said;
 }
+
+
+
+// A diagram that starts at standstill: three clamped blades on a held hub. There, too, names are those of other speeds,
+// and no mixture of that speed is handed on to the next one.
+TEST(Tracking, NamesFromStandstillOn)
+{
+  Scene                     scene(R"(
+set Analyses = static, modal
+subsection Sections
+  subsection s
+    set Type = engineering constants
+    set EA = 1e8
+    set GA2 = 1e8
+    set GA3 = 1e8
+    set GJ = 1e5
+    set EI2 = 1e5
+    set EI3 = 1e6
+    set Mass = 10
+    set I2 = 0.1
+    set I3 = 0.5
+  end
+end
+subsection Bodies
+  subsection hub
+    set Type = rigid body
+    set Mass = 10
+    set Inertia = 1, 1, 1
+  end
+end
+subsection Subsystems
+  subsection b
+    set Copies = 3 about z
+    subsection Bodies
+      subsection blade
+        set Type = beam
+        set Points = 0.5, 0, 0; 6, 0, 0
+        set Section = s
+      end
+    end
+    subsection Joints
+      subsection root
+        set Type = rigid
+        set Body A = hub
+        set Body B = blade.start
+        set Gap = allowed
+      end
+    end
+  end
+end
+subsection Joints
+  subsection shaft
+    set Type = revolute
+    set Body A = ground
+    set Body B = hub
+  end
+end
+subsection Loads
+  subsection spin
+    set Type = steady rotation
+    set Joint = shaft
+    set Speed = 10
+  end
+end
+subsection Modal
+  set Modes = 9
+  set Hold rotations = true
+  set Symmetry = b 1, b 2, b 3
+  set Animations = 0
+end
+)");
+  const std::vector<double> at      = {0, 5, 10};
+  scene.context.sweep               = at;
+  auto                       &modal = scene.analysis<ModalAnalysis>();
+  const std::set<std::string> all   = {"collective", "progressive", "regressive"};
+  for (const double speed : at)
+    {
+      SCOPED_TRACE(speed);
+      scene.context.speeds = scene.context.speeds_at(speed);
+      scene.equilibrium();
+      modal.run(scene.context);
+      ASSERT_EQ(modal.contents.size(), 9u) << scene.stream.str();
+      std::map<std::string, std::set<std::string>> patterns;
+      for (const auto &content : modal.contents)
+        {
+          patterns[content.family].insert(content.pattern);
+          EXPECT_GT(content.pattern_share, 0.99) << content.family << " " << content.pattern;
+        }
+      EXPECT_EQ(patterns,
+                (std::map<std::string, std::set<std::string>>{{"flap 1", all}, {"flap 2", all}, {"lag 1", all}}));
+    }
+  EXPECT_EQ(scene.stream.str().find("do not turn about one axis"), std::string::npos) << scene.stream.str();
+}

@@ -5,6 +5,7 @@
 
 #include <samara/base/dense.h>
 #include <samara/base/errors.h>
+#include <samara/solvers/eigen_system.h>
 #include <samara/solvers/krylov_schur.h>
 
 #include <gtest/gtest.h>
@@ -108,6 +109,52 @@ TEST(KrylovSchur, ValuesThatAreThereSeveralTimes)
   ASSERT_EQ(pairs.values.size(), 4u);
   for (const auto &value : pairs.values)
     EXPECT_NEAR(std::abs(value), 1, 1e-8);
+}
+
+
+
+// What is told is |A x − λ x|, also of what had converged before the last start; a loose tolerance shows it.
+TEST(KrylovSchur, ResidualsAreTrue)
+{
+  const MatrixXd A = with_values({{0.6, 0.8}, {-0.97, 0.1}}, descending(196, 0.98, 0.995));
+  for (const double tolerance : {0.1, 1e-2, 1e-4, 1e-8})
+    {
+      SCOPED_TRACE(tolerance);
+      ArnoldiSettings settings;
+      settings.tolerance     = tolerance;
+      settings.largest_basis = 20;
+      const EigenPairs pairs = arnoldi(
+        A.rows(),
+        [&](const double *x, double *y) {
+          Eigen::Map<Eigen::VectorXd>(y, A.rows()) = A * Eigen::Map<const Eigen::VectorXd>(x, A.rows());
+        },
+        5,
+        settings);
+      double largest = 0;
+      for (unsigned int i = 0; i < pairs.values.size(); ++i)
+        {
+          const Eigen::VectorXcd x        = pairs.vectors.col(i);
+          const double           true_one = (A * x - pairs.values[i] * x).norm();
+          EXPECT_NEAR(pairs.residuals[i], true_one, 1e-6 * true_one + 1e-13) << i;
+          EXPECT_LE(true_one, tolerance * std::abs(pairs.values[i]) * (1 + 1e-9)) << i;
+          largest = std::max(largest, true_one);
+        }
+      EXPECT_GT(largest, 1e-4 * tolerance); // loose ones show
+    }
+}
+
+
+
+TEST(EigenSystem, DefectiveValuesMoveByTheRootOfAChange)
+{
+  MatrixXd A = MatrixXd::Zero(3, 3);
+  A << 1, 1, 0, 0, 1, 0, 0, 0, 0.5;
+  Eigen::VectorXcd values(2);
+  values << 1., 0.5;
+  const Eigen::VectorXd changes = changes_of_values(A, values, 1e-12);
+  EXPECT_GT(changes(0), 1e-7);
+  EXPECT_LT(changes(0), 1e-5);
+  EXPECT_LT(changes(1), 1e-11);
 }
 
 

@@ -69,7 +69,7 @@ TEST(DryFriction, NormalForceOfAReaction)
   const double end = 2, exact = w / (1 + mu / std::sqrt(1 - mu * mu) * w * end / R);
   for (const unsigned int s : {1, 2, 3})
     {
-      const double first  = s < 3 ? 0.1 : 0.8;
+      const double first  = s < 3 ? 0.1 : 0.4; // longer ones have no solution, and would be halved
       double       before = 0, order = 0;
       for (const double h : {first, first / 2, first / 4})
         {

@@ -419,3 +419,57 @@ TEST(Stepper, EndsWhereItIsTold)
     }
   EXPECT_LT(distance_from(state, response([](const double t) { return std::sin(3 * t); }, {0, 1}, 1.)), 1e-9);
 }
+
+
+
+namespace
+{
+  /** Has no solution for steps that are longer than it likes. */
+  class Refusing : public Integrator
+  {
+  public:
+    Refusing(const System &system, const double longest)
+      : longest(longest)
+      , inner(system, Tableau(2, 1.), 1e-12)
+    {}
+
+    double longest;
+
+    StepResult
+    step(State &state, const double h) override
+    {
+      if (h <= longest)
+        return inner.step(state, h);
+      StepResult result;
+      result.converged = false;
+      return result;
+    }
+
+  private:
+    StageIntegrator inner;
+  };
+} // namespace
+
+
+
+// Each failure costs what many steps do: a length that fails again and again is left alone for longer and longer, and
+// found again when it has a solution.
+TEST(FixedSteps, ThatAreTooLongAreRemembered)
+{
+  const Scene  scene(bouncing());
+  const double h = 1e-3;
+  for (const double share : {0.9, 0.3})
+    {
+      SCOPED_TRACE(share);
+      Refusing            integrator(scene.system, share * h);
+      Stepper             stepper(scene.system, integrator, h, 1e-9);
+      const State         start = scene.system.reference();
+      const StepperCourse first = course(scene.system, start, stepper, 1.);
+      EXPECT_LT(first.n_failed, 40u);
+      EXPECT_NEAR(first.state.time, 1., 1e-12);
+      integrator.longest         = 1;
+      const StepperCourse second = course(scene.system, first.state, stepper, 2.);
+      EXPECT_EQ(second.n_failed, 0u);
+      EXPECT_NEAR(second.sizes.at(second.sizes.size() - 2), h, 1e-9); // the last one is what is left
+    }
+}

@@ -142,6 +142,12 @@ namespace samara
     void judge(const Context &context, const Advance &advance, double time, double balance_before);
     /** What a step is, in radians and as an error; nothing for integrators that do not tell. */
     std::string resolution(const Integrator &integrator) const;
+    /** "a <Step> of about 1e-3 s would do", for an error of this order that shall be @p excess times smaller. */
+    std::string finer(double excess, double order) const;
+    /** Warn of energy that the integrator has taken, and of stops within steps, beyond 1e-3 of the largest energy. */
+    void tell_losses(const Context &context) const;
+    /** Warn where fixed steps were mostly too long to have a solution. */
+    void tell_halved_steps(const Context &context) const;
     /** Say what does not hold. @throws NotConverged if the energy account does not close, unless told otherwise. */
     void conclude(const Context &context) const;
     struct Machinery;

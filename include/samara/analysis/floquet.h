@@ -59,7 +59,7 @@ namespace samara
     void                                  check_switches(const Context &context, const SectionMap &map) const;
     FloquetModes                          find(SectionMap &map) const;
     void                                  tell_stability(const Context &context, const FloquetModes &found) const;
-    void                                  tell_open_modes(const Context &context, const FloquetModes &found) const;
+    void                                  tell_lost_modes(const Context &context, const FloquetModes &found) const;
     void                                  report(const Context &context, const FloquetModes &found, double T) const;
     void                                  add_to_speeds(const Context &context, double T);
     void                                  animate(const Context &context, SectionMap &map, unsigned int k) const;

@@ -15,6 +15,7 @@ namespace samara
     Eigen::VectorXcd     shape;        ///< increment at the start, as those of StepTangent, unit norm over its scales
     double               residual = 0; ///< |S v − σ v|/|σ|, or the same of what is computed in its place
     double               rate     = 0; ///< root mean square of velocities over that of displacements, by energy [rad/s]
+    double               error    = 0; ///< of |multiplier|, relative, estimated: see estimate_errors()
     std::complex<double> scheme_error = 0; ///< of λ, what the steps change an undamped vibration of that rate by [1/s]
 
     ModeContent content; ///< what repeated parts do in it, empty without any
@@ -44,9 +45,8 @@ namespace samara
     bool                     is_all      = false; ///< nothing else moves
 
     /** @name Of slow_floquet_modes() @{ */
-    unsigned int n_looked_for     = 0; ///< slow modes of the linearised motion, of pairs one; 0: it was not asked
-    unsigned int n_open           = 0; ///< modes that have not come to the tolerance, and are not among those found
-    double       largest_residual = 0; ///< of these
+    unsigned int n_looked_for = 0; ///< slow modes of the linearised motion, of pairs one; 0: it was not asked
+    unsigned int n_lost = 0; ///< of their dimensions those that decay to round-off over the section, and are not told
     /** @} */
   };
 
@@ -64,6 +64,14 @@ namespace samara
   /** What is known of a mode when the eigenvalue @p value of the section and its vector, in scales, have been found. */
   FloquetMode
   mode_of(const SectionMap &map, std::complex<double> value, const Eigen::VectorXcd &scaled_shape, double residual);
+
+  /**
+   * Errors of multipliers from @p projected, the map of the section in the space of the modes that were found: as far
+   * as they move when it changes by their residuals, by how far the gap of the motion leaves the orbit away, and by
+   * what Newton's method leaves in its steps. Multipliers one of what has no damping are often there twice with one
+   * shape, and move by the root of that.
+   */
+  void estimate_errors(const SectionMap &map, const Eigen::MatrixXd &projected, FloquetModes &modes);
 
   /** Largest first; those lost in round-off of a map of this @p size are taken away. */
   void put_in_order(FloquetModes &modes, double size);

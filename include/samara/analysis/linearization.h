@@ -12,10 +12,25 @@ namespace samara
    * The small motions of a system about a state, in axes that turn with the nodes; or in axes that are theirs at the
    * moment of the state and turn at other @p spins [rad/s], one a node, in the inertial frame, parallel to the node's
    * own. Zero makes fixed axes. The matrices are those of the moment; MovingAxes tells where they are constant.
+   *
+   * Controls that are held are no motion: nothing depends on them, and their rows are 0 = δz. Free ones are columns by
+   * which other rows depend on them, inputs of a linear system.
    */
   struct Linearization : LinearMotion
   {
-    Linearization(const System &system, const State &state, const std::vector<Vector3> &spins = {});
+    enum class Controls
+    {
+      held,
+      free
+    };
+
+    Linearization(const System               &system,
+                  const State                &state,
+                  const std::vector<Vector3> &spins    = {},
+                  Controls                    controls = Controls::held);
+
+  private:
+    void turn_axes(const System &system, const State &state, const std::vector<Vector3> &spins);
   };
 
 

@@ -87,10 +87,11 @@ namespace samara
     Known               known;
     unsigned int        n_without_tangent = 0; ///< turns one after another that had none: on some a stop is touched
     double              tolerance         = 0; ///< that of the entries, and less where a motion drifts
+    double              asymmetry         = 0; ///< by which steps treat the repeated parts differently, in scales
     std::vector<double> gap_behind;            ///< of the period in which what was found has been confirmed
 
     std::vector<PeriodAverage>      find_targets();
-    std::unique_ptr<PeriodicMotion> make_motion();
+    std::unique_ptr<PeriodicMotion> make_motion(unsigned int n_steps);
     /** Turns that were marched, sections as parts of them. */
     double                   turns() const;
     void                     find_controls();
@@ -119,7 +120,10 @@ namespace samara
     void use_symmetry(const State &moving);
     /** What turns without being named is refused. @throws InputError */
     void require_turning(const State &moving) const;
-    /** Whether the section behind a look is the same with the parts in each other's places. @throws NotConverged */
+    /**
+     * Whether the section behind a look is the same with the parts in each other's places; a difference that falls with
+     * the step is the steps' own. @throws NotConverged
+     */
     void check_symmetry(const Look &first);
     /** @} */
     VectorX controls_of(const State &state) const;
@@ -165,8 +169,11 @@ namespace samara
     [[noreturn]] void fail_with_reason(const Look &now, const std::string &why);
     void              leave(const Look &look);
     void              write(const Look &look) const;
-    /** A whole period more, in time. Returns its end, from which the period can begin again. */
-    State confirm(const Look &look);
+    /**
+     * A whole period more, in time. Returns its end, from which the period can begin again; nothing if it does not come
+     * back, @p why says how.
+     */
+    std::optional<State> confirm(const Look &look, std::string &why);
     /** @} */
   };
 } // namespace samara

@@ -15,6 +15,7 @@ namespace samara
     std::vector<std::complex<double>> values;
     Eigen::MatrixXcd                  vectors;   ///< columns of unit 2-norm
     std::vector<double>               residuals; ///< |A x − λ x|
+    Eigen::MatrixXd                   projected; ///< A in the space of the vectors
     unsigned int                      n_products = 0;
   };
 

@@ -73,6 +73,20 @@ namespace samara
     std::vector<Bend>   bends;                ///< of all items
     std::vector<double> pieces, pieces_after; ///< of laws that switch
     double              across = 0;           ///< length of the step that goes across a switch; 0: none is near [s]
+
+    /** A fixed step that was too long to have a solution: each time it fails again it is left for twice as long. */
+    struct TooLong
+    {
+      double       length = 0; ///< that failed last [s]; 0: none
+      unsigned int pause  = 0; ///< steps that are made before it is tried again
+      unsigned int left   = 0; ///< of these
+
+      void failed(double h);
+      /** Whether a step of @p h may be tried after one that succeeded. */
+      bool may_try(double h);
+      void succeeded(double h);
+    };
+    TooLong too_long;
     /** What happens in a short time, counted: when it was first, and how often since. */
     struct Count
     {
