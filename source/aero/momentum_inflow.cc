@@ -303,6 +303,18 @@ namespace samara
                               " of its flow in hover: from 0.3 to 2 there are vortex rings, of which momentum theory "
                               "knows nothing. Results may be wrong there"});
       }
+    // with too few stations for its shapes there is a root of Newton's method in which nothing passes the disk
+    constexpr double nothing = 0.01; // of the flow of its shapes
+    double           largest = 0;
+    for (const unsigned int k : states)
+      largest = std::max(largest, std::abs(state.states[k]));
+    if (std::hypot(f.mu_x, f.mu_y, f.lambda_f) < nothing * largest &&
+        theory.flow(values(point), f, R, least_speed()).V_T < nothing * largest)
+      result.push_back(
+        {"no mean flow",
+         "the shapes of <" + name + "> have a flow of up to " + text(largest) +
+           " m/s, and none of it passes the disk as a whole: this is no flow of a rotor. Give the surfaces "
+           "more <Stations>, or the inflow fewer shapes"});
     if (!corrections.has_ground)
       return result;
     if (const double height = hub.position(point.q)(2) - corrections.ground; height < 0.5 * R)
