@@ -117,10 +117,9 @@ namespace samara
   std::vector<Doubt>
   AnnularInflow::doubts(const State &state) const
   {
-    std::vector<Doubt> result;
-    add_doubt_of_reach(state, result);
-    const Matrix3 H = hub.triad(state.q.data());
-    const Vector3 u =
+    std::vector<Doubt> result = Inflow::doubts(state);
+    const Matrix3      H      = hub.triad(state.q.data());
+    const Vector3      u =
       H.transpose() * (air->wind(hub.position(state.q.data()), state.time) - H * hub.twist(state.y.data()).head<3>());
     const double R = radius_at(state.time), thrust = surfaces.empty() ? 0. : H.col(2).dot(loads(state).force);
     if (thrust * u(2) > 0) // the air comes from where the wake goes

@@ -1,6 +1,6 @@
 #include <samara/aero/finite_state.h>
+#include <samara/base/astray.h>
 #include <samara/base/dense.h>
-#include <samara/base/errors.h>
 
 #include <array>
 #include <cmath>
@@ -395,7 +395,7 @@ namespace samara
         const double          found = k * y(0), by_lambda = (f.lambda / f.V_T + f.lambda / size) / (f.V_T + size);
         miss = std::abs(mean.nu - found) / (std::abs(mean.nu) + std::abs(found) + mu + in_mean_flow * least);
         if (i == 100 || !std::isfinite(miss))
-          throw NotConverged("there is no mean inflow for these states: the wake goes neither up nor down");
+          throw Astray("there is no mean inflow for these states: the wake goes neither up nor down");
         // dX/dν = −X times by_lambda
         mean.slope = X == 0 ? 1. : 1 - k * by_lambda * lu.solve(slope * y)(0);
         mean.nu -= (mean.nu - found) / mean.slope;

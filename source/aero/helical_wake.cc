@@ -152,10 +152,10 @@ namespace samara
   std::vector<Doubt>
   HelicalWake::doubts(const State &state) const
   {
-    const auto         point = state.point();
-    const Vector3      e3    = hub.triad(point.q).col(2);
-    const auto         text  = [](const double x) { return number_to_text("%.3g", x); };
-    std::vector<Doubt> result;
+    const auto         point  = state.point();
+    const Vector3      e3     = hub.triad(point.q).col(2);
+    const auto         text   = [](const double x) { return number_to_text("%.3g", x); };
+    std::vector<Doubt> result = Inflow::doubts(state);
     for (const auto *surface : surfaces)
       {
         const Frame  frame = surface->carrier();

@@ -214,11 +214,66 @@ namespace samara
 
 
 
-  void
-  Inflow::add_doubt_of_reach(const State &state, std::vector<Doubt> &doubts) const
+  std::vector<Doubt>
+  Inflow::doubts(const State &state) const
   {
-    const double  R    = radius_at(state.time);
-    const Vector3 axis = hub.triad(state.q.data()).col(2).normalized(), centre = hub.position(state.q.data());
+    std::vector<Doubt> result;
+    add_doubt_of_radius(state, result);
+    add_doubt_of_ground(state, result);
+    return result;
+  }
+
+
+
+  double
+  Inflow::part_below_ground(const State &state) const
+  {
+    if (!air->has_shear())
+      return 0;
+    // the disk reaches down to R times the sine of its lean below the hub
+    constexpr double horizontal = 1e-6;
+    const double     lean = hub.triad(state.q.data()).col(2).normalized().head<2>().norm(), R = radius_at(state.time),
+                 z = hub.position(state.q.data())(2), height = z - air->ground;
+    if (std::abs(height) >= lean * R || lean < horizontal)
+      return air->is_below_wind(z) ? 1. : 0.;
+    const double x = height / (lean * R); // of the chord in which the ground cuts the disk, in radii from the centre
+    return (std::acos(x) - x * std::sqrt(1 - x * x)) / M_PI;
+  }
+
+
+
+  void
+  Inflow::add_doubt_of_ground(const State &state, std::vector<Doubt> &doubts) const
+  {
+    const double part = part_below_ground(state);
+    if (part > 0)
+      doubts.push_back({"ground",
+                        number_to_text("%.3g", 100 * part) + " % of the disk of <" + name +
+                          "> are on or below the ground, which is at z = " + number_to_text("%.3g", air->ground) +
+                          " m: its hub is at z = " + number_to_text("%.3g", hub.position(state.q.data())(2)) +
+                          " m. A wind with <Shear exponent> is none there. <Ground> of <" + air->name +
+                          "> says where the ground is"});
+  }
+
+
+
+  /** Blades that reach beyond the disk, where shapes and tips know nothing, or end far inside of it. */
+  void
+  Inflow::add_doubt_of_radius(const State &state, std::vector<Doubt> &doubts) const
+  {
+    constexpr double least_part = 0.9; // of the radius: thrust of hover is some 2 % too large
+    const double     R          = radius_at(state.time);
+    const Vector3    axis = hub.triad(state.q.data()).col(2).normalized(), centre = hub.position(state.q.data());
+    double           tip = 0;
+    for (const auto *surface : surfaces)
+      tip = std::max(tip, surface->reach(state, centre, axis) + surface->beyond_stations());
+    if (!surfaces.empty() && tip < least_part * R)
+      doubts.push_back({"large disk",
+                        "the disk of <" + name + "> has a <Radius> of " + number_to_text("%.4g", R) +
+                          " m, and its blades end " + number_to_text("%.4g", tip) + " m from the axis: a disk of " +
+                          number_to_text("%.3g", R * R / (tip * tip)) +
+                          " times their area needs less inflow for the same thrust, and thrust is too large. The "
+                          "radius is that of the tips"});
     for (const auto *surface : surfaces)
       if (const double r = surface->reach(state, centre, axis); r > 1.01 * R)
         {

@@ -204,11 +204,37 @@ namespace samara
     // in air at rest the equations are of second order in z, which statics would not leave: Newton's first step is one
     // through air that moves. In motions a flow without mass has nothing but its own slope
     if (flow.V_T < 0.1 * least_speed() && (point.held || !is_algebraic))
-      {
-        const Eigen::MatrixXd inverse = samara::inverse(theory.influence(flow.X_x, flow.X_y));
-        for (unsigned int k = 0; k < n; ++k)
-          K.row(6 + k).segment(6, n) += 100 * least_speed() / (R * theory.apparent_mass[k]) * inverse.row(k);
-      }
+      if (const double still = still_speed(point); flow.V_T < 0.1 * still)
+        {
+          const Eigen::MatrixXd inverse = samara::inverse(theory.influence(flow.X_x, flow.X_y));
+          for (unsigned int k = 0; k < n; ++k)
+            K.row(6 + k).segment(6, n) += 100 * still / (R * theory.apparent_mass[k]) * inverse.row(k);
+        }
+  }
+
+
+
+  namespace
+  {
+    /** The angular velocity of what a frame moves with. */
+    Vector3
+    spin_of(const Frame &frame, const Point<double> &point)
+    {
+      return Frame{frame.node}.triad(point.q) * Frame{frame.node}.twist(point.y).tail<3>();
+    }
+  } // namespace
+
+
+
+  /** Below a tenth of it air is at rest: least_speed(), and far below the flow of hover however slowly blades turn. */
+  double
+  MomentumInflow::still_speed(const Point<double> &point) const
+  {
+    constexpr double of_tips = 4e-4, smallest = 1e-12; // of the speed of tips, a hundredth of the flow of hover
+    double           fastest = 0;
+    for (const auto *surface : surfaces)
+      fastest = std::max(fastest, spin_of(surface->carrier(), point).norm() * radius_at(point.time));
+    return fastest > 0 ? std::clamp(of_tips * fastest, smallest * least_speed(), least_speed()) : least_speed();
   }
 
 
@@ -218,15 +244,12 @@ namespace samara
   {
     // blades that feather or flap a little, as the equilibrium of one azimuth may have them, still turn with it
     constexpr double share_of_spin = 0.1;
-    const auto       spin_of       = [&](const Frame &frame) {
-      return Vector3(Frame{frame.node}.triad(point.q) * Frame{frame.node}.twist(point.y).tail<3>());
-    };
     const bool has_harmonics =
       std::any_of(disk.shapes.begin(), disk.shapes.end(), [](const auto &shape) { return shape.m > 0; });
     for (const auto *surface : surfaces)
       {
-        const Vector3 spin = spin_of(surface->carrier());
-        if (has_harmonics && (spin - spin_of(hub)).norm() > share_of_spin * spin.norm())
+        const Vector3 spin = spin_of(surface->carrier(), point);
+        if (has_harmonics && (spin - spin_of(hub, point)).norm() > share_of_spin * spin.norm())
           throw InputError(parameters.where("Hub") + ": the hub of inflow <" + name +
                            "> does not turn with its blades: steady harmonics are those in axes that do; name a point "
                            "that turns");
@@ -261,13 +284,12 @@ namespace samara
   std::vector<Doubt>
   MomentumInflow::doubts(const State &state) const
   {
-    const auto         point = state.point();
-    const auto         f     = flight(point);
-    const Vector3      e3    = hub.triad(point.q).col(2);
-    const auto         text  = [](const double x) { return number_to_text("%.3g", x); };
-    const double       R     = radius_at(state.time);
-    std::vector<Doubt> result;
-    add_doubt_of_reach(state, result);
+    const auto         point  = state.point();
+    const auto         f      = flight(point);
+    const Vector3      e3     = hub.triad(point.q).col(2);
+    const auto         text   = [](const double x) { return number_to_text("%.3g", x); };
+    const double       R      = radius_at(state.time);
+    std::vector<Doubt> result = Inflow::doubts(state);
     if (const double thrust = f.lambda_f < 0 && !surfaces.empty() ? e3.dot(loads(state).force) : 0.; thrust > 0)
       {
         const double hover = std::sqrt(thrust / (2 * air->density * M_PI)) / R, ratio = f.lambda_f / hover;
@@ -284,6 +306,18 @@ namespace samara
                               " of its flow in hover: from 0.3 to 2 there are vortex rings, of which momentum theory "
                               "knows nothing. Results may be wrong there"});
       }
+    // with too few stations for its shapes there is a root of Newton's method in which nothing passes the disk
+    constexpr double nothing = 0.01; // of the flow of its shapes
+    double           largest = 0;
+    for (const unsigned int k : states)
+      largest = std::max(largest, std::abs(state.states[k]));
+    if (std::hypot(f.mu_x, f.mu_y, f.lambda_f) < nothing * largest &&
+        theory.flow(values(point), f, R, least_speed()).V_T < nothing * largest)
+      result.push_back(
+        {"no mean flow",
+         "the shapes of <" + name + "> have a flow of up to " + text(largest) +
+           " m/s, and none of it passes the disk as a whole: this is no flow of a rotor. Give the surfaces "
+           "more <Stations>, or the inflow fewer shapes"});
     if (!corrections.has_ground)
       return result;
     if (const double height = hub.position(point.q)(2) - corrections.ground; height < 0.5 * R)

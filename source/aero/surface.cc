@@ -23,6 +23,33 @@ namespace samara
 
 
 
+  /** How lift follows the motion, and what of the air moves along. */
+  void
+  Surface::add_parameters_of_flow(Parameters &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.add(
+      "Unsteady",
+      unsteady_name,
+      "How lift follows the motion: at once; with two lags a station, states in m/s; or with these and two states of "
+      "flow that separates: dynamic stall.",
+      Selection("two lags|quasi-steady|dynamic stall"));
+    prm.add("Compressible lags",
+            compressible_lags,
+            "Whether the two lags are slower in fast air, their rates multiplied by 1 - M^2, M not above 0.9.");
+    prm.add("Separation lags",
+            entered_lags,
+            "Of dynamic stall, in half chords that the air passes: of the angle that pressure follows, of the boundary "
+            "layer [1].",
+            List(Double(1e-3), 2, 2));
+    prm.add("Virtual mass",
+            has_virtual_mass,
+            "Whether the mass of the air moved along counts: needed for flutter, small against the mass of blades. The "
+            "damping of pitch is there without it.");
+  }
+
+
+
   void
   Surface::add_parameters(Parameters &prm)
   {
@@ -42,7 +69,11 @@ namespace samara
       "Breaks",
       more_breaks,
       "Abscissae where panels end, beside those where chord, twist, offset, lift factor or airfoils have corners [m].");
-    prm.add("Stations", points_a_panel, "Gauss points of each panel, at which loads are computed.", Integer(1, 40));
+    prm.add("Stations",
+            points_a_panel,
+            "Gauss points of each panel, at which loads are computed, shared out among the pieces of it on several "
+            "elements. An element has no fewer than its shape functions are of degree: a finer mesh is finer air.",
+            Integer(1, 40));
     prm.add("Chord", chord, "Chord, a function of s [m].");
     prm.add("Quarter chord",
             offset,
@@ -62,23 +93,7 @@ namespace samara
     prm.add("Airfoils",
             airfoil_names,
             "Airfoil; or airfoils along the span, blended between: name at s, name at s, ...");
-    prm.add(
-      "Unsteady",
-      unsteady_name,
-      "How lift follows the motion: at once; with two lags a station, states in m/s; or with these and two states of "
-      "flow that separates: dynamic stall.",
-      Selection("two lags|quasi-steady|dynamic stall"));
-    prm.add("Compressible lags",
-            compressible_lags,
-            "Whether the two lags are slower in fast air, their rates multiplied by 1 - M^2, M not above 0.9.");
-    prm.add("Separation lags",
-            entered_lags,
-            "Of dynamic stall, in half chords that the air passes: of the angle that pressure follows, of the boundary "
-            "layer [1].",
-            List(Double(1e-3), 2, 2));
-    prm.add("Virtual mass",
-            has_virtual_mass,
-            "Whether the mass of the air moved along counts: needed for flutter, small against the mass of blades.");
+    add_parameters_of_flow(prm);
     prm.add("Lift factor", lift_factor, "What lift is multiplied by, a function of s: losses at tips [1].");
     prm.add("Inflow", inflow_name, "Name of the inflow in which the surface moves; empty: none.");
     prm.add("Air", air_name, "Name of the air; needed only if there are several.");
@@ -294,6 +309,52 @@ namespace samara
 
 
 
+  /** The element in which a place lies: the last that begins before it. */
+  unsigned int
+  Surface::element_at(const double s) const
+  {
+    unsigned int i = 0;
+    while (i + 1 < elements.size() && elements[i + 1].abscissae.front() <= s)
+      ++i;
+    return i;
+  }
+
+
+
+  /** Gauss points of the panels, each divided where elements end. */
+  std::vector<RulePoint>
+  Surface::rule() const
+  {
+    constexpr double       round_off = 1e-9;
+    std::vector<RulePoint> result;
+    for (unsigned int k = 0; k + 1 < panels.size(); ++k)
+      {
+        const double        length = panels[k + 1] - panels[k];
+        std::vector<double> ends   = {panels[k]};
+        for (const auto &element : elements)
+          if (const double s = element.abscissae.front();
+              s > ends.back() + round_off * length && s < panels[k + 1] - round_off * length)
+            ends.push_back(s);
+        ends.push_back(panels[k + 1]);
+        for (unsigned int i = 0; i + 1 < ends.size(); ++i)
+          {
+            const double piece      = ends[i + 1] - ends[i];
+            const auto  &nodes      = elements[element_at(0.5 * (ends[i] + ends[i + 1]))].abscissae;
+            const double degree     = nodes.size() - 1.,
+                         of_element = *std::max_element(nodes.begin(), nodes.end()) - nodes.front();
+            // p points integrate degree 2p - 1: as much as keeps the order of elements of degree p
+            double n = points_a_panel * piece / length;
+            if (degree > 0)
+              n = std::max(n, degree * piece / of_element);
+            const auto points = composite_rule({ends[i], ends[i + 1]}, std::max(1., std::ceil((1 - round_off) * n)));
+            result.insert(result.end(), points.begin(), points.end());
+          }
+      }
+    return result;
+  }
+
+
+
   void
   Surface::add_stations()
   {
@@ -302,12 +363,9 @@ namespace samara
       {
         panels = breaks();
         where  = "Chord";
-        for (const auto &point : composite_rule(panels, points_a_panel))
+        for (const auto &point : rule())
           {
-            // the element it lies in: the last that begins before it
-            unsigned int i = 0;
-            while (i + 1 < elements.size() && elements[i + 1].abscissae.front() <= point.x)
-              ++i;
+            const unsigned int i = element_at(point.x);
             elements[i].stations.push_back(station_at(point.x, point.weight, elements[i]));
           }
       }
@@ -359,6 +417,23 @@ namespace samara
           section.next  = airfoils[i + 1].airfoil;
           section.share = std::min(1., std::max(0., (s - airfoils[i].s) / (airfoils[i + 1].s - airfoils[i].s)));
         }
+    }
+  } // namespace
+
+
+
+  namespace
+  {
+    /** Whether it has lift anywhere within 20 degrees of zero: a cylinder, a rod has none. */
+    bool
+    lifts(const SectionOfWing &section)
+    {
+      constexpr double step = M_PI / 180, no_lift = 0.05; // as of a blend with one part of an airfoil in forty
+      constexpr int    most = 20;
+      for (int i = -most; i <= most; ++i)
+        if (std::abs(section.coefficients(i * step, 0.).lift) > no_lift)
+          return true;
+      return false;
     }
   } // namespace
 
@@ -421,29 +496,62 @@ namespace samara
 
     station.section.lift_factor = lift_factor(s);
     blend(airfoils, s, station.section);
+    station.lifts  = lifts(station.section);
+    const double c = station.section.chord;
+    if (station.lifts)
+      station.pitch_damping = station.section.lift_factor * M_PI / 16 * air->density * c * c * c;
     return station;
   }
 
 
 
-  void
-  Surface::find_virtual_mass(Element &element)
+  namespace
   {
-    const unsigned int n = element.frames.size();
+    /** Where the span of an element ends; its nodes may stand in any order. */
+    double
+    end_of(const std::vector<double> &abscissae)
+    {
+      return *std::max_element(abscissae.begin(), abscissae.end());
+    }
+
+    /** Value at @p x of the piecewise linear function that is 1 at node @p a and 0 at the other @p nodes. */
+    double
+    hat(const std::vector<double> &nodes, const unsigned int a, const double x)
+    {
+      double value = 1;
+      for (const double other : nodes)
+        if ((other < nodes[a] && x < nodes[a]) || (other > nodes[a] && x > nodes[a]))
+          value = std::min(value, std::max(0., (x - other) / (nodes[a] - other)));
+      return value;
+    }
+  } // namespace
+
+
+
+  /**
+   * The virtual mass at the nodes of an element, by its shape functions, which are exact for what varies slowly; or by
+   * piecewise linear ones, which are nowhere negative and keep mass and centre. Whether no node has a negative mass.
+   */
+  bool
+  Surface::lump_virtual_mass(Element &element, const bool piecewise) const
+  {
+    constexpr unsigned int n_points = 10; // exact for (chord)⁴ times shape functions up to degree 11
+    const unsigned int     n        = element.frames.size();
     element.virtual_mass.assign(n, Matrix6::Zero());
-    std::vector<double> lumped(n, 0.), pieces;
-    double              total = 0;
-    for (auto &station : element.stations)
-      station.virtual_mass = M_PI / 4 * air->density * station.section.chord * station.section.chord;
     // the part of each panel that is on the element, whatever stations there are
-    const double end = element.abscissae.size() > 1 ?
-                         *std::max_element(element.abscissae.begin(), element.abscissae.end()) :
-                         panels.back();
+    const auto         &nodes = element.abscissae;
+    const double        end   = n > 1 ? end_of(nodes) : panels.back();
+    std::vector<double> pieces;
     for (const double s : panels)
-      pieces.push_back(std::min(end, std::max(element.abscissae.front(), s)));
-    for (const auto &point : composite_rule(pieces, 10))
+      pieces.push_back(std::min(end, std::max(nodes.front(), s)));
+    if (piecewise)
+      pieces.insert(pieces.end(), nodes.begin(), nodes.end());
+    std::sort(pieces.begin(), pieces.end());
+    std::vector<double> mass(n, 0.), inertia(n, 0.);
+    double              total_mass = 0, total_inertia = 0;
+    for (const auto &point : composite_rule(pieces, n_points))
       {
-        if (point.weight == 0)
+        if (point.weight == 0 || point.x < panels.front() || point.x > panels.back())
           continue;
         const Station station = station_at(point.x, point.weight, element);
         const double  c = station.section.chord, m = station.weight * M_PI / 4 * air->density * c * c;
@@ -455,20 +563,32 @@ namespace samara
         const Matrix6 M = m * (v3 * v3.transpose() + c * c / 32 * spin * spin.transpose());
         for (unsigned int a = 0; a < n; ++a)
           {
-            element.virtual_mass[a] += station.N[a] * M;
-            lumped[a] += station.N[a] * m;
+            const double N = piecewise ? hat(nodes, a, point.x) : station.N[a];
+            element.virtual_mass[a] += N * M;
+            mass[a] += N * m;
+            inertia[a] += N * m * c * c;
           }
-        total += m;
+        total_mass += m;
+        total_inertia += m * c * c;
       }
-    for (unsigned int a = 0; a < n; ++a)
-      if (lumped[a] < -1e-9 * total)
-        {
-          model->complaints.add(parameters.where("Virtual mass"),
-                                "the surface starts or ends within an element of <" + body_name +
-                                  ">, where its virtual mass cannot be lumped at the nodes: let an element end there");
-          return;
-        }
-    for (unsigned int a = 0; a < n; ++a)
+    const auto is_positive = [](const std::vector<double> &parts, const double total) {
+      constexpr double round_off = 1e-9;
+      return *std::min_element(parts.begin(), parts.end()) >= -round_off * total;
+    };
+    return is_positive(mass, total_mass) && is_positive(inertia, total_inertia);
+  }
+
+
+
+  void
+  Surface::find_virtual_mass(Element &element)
+  {
+    for (auto &station : element.stations)
+      station.virtual_mass = M_PI / 4 * air->density * station.section.chord * station.section.chord;
+    // shape functions are negative in places: where the chord tapers fast, or the surface ends within an element
+    if (!lump_virtual_mass(element, false))
+      lump_virtual_mass(element, true);
+    for (unsigned int a = 0; a < element.frames.size(); ++a)
       model->add_inertia(element.frames[a], element.virtual_mass[a]);
   }
 
@@ -506,6 +626,7 @@ namespace samara
           }
         layout.couple(element.block, frames, {}, {}, states);
       }
+    find_doubts();
     loads.surface = rates.surface = this;
     layout.add(*this, loads);
     if (states_of(unsteady) > 0 || annular != nullptr || (inflow != nullptr && !inflow->states.empty()))

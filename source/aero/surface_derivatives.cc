@@ -29,6 +29,18 @@ namespace samara
 
 
 
+  Eigen::Matrix<double, 5, AnnularMomentum::n_inputs>
+  Surface::slopes_of_annulus(const Station &station, const Gathered<double> &g, const AtStation<double> &at) const
+  {
+    const Matrix3 &H = g.frames.D.back();
+    return annular->within(g.radius).derivatives(in_annulus(station, g, at),
+                                                 H.transpose() * at.relative,
+                                                 H.transpose() * at.force,
+                                                 station.width);
+  }
+
+
+
   void
   Surface::differentiate(const Station           &station,
                          const Gathered<double>  &g,
@@ -38,8 +50,9 @@ namespace samara
                          Eigen::MatrixXd         &C) const
   {
     const unsigned int n_twists = 6 * g.frames.D.size(), n_states = K.cols() - n_twists, n_lags = g.lags.size();
-    const bool         has_lags = unsteady != Unsteady::quasi_steady;
-    Derivatives        d(n_twists, n_states);
+    const bool         has_lags = station.unsteady != Unsteady::quasi_steady,
+               has_stall        = station.unsteady == Unsteady::dynamic_stall;
+    Derivatives d(n_twists, n_states);
     d.of_frames(station, g.frames, at.axes);
     if (air->varies_in_space())
       d.of_wind(station, g, air->gradient(g.frames.position(station.N, station.three_quarters), point.time));
@@ -50,11 +63,7 @@ namespace samara
       inflow == nullptr ? Change<5>(0, 0) : Derivatives::of_disk(*inflow, g, n_lags, point, n_twists, n_states);
     if (annular != nullptr)
       {
-        const Matrix3 &H = g.frames.D.back();
-        annular_slopes   = annular->within(g.radius).derivatives(in_annulus(station, g, at),
-                                                               H.transpose() * at.relative,
-                                                               H.transpose() * at.force,
-                                                               station.width);
+        annular_slopes = slopes_of_annulus(station, g, at);
         d.of_annulus(station, g, at, annular_slopes);
       }
     else if (external != nullptr)
@@ -64,16 +73,14 @@ namespace samara
     Matrix3 E;
     E << at.axes.e1, at.axes.e2, at.axes.e3;
     d.of_flow(at, E);
-
     Eigen::Matrix<double, 4, 7> J =
       section_tangent(station.section, *air, at.V, at.upwash, at.separated, at.kept, at.turning, at.flow);
     // (c/2) Ω₁, Ω₁ = e₁·ω
-    const double half_chord = 0.5 * station.section.chord;
-    d.loads.add<3>(half_chord * J.col(6) * E.col(0).transpose(), d.spin);
-    d.loads.add<3>(half_chord * J.col(6) * E.col(0).transpose() * skew(at.spin), d.turn);
+    Change<1> turning = d.of_turning(at, E);
+    d.loads.add<1>(0.5 * station.section.chord * J.col(6), turning);
     if (inflow != nullptr && inflow->corrections.has_tip_loss)
       d.of_tips(*inflow, g, at, disk, J.col(5));
-    if (unsteady == Unsteady::dynamic_stall)
+    if (has_stall)
       d.loads.states.col(station.first_lag + 3) += J.col(4);
     if (has_lags)
       for (unsigned int i = 0; i < lags::n; ++i)
@@ -81,13 +88,18 @@ namespace samara
     J.col(2) += (has_lags ? 1 - lags::A[0] - lags::A[1] : 1.) * J.col(3);
     d.loads.add<3>(J.leftCols<3>(), d.V);
     d.of_forces(at, E);
+    if (!has_virtual_mass)
+      turning.add<1>(Eigen::Matrix<double, 1, 1>::Ones(), Change<1>(turning));
+    if (!has_virtual_mass && inflow != nullptr)
+      turning.add<1>(-Eigen::Matrix<double, 1, 1>::Ones(), d.of_carried_round(station, g, at));
+    d.of_pitching(station, at, E, turning);
     if (station.virtual_mass > 0)
       d.of_virtual_mass(station, at, E);
 
     d.add_node_rows(station, g, at, -point.factor * station.weight, K, C);
     if (has_lags)
       d.add_lag_rows(station, g, at, *air, compressible_lags, K, C);
-    if (unsteady == Unsteady::dynamic_stall)
+    if (has_stall)
       d.add_stall_rows(station, g, at, *air, separation_lags, K, C);
 
     if (annular != nullptr)

@@ -124,6 +124,9 @@ namespace samara
   std::vector<Doubt>
   Surface::doubts(const State &state) const
   {
+    std::vector<Doubt> result = known_doubts;
+    if (inflow == nullptr || inflow->part_below_ground(state) == 0) // it tells of the disk
+      add_doubt_of_ground(state, result);
     for (const auto &element : elements)
       {
         const auto &all = at_element(element, state.point());
@@ -134,14 +137,18 @@ namespace samara
                                              std::min(section.airfoil->highest_mach(), section.next->highest_mach()) :
                                              section.airfoil->highest_mach();
             if (const double mach = all.stations[i].flow.mach; mach > knows)
-              return {{"Mach number",
-                       "the air meets <" + name + "> at s = " + number_to_text("%.4g", element.stations[i].s) +
-                         " m with Mach " + number_to_text("%.3g", mach) + ", and <" + section.airfoil->name +
-                         "> is that of Mach " + number_to_text("%.3g", knows) +
-                         " beyond it: drag and moments of shock waves are not in the loads"}};
+              {
+                result.push_back({"Mach number",
+                                  "the air meets <" + name +
+                                    "> at s = " + number_to_text("%.4g", element.stations[i].s) + " m with Mach " +
+                                    number_to_text("%.3g", mach) + ", and <" + section.airfoil->name +
+                                    "> is that of Mach " + number_to_text("%.3g", knows) +
+                                    " beyond it: drag and moments of shock waves are not in the loads"});
+                return result;
+              }
           }
       }
-    return {};
+    return result;
   }
 
 

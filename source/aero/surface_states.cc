@@ -78,13 +78,21 @@ namespace samara
     static const std::array<std::array<std::string, 2>, 4> names = {
       {{{"lag 1", "m/s"}}, {{"lag 2", "m/s"}}, {{"angle of pressure", "rad"}}, {{"separation", "1"}}}};
     station.first_lag = element.lags.size();
-    for (unsigned int i = 0; i < states_of(unsteady); ++i)
+    station.unsteady  = unsteady;
+    if (unsteady == Unsteady::dynamic_stall && !station.lifts)
+      {
+        // what never lifts does not stall: nor does its lift follow late
+        station.unsteady = Unsteady::quasi_steady;
+        without_lift.push_back(station.s);
+        airfoil_without_lift = station.section.airfoil->name;
+      }
+    for (unsigned int i = 0; i < states_of(station.unsteady); ++i)
       element.lags.push_back(
         model->add_state(name + ", " + names[i][0] + " at s = " + number_to_text("%.4g", station.s),
                          names[i][1],
                          i == 3 ? 1. : 0., // attached at the start
                          i < 2 ? air->small_speed() : 1.));
-    if (unsteady == Unsteady::dynamic_stall)
+    if (station.unsteady == Unsteady::dynamic_stall)
       {
         const SectionOfWing section = station.section;
         station.section.separation =
@@ -133,9 +141,9 @@ namespace samara
         {
           const double chord = station.section.chord, area = chord * station.weight;
           const auto   state = [&](const unsigned int i) { return element.lags[station.first_lag + i]; };
-          for (unsigned int i = 0; i < lags::n && i < states_of(unsteady); ++i)
+          for (unsigned int i = 0; i < lags::n && i < states_of(station.unsteady); ++i)
             add(of_lags, state(i), chord * area);
-          if (unsteady == Unsteady::dynamic_stall)
+          if (station.unsteady == Unsteady::dynamic_stall)
             {
               add(angles, state(lags::n), area);
               add(separations, state(lags::n + 1), area);

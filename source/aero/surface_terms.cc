@@ -42,6 +42,37 @@ namespace samara
 
 
   template <typename Number>
+  Number
+  Surface::carried_round(const Gathered<Number> &g, const AtStation<Number> &at, const Vec3<Number> &place) const
+  {
+    const Mat3<Number> &H     = g.frames.D.back();
+    const Vec3<Number>  round = cross(at.thrust_axis, Vec3<Number>(place - g.frames.x.back())),
+                       v      = at.air - at.relative - H * g.frames.y.back().template head<3>();
+    return dot(round, v) / (dot(round, round) + square_near_axis(g.radius)) * dot(at.thrust_axis, at.axes.e1);
+  }
+
+
+
+  /** The couple of a section that turns: see the comment of the class. */
+  template <typename Number>
+  void
+  Surface::add_pitching(const Station              &station,
+                        const Gathered<Number>     &g,
+                        const AlongElement<Number> &along,
+                        AtStation<Number>          &at) const
+  {
+    const Number turning = dot(at.axes.e1, at.spin);
+    at.pitching          = has_virtual_mass ? turning : Number(2. * turning);
+    if (!has_virtual_mass && inflow != nullptr)
+      at.pitching -= carried_round(g, at, Vec3<Number>(along.x + along.F * station.three_quarters));
+    // it damps from wherever the air comes
+    const Number speed = std::real(at.V(1)) > 0 ? at.V(1) : Number(-at.V(1));
+    at.moment -= station.pitch_damping * speed * at.pitching * at.axes.e1;
+  }
+
+
+
+  template <typename Number>
   Surface::AtStation<Number>
   Surface::evaluate(const Station &station, const Gathered<Number> &g, const double time, Number *const shapes) const
   {
@@ -88,8 +119,8 @@ namespace samara
     at.relative             = at.air - (along.v + along.W * station.three_quarters);
     at.V                    = at.axes.components(at.relative);
     const Number *const lag = g.lags.data() + station.first_lag;
-    at.upwash               = unsteady == Unsteady::quasi_steady ? at.V(2) : lags::effective_upwash(at.V(2), lag);
-    if (unsteady == Unsteady::dynamic_stall)
+    at.upwash = station.unsteady == Unsteady::quasi_steady ? at.V(2) : lags::effective_upwash(at.V(2), lag);
+    if (station.unsteady == Unsteady::dynamic_stall)
       at.separated = lag[3];
     const Vec3<Number> w = at.axes.components(at.spin);
     at.turning           = 0.5 * station.section.chord * w(0);
@@ -101,7 +132,7 @@ namespace samara
     const Vec3<Number> u = at.axes.components(at.air);
     const double       m = station.virtual_mass;
     at.middle_force      = m * (w(1) * u(0) - w(0) * u(1)) * at.axes.e3;
-    at.moment += 0.25 * m * station.section.chord * at.V(1) * w(0) * at.axes.e1;
+    add_pitching(station, g, along, at);
     return at;
   }
 
@@ -183,12 +214,12 @@ namespace samara
     const unsigned int first_lag = 6 * g.frames.D.size(), first_inflow = first_lag + g.lags.size();
     const Number       U = lags::speed(at.V, *air), speed = 2 / station.section.chord * U,
                  speed_of_lags = 2 / station.section.chord * lags::speed_of_lags(U, *air, compressible_lags);
-    for (unsigned int i = 0; i < lags::n && unsteady != Unsteady::quasi_steady; ++i)
+    for (unsigned int i = 0; i < lags::n && station.unsteady != Unsteady::quasi_steady; ++i)
       {
         const unsigned int k = station.first_lag + i;
         local(first_lag + k) -= lags::b[i] * speed_of_lags * (at.V(2) - g.lags[k]);
       }
-    if (unsteady == Unsteady::dynamic_stall)
+    if (station.unsteady == Unsteady::dynamic_stall)
       {
         const unsigned int k     = station.first_lag + lags::n;
         const Number       angle = g.lags[k], lack = lags::angle_between(angle, at.flow.alpha);
@@ -291,6 +322,21 @@ namespace samara
         for (const auto &station : element.stations)
           surface->air->pieces(frames.position(station.N, station.three_quarters), point.time, pieces);
       }
+  }
+
+
+
+  double
+  Surface::beyond_stations() const
+  {
+    double first = panels.back(), last = panels.front();
+    for (const auto &element : elements)
+      for (const auto &station : element.stations)
+        {
+          first = std::min(first, station.s);
+          last  = std::max(last, station.s);
+        }
+    return std::max(first - panels.front(), panels.back() - last);
   }
 
 

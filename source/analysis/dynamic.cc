@@ -34,7 +34,10 @@ namespace samara
       }
     // every few rows: it costs the strains of the beams
     if (n_recorded++ % 16 == 0 || is_end(state.time))
-      meshes.check(context, state, "dynamic, t = " + short_text(state.time) + " s");
+      {
+        meshes.check(context, state, "dynamic, t = " + short_text(state.time) + " s");
+        air.add(context.system, state);
+      }
     if (context.probes.empty() && !is_picture && !observer)
       return;
     const State &reported = output.report(context, state, projection, is_picture || observer);

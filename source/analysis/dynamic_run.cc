@@ -420,6 +420,7 @@ namespace samara
   {
     if (context.log.is_terminal())
       context.log.line("");
+    analysis.air.tell(context, "dynamic");
     save();
     for (const auto &[name, table] : output.tables())
       if (table != nullptr)
@@ -446,6 +447,7 @@ namespace samara
     budget     = {};
     contacts   = {};
     meshes     = {};
+    air        = {};
     n_rows     = 0;
     n_judged   = 0;
     n_grid     = 0;

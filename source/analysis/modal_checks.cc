@@ -92,6 +92,8 @@ namespace samara
       (turns ? " rad/s, beside the steady rotation" : " rad/s or lengths of the model per second");
     if (turns)
       refuse_unsteady(context, why);
+    else if (const std::string text = about_stopped_rotor(context.system, state, "these are the modes"); !text.empty())
+      context.log.warning("modal", text);
     else
       context.log.line("  modal: " + why + "; modes are those while it is held where it is");
   }

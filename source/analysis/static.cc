@@ -1,5 +1,6 @@
 #include <samara/analysis/check.h>
 #include <samara/analysis/integrating_states.h>
+#include <samara/analysis/line_of_air.h>
 #include <samara/analysis/negative_directions.h>
 #include <samara/analysis/prescribed_motion.h>
 #include <samara/analysis/static.h>
@@ -229,6 +230,12 @@ namespace samara
     State reported = context.state;
     if (context.least_norm && !reported.left_out.empty())
       RedundantRows(context.system).make_least(reported);
+    if (context.sweep.empty())
+      {
+        LineOfAir air;
+        air.add(context.system, context.state);
+        air.tell(context, "static");
+      }
     if (speed_history)
       speed_history->add(values_of(context, reported, context.speeds.empty() ? 0. : context.speeds[0]));
     const double condition = solver->reciprocal_condition();
@@ -352,6 +359,11 @@ namespace samara
     double fastest = 0;
     for (const double speed : context.speeds)
       fastest = std::max(fastest, std::abs(speed));
+    if (const std::string text = about_stopped_rotor(context.system, turning, "this is the equilibrium"); !text.empty())
+      {
+        has_told_motion = true;
+        context.log.warning("static", text);
+      }
     if (fastest == 0)
       return;
     const PrescribedMotion other =

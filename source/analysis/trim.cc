@@ -374,6 +374,7 @@ namespace samara
                         std::string()) +
                      "; the orbit closes to " + number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
                      number_to_text("%.1e", found.miss) + " of their scales");
+    air.tell(context, "trim");
     for (unsigned int j = 0; j < controls.size(); ++j)
       context.log.line(
         "  " + controls[j].name + " = " + number_to_text("%.8g", trim.report.controls[j]) +

@@ -244,11 +244,15 @@ namespace samara
     State end = next;
     if (parts && !whole)
       whole = make_motion(trim.n_steps);
-    PeriodicMotion &of_turn  = parts ? *whole : *motion;
-    const auto      averages = averages_in_si(of_turn.turn(end));
-    gap_behind               = of_turn.gap(next, end);
-    const auto largest       = of_turn.largest(gap_behind);
-    double     miss          = 0;
+    PeriodicMotion &of_turn = parts ? *whole : *motion;
+    air                     = {};
+    const auto averages =
+      averages_in_si(of_turn.turn(end, [this](const State &now, const unsigned int, const std::vector<double> &) {
+        air.add(system, now);
+      }));
+    gap_behind         = of_turn.gap(next, end);
+    const auto largest = of_turn.largest(gap_behind);
+    double     miss    = 0;
     for (unsigned int k = 0; k < targets.size(); ++k)
       miss = std::max(miss, std::abs(averages(k) - targets[k].value) / targets[k].scale);
     // of the turn behind the one that was found: what grows slowly, or is not quite settled, may still be the orbit

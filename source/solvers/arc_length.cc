@@ -1,3 +1,4 @@
+#include <samara/base/astray.h>
 #include <samara/solvers/arc_length.h>
 
 #include <deal.II/base/exceptions.h>
@@ -222,6 +223,10 @@ namespace samara
       {
         result.fail(Failure::singular, "the tangent matrix is singular");
         result.worst = std::max(0, singular.unknown);
+      }
+    catch (const Astray &why)
+      {
+        result.fail(Failure::no_convergence, why.what());
       }
     return result;
   }

@@ -1,3 +1,4 @@
+#include <samara/base/astray.h>
 #include <samara/base/interrupt.h>
 #include <samara/solvers/newton.h>
 
@@ -143,14 +144,42 @@ namespace samara
 
 
 
+    /** Whether the equations have a value at @p state. */
+    bool
+    evaluate(const System        &system,
+             const State         &state,
+             std::vector<double> &stress,
+             std::vector<double> &residual,
+             NewtonResult        &result)
+    {
+      try
+        {
+          system.stresses(state, stress);
+          system.residual(state, stress, residual);
+        }
+      catch (const Astray &why)
+        {
+          result.fail(Failure::no_convergence, why.what());
+          return false;
+        }
+      return true;
+    }
+
+
+
     /** Whether the tangent at @p state has factors. */
     bool
     factorize(const System &system, const State &state, SparseMatrix &K, LinearSolver &solver, NewtonResult &result)
     {
-      system.tangent(state, K);
       try
         {
+          system.tangent(state, K);
           solver.factorize(K);
+        }
+      catch (const Astray &why)
+        {
+          result.fail(Failure::no_convergence, why.what());
+          return false;
         }
       catch (const SingularMatrix &singular)
         {
@@ -179,8 +208,8 @@ namespace samara
     while (result.iterations < max_iterations)
       {
         throw_if_interrupted();
-        system.stresses(state, stress);
-        system.residual(state, stress, residual);
+        if (!evaluate(system, state, stress, residual, result))
+          return result;
         if (result.iterations == 0 && !is_finite(residual, system.size(), result))
           return result;
         if (!keeps_factors && !factorize(system, state, K, solver, result))

@@ -1,4 +1,4 @@
-#include <samara/base/errors.h>
+#include <samara/base/astray.h>
 #include <samara/base/text.h>
 #include <samara/solvers/linear.h>
 #include <samara/solvers/redundant_rows.h>
@@ -191,6 +191,10 @@ namespace samara
     catch (const SingularMatrix &)
       {
         // gone astray: no solution
+      }
+    catch (const Astray &why)
+      {
+        result.step.refusal = why.what();
       }
     // a root that no motion has; see Model::lengths
     if (const int i = system.model.negative_length(trial.coordinates); i >= 0 && result.step.converged)

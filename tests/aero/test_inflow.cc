@@ -494,6 +494,26 @@ TEST(MomentumInflow, HoverIsAnEquilibrium)
 
 
 
+// However slowly blades turn: thrust goes with the square of the speed.
+TEST(MomentumInflow, HoverOfASlowRotor)
+{
+  for (const std::string kind :
+       {"uniform inflow", "Pitt-Peters inflow", "Peters-He inflow\n    set Harmonics = 2\n    set Power = 4"})
+    {
+      const auto per_square = [&](const double speed) {
+        Scene scene(four_bladed_rotor(kind, "rotor.centre"), {"Loads/turning/Speed = " + number_to_text(speed)});
+        scene.equilibrium();
+        return scene.value("flow.thrust") / (speed * speed);
+      };
+      // without an effect of the Mach number
+      const double fast = per_square(3);
+      for (const double speed : {0.1, 0.01, 0.001})
+        EXPECT_NEAR(per_square(speed), fast, 1e-5 * fast) << kind << " " << speed;
+    }
+}
+
+
+
 // Harmonics above the power have no shapes: they are refused, not left out.
 TEST(FiniteStateInflow, PowerIsAtLeastTheHighestHarmonic)
 {

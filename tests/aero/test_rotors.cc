@@ -286,6 +286,19 @@ TEST(TiltingShaft, FromHoverToPropeller)
 
 
 
+// Steady at the time when they are propellers: an iterate without a mean inflow shortens the step and ends nothing.
+TEST(TiltingShaft, EquilibriumOfPropellers)
+{
+  Scene scene("prm/examples/aero/tilting_rotors.prm", {"Static/Time = 4 s"});
+  scene.equilibrium();
+  EXPECT_NE(scene.stream.str().find("there is no mean inflow"), std::string::npos);
+  const double thrust = scene.value("flow left.thrust");
+  EXPECT_GT(std::abs(thrust), 1.);
+  EXPECT_NEAR(scene.value("flow right.thrust"), thrust, 1e-7 * std::abs(thrust)); // its mirror image
+}
+
+
+
 // Maps of what is at a station over radius and azimuth: the azimuth's zero tilts with the thrust axis.
 TEST(TiltingShaft, AzimuthsOfMaps)
 {

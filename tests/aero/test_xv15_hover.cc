@@ -34,6 +34,31 @@ namespace
 
 
 
+namespace
+{
+  /** Of a blade that is coned by 2.5 degrees, (π/16) ρ ∫ c³ V (Ω sin β)² dr, V = Ωr cos β, with the chord of the file.
+   */
+  double
+  power_of_coning(const double R, const double spin)
+  {
+    const std::vector<std::pair<double, double>> chords = {
+      {0., 0.4329}, {0.33337, 0.4329}, {0.4572, 0.4285}, {0.6858, 0.3994}, {0.9525, 0.3556}, {3.81, 0.3557}};
+    const double cone = 2.5 * M_PI / 180, turning = spin * std::sin(cone);
+    double       sum = 0;
+    for (unsigned int i = 0; i + 1 < chords.size(); ++i)
+      for (unsigned int k = 0; k < 1000; ++k)
+        {
+          const double share = (k + 0.5) / 1000, r = chords[i].first + share * (chords[i + 1].first - chords[i].first),
+                       c = chords[i].second + share * (chords[i + 1].second - chords[i].second);
+          sum += c * c * c * spin * r * (chords[i + 1].first - chords[i].first) / 1000;
+        }
+    EXPECT_NEAR(chords.back().first, R, 1e-3);
+    return M_PI / 16 * 1.225 * turning * turning * std::cos(cone) * sum;
+  }
+} // namespace
+
+
+
 // Power is within 5 % of the test at the same tip speed up to C_T = 0.010, and not far outside of both.
 TEST(XV15, PowerInHover)
 {
@@ -53,7 +78,9 @@ TEST(XV15, PowerInHover)
       EXPECT_GT(C_P, 0.97 * std::min(oarf, wright_field)) << C_T;
       EXPECT_NEAR(C_P, oarf, 0.05 * oarf) << C_T;
       EXPECT_NEAR(scene.value("flow.figure of merit"), std::pow(C_T, 1.5) / (std::sqrt(2.) * C_P), 1e-9);
-      EXPECT_NEAR(scene.value("flow.induced power") + scene.value("flow.profile power"), P, 1e-6 * P);
+      // the rest is what the couple of coned blades takes, which turn about themselves
+      const double spin = tip / R, couple = 3 * power_of_coning(R, spin);
+      EXPECT_NEAR(P - scene.value("flow.induced power") - scene.value("flow.profile power"), couple, 0.02 * couple);
     }
   EXPECT_GT(last, 0.01);
 }

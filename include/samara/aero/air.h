@@ -57,6 +57,21 @@ namespace samara
       return exponent != 0 || gust_varies;
     }
 
+    /** Whether the wind grows with the height. */
+    bool
+    has_shear() const
+    {
+      return exponent != 0;
+    }
+
+    /** Whether the wind grows with the height and the inertial coordinate @p z is so low that it has no height there.
+     */
+    bool
+    is_below_wind(const double z) const
+    {
+      return exponent != 0 && !(z - ground > lowest * reference_height);
+    }
+
     /** ∂wᵢ/∂xⱼ [1/s] */
     Matrix3 gradient(const Vector3 &x, double time) const;
 

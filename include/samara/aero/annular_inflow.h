@@ -11,7 +11,7 @@ namespace samara
    * name it has two states of its own, the flow against the thrust axis and that against the azimuth. It does not
    * matter whether the hub turns.
    */
-  class AnnularInflow : public Inflow, public Doubtful
+  class AnnularInflow : public Inflow
   {
   public:
     void add_parameters(Parameters &prm) override;

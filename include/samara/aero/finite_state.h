@@ -82,7 +82,7 @@ namespace samara
 
     /**
      * @p least_speed [m/s] keeps V_T from being zero in air at rest, and |λ| smooth.
-     * @throws NotConverged if there is no mean flow ν for these states
+     * @throws Astray if there is no mean flow ν for these states
      */
     template <typename Number>
     Flow<Number> flow(const Vector<Number> &z, const Flight<Number> &flight, double radius, double least_speed) const;

@@ -27,7 +27,7 @@ namespace samara
    * with hat functions N_k, constant beyond the outer nodes, and the lengths l of the stations: the mean over blades
    * and, as τ is long, over azimuths. A node that no station reaches is refused.
    */
-  class HelicalWake : public ExternalInflow, public Doubtful
+  class HelicalWake : public ExternalInflow
   {
   public:
     void add_parameters(Parameters &prm) override;

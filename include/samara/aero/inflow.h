@@ -33,6 +33,9 @@ namespace samara
     /** The largest distance of a station from the @p axis through @p centre [m]. */
     virtual double reach(const State &state, const Vector3 &centre, const Vector3 &axis) const = 0;
 
+    /** How far its ends are from the outermost stations, at most [m]. */
+    virtual double beyond_stations() const = 0;
+
     /** The moment about @p centre [m]; power in axes that move with the velocity @p carried [m/s]. */
     virtual AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const = 0;
   };
@@ -48,7 +51,7 @@ namespace samara
    *
    * The z_k are states of first order or prescribed. The radius may change in time: the shapes grow with it.
    */
-  class Inflow : public Item
+  class Inflow : public Item, public Doubtful
   {
   public:
     void                     add_parameters(Parameters &prm) override;
@@ -57,6 +60,12 @@ namespace samara
     void                     connect(Layout &layout) override;
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
+
+    /** Whether disk and blades have different radii, or part of the disk is below the ground of a wind with shear. */
+    std::vector<Doubt> doubts(const State &state) const override;
+
+    /** The part of the disk that is on or below the ground of a wind with shear; 0 where there is no shear. */
+    double part_below_ground(const State &state) const;
 
     /** The flow on the disk, where it is a sum of shapes. */
     void draw(const State &state, Drawing &drawing) const override;
@@ -205,14 +214,13 @@ namespace samara
     /** The mean flow that belongs to the thrust [m/s]. */
     virtual double mean(const State &state) const = 0;
 
-    /** Whether blades reach beyond the disk, where shapes and tips know nothing. */
-    void add_doubt_of_reach(const State &state, std::vector<Doubt> &doubts) const;
-
   private:
     std::vector<std::string> neighbour_names;
     std::vector<double>      neighbour_factors;
 
     void find_neighbours(Model &model);
+    void add_doubt_of_radius(const State &state, std::vector<Doubt> &doubts) const;
+    void add_doubt_of_ground(const State &state, std::vector<Doubt> &doubts) const;
 
     std::string    hub_name, air_name, tip_loss = "none";
     FunctionOfTime given_radius{1.};

@@ -17,10 +17,7 @@ namespace samara
    * Momentum theory has no stream tube where the rotor descends into its own wake, −2 < λ_f/ν_h < 0 with ν_h the flow
    * of hover under the same thrust: results are smooth there and not to be trusted, and there is a doubt beyond −0.3.
    */
-  class MomentumInflow : public Inflow,
-                         public Evaluated<MomentumInflow, StateEquation>,
-                         public Doubtful,
-                         public HasCountedStates
+  class MomentumInflow : public Inflow, public Evaluated<MomentumInflow, StateEquation>, public HasCountedStates
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -56,6 +53,7 @@ namespace samara
 
     /** Speed below which air counts as still [m/s]. */
     double least_speed() const;
+    double still_speed(const Point<double> &point) const;
 
     template <typename Number>
     FiniteStateInflow::Vector<Number> values(const Point<Number> &point) const;

@@ -10,9 +10,19 @@
 
 namespace samara
 {
+  /** How the effective upwash follows that at three quarters of the chord. */
+  enum class Unsteady
+  {
+    quasi_steady, ///< at once
+    two_lags,     ///< R. T. Jones's approximation of Wagner's function, two states a station
+    dynamic_stall ///< the same, and two states of the flow that separates
+  };
+
+
+
   /**
    * A place of a surface at which its loads are computed, and for how much of the span they count: a Gauss point of a
-   * panel, wherever elements end.
+   * piece of a panel that lies on one element.
    *
    * Everything at it is interpolated from the frames of the element it lies in, with shape values N_a: x = Σ N_a x_a
    * and the directors F = Σ N_a D_a, which are not orthonormal between nodes. A point at the arm r, constant components
@@ -25,11 +35,14 @@ namespace samara
     Vector3       quarter = Vector3::Zero(), three_quarters = Vector3::Zero(); ///< arms of these points of the chord
     Vector3       along = Vector3::Zero(), chordwise = Vector3::Zero();        ///< g₁, g₂ of section axes, in F
     SectionOfWing section;
-    double        virtual_mass = 0; ///< of the air moved along, per length; zero if it does not count [kg/m]
-    unsigned int  first_lag    = 0; ///< of its states among those of the element
-    unsigned int  first_flow   = 0; ///< of those of an annular inflow, likewise
-    double        width        = 1; ///< dr/ds of the line on the disk of an annular inflow, reference configuration
-    double        radius       = 0; ///< of the quarter chord on that disk [m], reference configuration
+    double        virtual_mass  = 0;    ///< of the air moved along, per length; zero if it does not count [kg/m]
+    bool          lifts         = true; ///< false of a cylinder, a rod
+    double        pitch_damping = 0;    ///< ηπρc³/16, couple by speed and turning; zero of what does not lift [kg]
+    Unsteady      unsteady      = Unsteady::quasi_steady;
+    unsigned int  first_lag     = 0; ///< of its states among those of the element
+    unsigned int  first_flow    = 0; ///< of those of an annular inflow, likewise
+    double        width         = 1; ///< dr/ds of the line on the disk of an annular inflow, reference configuration
+    double        radius        = 0; ///< of the quarter chord on that disk [m], reference configuration
 
     /** Of the point at half chord. */
     Vector3
@@ -40,14 +53,6 @@ namespace samara
   };
 
 
-
-  /** How the effective upwash follows that at three quarters of the chord. */
-  enum class Unsteady
-  {
-    quasi_steady, ///< at once
-    two_lags,     ///< R. T. Jones's approximation of Wagner's function, two states a station
-    dynamic_stall ///< the same, and two states of the flow that separates
-  };
 
   /** States of a station. */
   constexpr unsigned int

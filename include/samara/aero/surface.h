@@ -4,11 +4,14 @@
 #include <samara/aero/annular_inflow.h>
 #include <samara/aero/external_inflow.h>
 #include <samara/aero/station.h>
+#include <samara/base/composite_rule.h>
 #include <samara/model/counted_states.h>
 #include <samara/model/doubts.h>
 #include <samara/model/load_of_air.h>
 #include <samara/model/moved.h>
 #include <samara/model/virtual_mass.h>
+
+#include <array>
 
 namespace samara
 {
@@ -16,7 +19,8 @@ namespace samara
    * A wing, a blade, a fin: a lifting line on a beam or a rigid body.
    *
    * Its span is divided into panels, which end where chord, twist, offset or airfoils have corners and where the user
-   * says, with Gauss's points in each: stations do not depend on the mesh. At each of them the air is met at three
+   * says; panels are divided where elements end, with Gauss's points in each piece, no fewer on an element than its
+   * shape functions are of degree: a finer mesh is finer air. At each of them the air is met at three
    * quarters of the chord and acts at a quarter of it (section_loads.h). Forces on nodes are the exact dual of the
    * velocities of these points, so that their power is that of the air: with f, m per length, and the arm r of the
    * quarter chord
@@ -28,8 +32,15 @@ namespace samara
    *
    * Virtual mass (T. Theodorsen, NACA Report 496, 1935), m = πρc²/4 per length: the force −m d(v₃)/dt e₃ at half chord
    * and the couple −(m c²/32) dΩ₁/dt e₁, with the component v₃ of the velocity of that point relative to the air,
-   * become part of the mass of the nodes, lumped like that of beams; what is left are the force m (ω × e₃)·u e₃ of the
-   * air's velocity u and the couple (m c/4) V₂ Ω₁ e₁. The air's own acceleration is left out.
+   * become part of the mass of the nodes, lumped by the shape functions, or by piecewise linear ones in an element
+   * where these would make the mass of a node negative; what is left are the force m (ω × e₃)·u e₃ of the air's
+   * velocity u. The air's own acceleration is left out.
+   *
+   * Pitching: the couple −(m c/4) |V₂| Ω₁ e₁ of the camber that a section which turns has for the flow is part of every
+   * section that lifts. Where the virtual mass does not count, its force at half chord is missing, and the moment which
+   * that has about the quarter chord, as much again, is put in its place, −(m c/4) |V₂| (Ω₁ − ψ̇ e₁·e₃ᴴ) e₁: together
+   * the −πρVb³ϑ̇ of T. Theodorsen. ψ̇ is the speed with which the section goes round the thrust axis e₃ᴴ of its inflow:
+   * a coned blade turns about itself, but its angle of attack does not change by that.
    *
    * Source: the paper, section 2.3; the lifting line and its derivatives are derived in doc/theory/aerodynamics.md.
    */
@@ -50,12 +61,15 @@ namespace samara
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
 
+    void     see_flow(const State &state, FlowSeen &seen) const override;
+    double   beyond_stations() const override;
     AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const override;
     AirPower air_power(const Point<double> &point) const override;
     double   reach(const State &state, const Vector3 &centre, const Vector3 &axis) const override;
     void     add_virtual_mass(std::vector<Matrix6> &of_nodes) const override;
 
-    /** Where the air is faster than the airfoils know. */
+    /** Where the air is faster than the airfoils know, surfaces are below the ground; and what is doubtful from the
+     * start, see find_doubts(). */
     std::vector<Doubt> doubts(const State &state) const override;
 
     /**
@@ -116,8 +130,9 @@ namespace samara
       Number              induced = Number(0), upwash = Number(0), separated = Number(1), kept = Number(1);
       Number              turning = Number(0); ///< (c/2) Ω₁ [m/s]
       SectionFlow<Number> flow;
-      Vec3<Number>        force, moment; ///< at the quarter chord, inertial axes, per length
-      Vec3<Number>        middle_force;  ///< at half chord, of the virtual mass
+      Vec3<Number>        force, moment;        ///< at the quarter chord, inertial axes, per length
+      Vec3<Number>        middle_force;         ///< at half chord, of the virtual mass
+      Number              pitching = Number(0); ///< Ω₁, and once more against the flow if there is no virtual mass
     };
 
     /** The frames of an element, the hub's behind them, and the amplitudes of the inflow. */
@@ -163,6 +178,14 @@ namespace samara
     };
     std::vector<Element> elements;
 
+    /** A station in the reference configuration: its quarter chord, inertial, and what it is. */
+    struct Place
+    {
+      Vector3 x;
+      double  chord, weight;
+    };
+    std::vector<Place> places() const;
+
     /** The loads of a surface in the state of a point; see air_loads(). */
     AirLoads air_loads_at(const Point<double> &point, const Vector3 &centre, const Vector3 &carried) const;
     void     add_states(Station &station, Element &element);
@@ -170,6 +193,27 @@ namespace samara
     void     check_disk() const;
     Vector3  on_disk(const Station &station, const Element &element) const;
     void     find_virtual_mass(Element &element);
+    bool     lump_virtual_mass(Element &element, bool piecewise) const;
+    void     find_doubts();
+    bool     is_told_of_another(const std::string &about) const;
+    void     add_doubt_of_power();
+    void     add_doubt_of_lags();
+    void     add_doubt_of_copies(const std::vector<Place> &places);
+    void     add_doubt_of_twins(const std::vector<Place> &places);
+    void     add_doubt_of_ground(const State &state, std::vector<Doubt> &doubts) const;
+
+    /** Angles of attack between which a section is not stalled, at Mach numbers 0, 0.1, ...; found when asked for. */
+    struct StallAngles
+    {
+      bool   is_known = false;
+      double low, high;
+    };
+    mutable std::vector<std::array<StallAngles, 11>> stall_angles; ///< of all stations
+    bool is_stalled(unsigned int station, const SectionOfWing &section, double alpha, double mach) const;
+
+    std::vector<Doubt>  known_doubts; ///< those that are the same in all states
+    std::vector<double> without_lift; ///< abscissae of stations that have no dynamic stall as they do not lift
+    std::string         airfoil_without_lift;
 
     /** The loads, and all derivatives: those of the states' rates, too. */
     class Loads : public Evaluated<Loads, Force>
@@ -195,12 +239,15 @@ namespace samara
     Rates rates;
 
     // reading
-    bool                find_body();
-    void                choose_unsteady();
-    bool                find_airfoils();
-    std::vector<double> breaks() const;
-    void                add_stations();
-    Station             station_at(double s, double weight, const Element &element) const;
+    void                   add_parameters_of_flow(Parameters &prm);
+    bool                   find_body();
+    void                   choose_unsteady();
+    bool                   find_airfoils();
+    std::vector<double>    breaks() const;
+    std::vector<RulePoint> rule() const;
+    unsigned int           element_at(double s) const;
+    void                   add_stations();
+    Station                station_at(double s, double weight, const Element &element) const;
 
     template <typename Number>
     void gather(const Element &element, const Point<Number> &point, Gathered<Number> &g) const;
@@ -211,6 +258,22 @@ namespace samara
     {
       return {at.on_disk, at.free, g.lags[station.first_flow], g.lags[station.first_flow + 1]};
     }
+    /** Added to r² where r is a distance from the thrust axis that is divided by [m²]. */
+    static double
+    square_near_axis(const double radius)
+    {
+      constexpr double near_axis = 1e-3; // of the radius, where no blade is
+      return near_axis * radius * near_axis * radius;
+    }
+
+    /** ψ̇ e₁·e₃ᴴ, what of the turning Ω₁ is that of a section carried round the thrust axis [rad/s]. */
+    template <typename Number>
+    Number carried_round(const Gathered<Number> &g, const AtStation<Number> &at, const Vec3<Number> &place) const;
+    template <typename Number>
+    void add_pitching(const Station              &station,
+                      const Gathered<Number>     &g,
+                      const AlongElement<Number> &along,
+                      AtStation<Number>          &at) const;
     template <typename Number>
     AtStation<Number> evaluate(const Station &station, const Gathered<Number> &g, double time, Number *shapes) const;
     /** All stations of an element, until it is asked for another point. */
@@ -232,6 +295,8 @@ namespace samara
     double azimuth(const AtStation<double> &at, const Vector3 &centre) const;
 
     struct Derivatives;
+    Eigen::Matrix<double, 5, AnnularMomentum::n_inputs>
+         slopes_of_annulus(const Station &station, const Gathered<double> &g, const AtStation<double> &at) const;
     void differentiate(const Station           &station,
                        const Gathered<double>  &g,
                        const AtStation<double> &at,

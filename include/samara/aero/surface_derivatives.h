@@ -234,6 +234,57 @@ namespace samara
       K(row + 1, row + 1) += speed / T.boundary_layer;
     }
 
+    /** The couple of pitching, but for its direction. */
+    void
+    of_pitching(const Station &station, const AtStation<double> &at, const Matrix3 &E, const Change<1> &pitching)
+    {
+      const double sign = at.V(1) > 0 ? -1 : 1, c = station.pitch_damping;
+      moment.add<3>(c * sign * at.pitching * E.col(0) * Eigen::RowVector3d::Unit(1), V);
+      moment.add<1>(c * sign * at.V(1) * E.col(0), pitching);
+    }
+
+    /** Ω₁ = e₁·ω */
+    Change<1>
+    of_turning(const AtStation<double> &at, const Matrix3 &E) const
+    {
+      Change<1> turning(turn.place.cols(), turn.states.cols());
+      turning.add<3>(E.col(0).transpose(), spin);
+      turning.add<3>(E.col(0).transpose() * skew(at.spin), turn);
+      return turning;
+    }
+
+    /** What of it is that of a section carried round the thrust axis n, κ n·e₁ with κ = (n × r)·v/|n × r|². */
+    Change<1>
+    of_carried_round(const Station &station, const Gathered<double> &g, const AtStation<double> &at) const
+    {
+      const Matrix3     &H     = g.frames.D.back();
+      const unsigned int first = 6 * (g.frames.D.size() - 1);
+      const Vector3      v_hub = g.frames.y.back().head<3>(), n = at.thrust_axis, e1 = at.axes.e1,
+                    r = g.frames.position(station.N, station.three_quarters) - g.frames.x.back(), p = n.cross(r),
+                    v = at.air - at.relative - H * v_hub;
+      Change<3> dr(turn.place.cols(), turn.states.cols()), dv = dr, dp = dr;
+      for (unsigned int a = 0; a < station.N.size(); ++a)
+        {
+          const Matrix3 ND = station.N[a] * g.frames.D[a];
+          dr.place.middleCols<3>(6 * a) += ND;
+          dr.place.middleCols<3>(6 * a + 3) -= ND * skew(station.three_quarters);
+        }
+      dr.place.middleCols<3>(first) -= H;
+      dv.add<3>(Matrix3::Identity(), air);
+      dv.add<3>(-Matrix3::Identity(), relative);
+      dv.place.middleCols<3>(first + 3) += H * skew(v_hub);
+      dv.twist.middleCols<3>(first) -= H;
+      dp.add<3>(-skew(r), axis);
+      dp.add<3>(skew(n), dr);
+      const double square = p.squaredNorm() + square_near_axis(g.radius), kappa = p.dot(v) / square, along = n.dot(e1);
+      Change<1>    carried(turn.place.cols(), turn.states.cols());
+      carried.add<3>(along / square * (v - 2 * kappa * p).transpose(), dp);
+      carried.add<3>(along / square * p.transpose(), dv);
+      carried.add<3>(kappa * e1.transpose(), axis);
+      carried.add<3>(-kappa * n.transpose() * skew(e1), turn);
+      return carried;
+    }
+
     /** What of the virtual mass is a load. */
     void
     of_virtual_mass(const Station &station, const AtStation<double> &at, const Matrix3 &E)
@@ -244,13 +295,11 @@ namespace samara
       du.add<3>(E.transpose() * skew(at.air), turn);
       dw.add<3>(E.transpose(), spin);
       dw.add<3>(E.transpose() * skew(at.spin), turn);
-      const double  m = station.virtual_mass, c = 0.25 * m * station.section.chord;
-      const Vector3 e1 = E.col(0), e3 = E.col(2);
+      const double  m  = station.virtual_mass;
+      const Vector3 e3 = E.col(2);
       middle_force.add<3>(m * e3 * Eigen::RowVector3d(w(1), -w(0), 0.), du);
       middle_force.add<3>(m * e3 * Eigen::RowVector3d(-u(1), u(0), 0.), dw);
       middle_force.add<3>(-skew(at.middle_force), turn);
-      moment.add<3>(c * w(0) * e1 * Eigen::RowVector3d::Unit(1), V);
-      moment.add<3>(c * at.V(1) * e1 * Eigen::RowVector3d::Unit(0), dw);
     }
 
     /** The place on the disk and the thrust axis follow the hub, the last frame. */

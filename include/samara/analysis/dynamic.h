@@ -3,6 +3,7 @@
 
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/contacts.h>
+#include <samara/analysis/line_of_air.h>
 #include <samara/output/checkpoint.h>
 #include <samara/output/history.h>
 #include <samara/output/pictures.h>
@@ -155,6 +156,7 @@ namespace samara
     unsigned long n_grid     = 0; ///< steps of the grid that are done
     unsigned int  n_recorded = 0;
     CoarseMeshes  meshes;
+    LineOfAir     air;
 
     std::unique_ptr<Integrator> make_integrator(const System &system, double tolerance) const;
     /** Up to round-off of the whole time. */

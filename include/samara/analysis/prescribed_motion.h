@@ -21,6 +21,13 @@ namespace samara
    * their speed is the rotation's.
    */
   PrescribedMotion prescribed_beside(const System &system, const State &state, const std::vector<double> &times);
+
+  /**
+   * What to say where a joint is prescribed to turn on and on, Omega*t, and the model has no steady rotation: an
+   * analysis that takes the rotor as it stands, and the load to add. Empty if there is no such joint. @p what is the
+   * rest of a sentence, "these are the modes".
+   */
+  std::string about_stopped_rotor(const System &system, const State &state, const std::string &what);
 } // namespace samara
 
 #endif

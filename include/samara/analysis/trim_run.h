@@ -1,6 +1,7 @@
 #ifndef samara_analysis_trim_run_h
 #define samara_analysis_trim_run_h
 
+#include <samara/analysis/line_of_air.h>
 #include <samara/analysis/trim.h>
 
 #include <deque>
@@ -88,6 +89,7 @@ namespace samara
     unsigned int        n_without_tangent = 0; ///< turns one after another that had none: on some a stop is touched
     double              tolerance         = 0; ///< that of the entries, and less where a motion drifts
     double              asymmetry         = 0; ///< by which steps treat the repeated parts differently, in scales
+    LineOfAir           air;                   ///< of that period
     std::vector<double> gap_behind;            ///< of the period in which what was found has been confirmed
 
     std::vector<PeriodAverage>      find_targets();
