@@ -303,7 +303,8 @@ namespace samara
                                   unit_when_read(entry, quantities));
         if (is_needed && is_zero_vector(entry.value()))
           throw std::invalid_argument("a direction must not be zero");
-        if (is_number && unit_when_read(entry, quantities) == "rad")
+        const std::string unit = unit_when_read(entry, quantities);
+        if (is_number && (unit == "rad" || unit == "(rad)"))
           if (const double angle = angle_like_degrees(given.value); angle != 0)
             complaints.doubt(given.where,
                              "<" + entry.name() + "> has no unit, and is in radians: " + number_to_text("%.6g", angle) +

@@ -407,6 +407,8 @@ namespace samara
     auto rows = dependent_rows();
     if (rows.empty())
       return rows;
+    generic          = state; // if nothing better is found
+    generic.left_out = rows;
     try
       {
         factorize(rows);
