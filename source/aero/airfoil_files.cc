@@ -1,6 +1,7 @@
 // Readers of files with tables of airfoils.
 
 #include <samara/aero/airfoil_table.h>
+#include <samara/base/number_in_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +54,8 @@ namespace samara
           if (c == 'D' || c == 'd')
             c = 'e';
         double value = 0;
-        if (!text_to_number(plain, value) || !std::isfinite(value))
-          complain("<" + trim(text) + "> is not a number");
+        if (const std::string fault = fault_of_number(plain, value); !fault.empty())
+          complain("<" + trim(text) + "> " + fault);
         return value;
       }
     };

@@ -1,11 +1,13 @@
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/finite_matrix.h>
 #include <samara/base/finite.h>
+#include <samara/base/text.h>
 #include <samara/model/doubts.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace samara
@@ -96,6 +98,25 @@ namespace samara
     for (int j = 0; j < A.pattern->size(); ++j)
       for (int k = A.pattern->column_start[j]; k < A.pattern->column_start[j + 1]; ++k)
         require_finite(A.values[k], [&]() { return "the tangent matrix at " + system.layout.name_of(j); });
+  }
+
+
+
+  std::string
+  Context::name_of_speed() const
+  {
+    constexpr unsigned int fewest = 6, most = 17; // short_text() has six; seventeen are all that a number has
+    constexpr double       round_off = 1e-13;     // speeds are in proportion to that of the model
+    const double           speed     = speeds[0];
+    for (unsigned int digits = fewest;; ++digits)
+      {
+        const std::string format = "%." + std::to_string(digits) + "g", name = number_to_text(format.c_str(), speed);
+        if (digits == most || std::none_of(sweep.begin(), sweep.end(), [&](const double other) {
+              return std::abs(other - speed) > round_off * std::abs(speed) &&
+                     number_to_text(format.c_str(), other) == name;
+            }))
+          return name;
+      }
   }
 
 

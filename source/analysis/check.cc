@@ -19,24 +19,21 @@ namespace samara
       // below is round-off of the elimination that found the combination
       for (const auto &[coordinate, row] : system.model.prescribed)
         if (std::abs(combination(row)) > 1e-6 * combination.cwiseAbs().maxCoeff())
-          for (const auto *c : system.layout.joints)
-            if (system.layout.multiplier_names[row].find("joint " + c->name + ", ") == 0)
-              return c->parameters.where() + ": ";
-      return "";
-    }
-
-    /** "model.prm:12: " of the item that a multiplier or a friction of this name belongs to. */
-    std::string
-    place_of_item(const System &system, const std::string &name)
-    {
-      for (const auto *c : system.layout.joints)
-        for (const std::string kind : {"joint ", "gear "})
-          if (const std::string whose = kind + c->name;
-              name.compare(0, whose.size(), whose) == 0 && (name.size() == whose.size() || name[whose.size()] == ','))
-            return c->parameters.where() + ": ";
+          return system.layout.owner_of_multiplier(row).parameters.where() + ": ";
       return "";
     }
   } // namespace
+
+
+
+  std::vector<std::string>
+  titles_of(const std::vector<const Item *> &items)
+  {
+    std::vector<std::string> titles;
+    for (const auto *const item : items)
+      titles.push_back(item->title());
+    return titles;
+  }
 
 
 
@@ -96,7 +93,7 @@ namespace samara
       check.contradictions.push_back(place_of_prescribed(system, check.combinations.col(j)) +
                                      "these constraints contradict each other: " + rows.names(check.combinations, j));
     for (const auto &loop : rows.loops(check.combinations))
-      check.redundant.push_back(join_some(loop.joints) + ": " + std::to_string(loop.n_redundant) +
+      check.redundant.push_back(join_some(titles_of(loop.joints)) + ": " + std::to_string(loop.n_redundant) +
                                 (loop.n_redundant == 1 ? " constraint says" : " constraints say") +
                                 " what the others say already");
   }
@@ -212,26 +209,30 @@ namespace samara
   ModelCheck::complaint_about_laws(const System &system) const
   {
     const auto not_unique = [&](const auto &multipliers) {
-      std::vector<std::string> names;
+      std::vector<unsigned int> rows;
       for (const unsigned int i : multipliers)
         for (int j = 0; j < combinations.cols(); ++j)
           if (std::abs(combinations(i, j)) > 1e-6 * combinations.col(j).cwiseAbs().maxCoeff() &&
-              std::find(names.begin(), names.end(), system.layout.multiplier_names[i]) == names.end())
-            names.push_back(system.layout.multiplier_names[i]);
-      return names;
+              std::find(rows.begin(), rows.end(), i) == rows.end())
+            rows.push_back(i);
+      return rows;
     };
-    const auto complaint =
-      [](const std::string &who, const std::vector<std::string> &names, const std::string &or_else) {
-        return who +
-               " depends on forces that are not unique, because others could be in their place: " + join_some(names) +
-               ". Give a joint of the loop more freedom (spherical or cylindrical instead of revolute), or " + or_else;
-      };
-    if (const auto names = not_unique(system.layout.multipliers_in_laws); !names.empty())
-      return place_of_item(system, names.front()) + complaint("an expression", names, "take another signal");
+    const auto complaint = [&](const Item                      &place,
+                               const std::string               &who,
+                               const std::vector<unsigned int> &rows,
+                               const std::string               &or_else) {
+      std::vector<std::string> names;
+      for (const unsigned int i : rows)
+        names.push_back(system.layout.name_of_multiplier(i));
+      return place.parameters.where() + ": " + who +
+             " depends on forces that are not unique, because others could be in their place: " + join_some(names) +
+             ". Give a joint of the loop more freedom (spherical or cylindrical instead of revolute), or " + or_else;
+    };
+    if (const auto rows = not_unique(system.layout.multipliers_in_laws); !rows.empty())
+      return complaint(system.layout.owner_of_multiplier(rows.front()), "an expression", rows, "take another signal");
     for (const auto &friction : system.layout.frictions)
-      if (const auto names = not_unique(friction.multipliers); !names.empty())
-        return place_of_item(system, friction.name) +
-               complaint(friction.name, names, "take away the joint that repeats it");
+      if (const auto rows = not_unique(friction.multipliers); !rows.empty())
+        return complaint(*friction.owner, friction.name, rows, "take away the joint that repeats it");
     return "";
   }
 

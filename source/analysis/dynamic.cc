@@ -202,6 +202,6 @@ namespace samara
     if (remarks.largest_gap_left_out <= report.largest_gap_left_out)
       return;
     report.largest_gap_left_out = remarks.largest_gap_left_out;
-    report.worst_left_out       = context.system.layout.multiplier_names[remarks.worst_left_out];
+    report.worst_left_out       = context.system.layout.name_of_multiplier(remarks.worst_left_out);
   }
 } // namespace samara

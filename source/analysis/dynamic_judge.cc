@@ -86,7 +86,7 @@ namespace samara
         report.worst_place  = context.system.layout.name_of(advance.step.worst);
         if (advance.step.worst_constraint >= 0)
           report.worst_place += "; of what holds that, most is transmitted by <" +
-                                context.system.layout.multiplier_names[advance.step.worst_constraint] + ">";
+                                context.system.layout.name_of_multiplier(advance.step.worst_constraint) + ">";
       }
     // what counts is the largest energy of all the run: a motion that begins slowly has little energy at first
     const double allowed = std::min(n_judged * (allowed_multiple * newton_tolerance + round_off), most_allowed);

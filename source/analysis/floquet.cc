@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 namespace samara
 {
@@ -58,19 +57,6 @@ namespace samara
 
 
 
-    /** Whether something in the model may bring a speed back to what it was: a state that laws name. */
-    bool
-    has_controllers(const Model &model)
-    {
-      static const std::unordered_set<std::string> kinds = {
-        "first order", "PID", "transfer function", "state space", "delay"};
-      return std::any_of(model.items.begin(), model.items.end(), [](const auto &item) {
-        return kinds.count(item->kind) > 0;
-      });
-    }
-
-
-
     /**
      * A rotation that statics held and nothing holds in motion is told of before periods are run that lead nowhere.
      * @throws InputError if its speed changes and nothing can bring it back
@@ -111,7 +97,7 @@ namespace samara
                                (most < 1 ? number_to_text("%.2g", 100 * most) + " %" : "more than itself") +
                                " in the first period, and a motion that gets slower or faster does not repeat itself; "
                                "let the rotation be <Prescribed>";
-      if (!has_controllers(context.system.model))
+      if (!context.system.model.laws_name_states)
         throw InputError(where + ": " + text);
       context.log.warning("floquet", text + ", unless a controller brings it back");
     }

@@ -171,7 +171,7 @@ namespace samara
     if (context.folder.empty())
       return;
     if (!context.sweep.empty())
-      table.write(context.folder + "/floquet_" + short_text(context.speeds[0]) + ".csv");
+      table.write(context.folder + "/floquet_" + context.name_of_speed() + ".csv");
     if (context.is_shown())
       table.write(context.folder + "/floquet.csv");
   }

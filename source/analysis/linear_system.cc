@@ -129,7 +129,7 @@ namespace samara
               row >= 0 && linearization.S.values[k] != 0.)
             throw InputError(
               parameters.where("Inputs") + ": <" + system.model.states[input].name + "> prescribes a motion (" +
-              system.layout.multiplier_names[row] +
+              system.layout.name_of_multiplier(row) +
               "), whose acceleration would be an input, too.\n  Let it be the rest angle of a spring and a "
               "damper, or of a state that follows it: an actuator has both");
       }
@@ -144,7 +144,7 @@ namespace samara
     const auto    numbers = states_of_inputs(system), controls = states_of_controls(system);
     if (!system.layout.nonholonomic.empty())
       throw InputError(parameters.where() + ": linear system: what rolls has constraints on velocities alone, " +
-                       system.layout.multiplier_names[system.layout.nonholonomic[0]] +
+                       system.layout.name_of_multiplier(system.layout.nonholonomic[0]) +
                        ", for which there is none here");
     const Steady        steady = analyse(context);
     const Linearization with_inputs(system, steady.state, steady.spins, Linearization::Controls::free);

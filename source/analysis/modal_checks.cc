@@ -139,7 +139,7 @@ namespace samara
       throw NotConverged(
         "modal analysis: the state is not an equilibrium: loads or inertia forces act that its stresses do not "
         "balance.\n  Modes would be those of a state that does not last. Find the equilibrium first: set Analyses = "
-        "static, modal.");
+        "static, modal; or leave the loads out.");
   }
 
 

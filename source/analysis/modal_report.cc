@@ -157,7 +157,7 @@ namespace samara
     if (context.folder.empty())
       return;
     if (!context.sweep.empty())
-      table.write(context.folder + "/modes_" + short_text(context.speeds[0]) + ".csv");
+      table.write(context.folder + "/modes_" + context.name_of_speed() + ".csv");
     if (context.is_shown())
       table.write(context.folder + "/modes.csv");
   }

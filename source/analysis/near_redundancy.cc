@@ -115,8 +115,7 @@ namespace samara
           for (int k = pattern.column_start[column]; k < pattern.column_start[column + 1]; ++k)
             if (pattern.rows[k] < layout.of_coordinate(0))
               ends.push_back(pieces.column_of_node(1 + pattern.rows[k] / 6) / 6 + 1);
-          if (i + 1 < layout.n_multipliers &&
-              owner_and_row(layout.multiplier_names[i]).first == owner_and_row(layout.multiplier_names[i + 1]).first)
+          if (i + 1 < layout.n_multipliers && &layout.owner_of_multiplier(i) == &layout.owner_of_multiplier(i + 1))
             continue;
           // all rows of one joint are known; of one piece alone the other end is the ground
           std::sort(ends.begin(), ends.end());
@@ -216,13 +215,13 @@ namespace samara
     const Eigen::MatrixXd Gt(rows.transposed(there)), span = Gt(Eigen::all, far), rest = Gt(Eigen::all, near);
     const Eigen::MatrixXd X        = SymmetricSolve(span.transpose() * span).solve(span.transpose() * rest),
                           distance = rest - span * X;
-    std::vector<std::string> joints;
-    double                   largest = 0;
-    unsigned int             count   = 0;
-    const auto               add     = [&](const int j) {
-      const std::string name = owner_and_row(system.layout.multiplier_names[rows.rows[j]]).first;
-      if (std::find(joints.begin(), joints.end(), name) == joints.end())
-        joints.push_back(name);
+    std::vector<const Item *> joints;
+    double                    largest = 0;
+    unsigned int              count   = 0;
+    const auto                add     = [&](const int j) {
+      if (const Item &owner = system.layout.owner_of_multiplier(rows.rows[j]);
+          std::find(joints.begin(), joints.end(), &owner) == joints.end())
+        joints.push_back(&owner);
     };
     for (unsigned int j = 0; j < near.size(); ++j)
       {
@@ -238,7 +237,7 @@ namespace samara
       }
     if (count == 0)
       return "";
-    return join_some(joints) + ": " + std::to_string(count) +
+    return join_some(titles_of(joints)) + ": " + std::to_string(count) +
            (count == 1 ? " constraint nearly says" : " constraints nearly say") + " what the others say, to " +
            number_to_text("%.1g", largest) +
            ". Only as a structure do they all hold. If something should move there, places or axes are rounded or wrong: give all their "
@@ -343,13 +342,13 @@ namespace samara
   std::string
   SingularPositions::joints_of(const Eigen::VectorXd &combination) const
   {
-    std::vector<std::string> joints;
+    std::vector<const Item *> joints;
     for (int i = 0; i < combination.size(); ++i)
       if (std::abs(combination(i)) > no_part_in_it * combination.cwiseAbs().maxCoeff())
-        if (const std::string name = owner_and_row(system.layout.multiplier_names[rows->rows[i]]).first;
-            std::find(joints.begin(), joints.end(), name) == joints.end())
-          joints.push_back(name);
-    return join_some(joints);
+        if (const Item &owner = system.layout.owner_of_multiplier(rows->rows[i]);
+            std::find(joints.begin(), joints.end(), &owner) == joints.end())
+          joints.push_back(&owner);
+    return join_some(titles_of(joints));
   }
 
 

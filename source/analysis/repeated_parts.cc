@@ -46,6 +46,16 @@ namespace samara
 
 
 
+    /** Whether a node or a coordinate, "hub" or "shaft.rotation", is of the object @p part, or in the subsystem. */
+    bool
+    is_of_object(const std::string &name, const std::string &part)
+    {
+      const std::string owner = name.substr(0, name.find('.')); // names of objects have no dot
+      return owner == part || owner.compare(0, part.size() + 1, part + subsystem_separator) == 0;
+    }
+
+
+
     /** What is called by names: nodes, of which several have one name, coordinates, states. */
     struct Named
     {
@@ -172,17 +182,34 @@ namespace samara
     for (unsigned int i = 0; i < node_becomes.size(); ++i)
       node_turns[i] = node_becomes[i] != i;
     for (const auto &part : turning)
-      {
-        bool is_known = false;
-        for (unsigned int i = 1; i < nodes.names.size(); ++i)
-          if (find_word(nodes.names[i], part) != std::string::npos)
-            node_turns[i] = is_known = true;
-        for (unsigned int i = 0; i < coordinates.names.size(); ++i)
-          if (find_word(coordinates.names[i], part) != std::string::npos)
-            coordinate_turns[i] = is_known = true;
-        if (!is_known)
-          throw std::invalid_argument("nothing that moves is called <" + part + ">" + did_you_mean(part, nodes.names));
-      }
+      find_turning(part);
+  }
+
+
+
+  void
+  RepeatedParts::find_turning(const std::string &part)
+  {
+    std::vector<std::string> nodes = names_of(system.model.nodes), coordinates = system.model.coordinates;
+    const auto               is_its_own = [&](const std::string &name) { return is_of_object(name, part); };
+    // <plate> is the plate and what is in the subsystem of that name; only if nothing is called so, the <swash plate>
+    const bool has_owner = std::any_of(nodes.begin() + 1, nodes.end(), is_its_own) ||
+                           std::any_of(coordinates.begin(), coordinates.end(), is_its_own);
+    const auto is_meant = [&](const std::string &name) {
+      return has_owner ? is_its_own(name) : find_word(name, part) != std::string::npos;
+    };
+    bool is_known = false;
+    for (unsigned int i = 1; i < nodes.size(); ++i)
+      if (is_meant(nodes[i]))
+        node_turns[i] = is_known = true;
+    for (unsigned int i = 0; i < coordinates.size(); ++i)
+      if (is_meant(coordinates[i]))
+        {
+          is_known            = true;
+          coordinate_turns[i] = system.model.coordinate_units[i] == "rad"; // what slides does not turn
+        }
+    if (!is_known)
+      throw std::invalid_argument("nothing that moves is called <" + part + ">" + did_you_mean(part, nodes));
   }
 
 
@@ -201,16 +228,16 @@ namespace samara
   RepeatedParts::turn_as_built(const State &moving) const
   {
     const auto &nodes  = system.model.nodes;
-    Vector3     centre = Vector3::Zero(), spin = Vector3::Zero();
-    double  n = 0;
+    Vector3     centre = Vector3::Zero();
+    double      n      = 0;
     for (unsigned int i = 1; i < nodes.size(); ++i)
       if (node_becomes[i] != i)
         {
           centre += nodes[i].x;
-          spin += nodes[i].D * Eigen::Map<const Vector3>(&moving.y[6 * i + 3]);
           ++n;
         }
     centre /= std::max(n, 1.);
+    const Vector3 spin = spin_of_parts(moving);
     Matrix3 H = Matrix3::Zero();
     for (unsigned int i = 1; i < nodes.size(); ++i)
       if (node_becomes[i] != i)
@@ -280,9 +307,31 @@ namespace samara
     for (unsigned int node = 1; node < axes.size(); ++node)
       if (node_turns[node])
         axes[node] = nodes[node_becomes[node]].D.transpose() * R * nodes[node].D;
+    // what turns k times as fast as the parts turns by k of their n-th turns; what stands, as the angle of a link, by
+    // none
+    const double speed = spin_of_parts(moving).norm();
     for (unsigned int i = 0; i < turns_by.size(); ++i)
       if (coordinate_turns[i])
-        turns_by[i] = std::copysign(2 * M_PI / n_parts, moving.rates[i]);
+        {
+          const double times = speed > 0 ? std::round(std::abs(moving.rates[i]) / speed) : 1.;
+          turns_by[i]        = std::copysign(times * 2 * M_PI / n_parts, moving.rates[i]);
+        }
+  }
+
+
+
+  Vector3
+  RepeatedParts::spin_of_parts(const State &moving) const
+  {
+    Vector3 sum = Vector3::Zero();
+    double  n   = 0;
+    for (unsigned int i = 1; i < node_becomes.size(); ++i)
+      if (node_becomes[i] != i)
+        {
+          sum += system.model.nodes[i].D * Eigen::Map<const Vector3>(&moving.y[6 * i + 3]);
+          ++n;
+        }
+    return sum / std::max(n, 1.);
   }
 
 

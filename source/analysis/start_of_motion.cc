@@ -39,7 +39,7 @@ namespace samara
           system.constraint_rates(given.point(), rates.data());
           const auto worst =
             std::max_element(rates.begin(), rates.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-          where = system.layout.multiplier_names[worst - rates.begin()];
+          where = system.layout.name_of_multiplier(worst - rates.begin());
         }
       else if (const auto *const c = system.strained(projected.point(), 1e-6 * std::abs(context.speeds[i])))
         where = "<" + c->name + ">, which would be strained";
@@ -67,7 +67,7 @@ namespace samara
       for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
         if (const double gap = std::abs(r[system.layout.of_multiplier(i)]); gap > 1e-6 * std::max(1., length))
           throw InputError(
-            system.layout.multiplier_names[i] + ": the constraint is violated by " + number_to_text("%.3g", gap) +
+            system.layout.name_of_multiplier(i) + ": the constraint is violated by " + number_to_text("%.3g", gap) +
             " at the start; let a static analysis find a position that obeys it: <Analyses = static, dynamic>");
     }
 

@@ -80,6 +80,18 @@ namespace samara
         ++n_follow_ups; // too many to be kept
       else if (known.insert(complaint).second)
         complaints.push_back(complaint);
+      else
+        ++n_follow_ups; // known, but another object may have it, too
+  }
+
+
+
+  void
+  Complaints::doubt(const std::string &where, const std::string &text)
+  {
+    const std::string all = where.empty() ? readable(text) : where + ": " + readable(text);
+    if (std::find(doubtful.begin(), doubtful.end(), all) == doubtful.end())
+      doubtful.push_back(all);
   }
 
 

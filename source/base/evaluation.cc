@@ -4,12 +4,73 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace samara
 {
+  KnownWords::KnownWords(std::map<std::string, Meaning> outermost)
+    : innermost(std::make_shared<Layer>(Layer{std::move(outermost), nullptr}))
+  {}
+
+
+
+  const Meaning *
+  KnownWords::find(const std::string &name) const
+  {
+    for (const Layer *layer = innermost.get(); layer != nullptr; layer = layer->around.get())
+      if (const auto word = layer->words.find(name); word != layer->words.end())
+        return &word->second;
+    return nullptr;
+  }
+
+
+
+  bool
+  KnownWords::is_outer(const std::string &name) const
+  {
+    if (innermost->words.count(name) > 0)
+      return false;
+    for (const Layer *layer = innermost->around.get(); layer != nullptr; layer = layer->around.get())
+      if (layer->words.count(name) > 0)
+        return layer->around != nullptr;
+    return false;
+  }
+
+
+
+  void
+  KnownWords::set(const std::string &name, const Meaning &meaning)
+  {
+    if (innermost.use_count() > 1)
+      innermost = std::make_shared<Layer>(*innermost);
+    innermost->words[name] = meaning;
+  }
+
+
+
+  void
+  KnownWords::begin_layer()
+  {
+    innermost = std::make_shared<Layer>(Layer{{}, innermost});
+  }
+
+
+
+  std::vector<std::string>
+  KnownWords::names() const
+  {
+    std::set<std::string> all;
+    for (const Layer *layer = innermost.get(); layer != nullptr; layer = layer->around.get())
+      for (const auto &word : layer->words)
+        all.insert(word.first);
+    return {all.begin(), all.end()};
+  }
+
+
+
   Evaluation::Evaluation(const std::string                      &text,
-                         const std::map<std::string, Meaning>   &words,
+                         const KnownWords                       &words,
                          const std::map<std::string, Dimension> &variables)
     : text(text)
     , tokens(tokens_of(text))
@@ -24,8 +85,7 @@ namespace samara
 
 
   void
-  Evaluation::collect_words(const std::map<std::string, Meaning>   &words,
-                            const std::map<std::string, Dimension> &variables)
+  Evaluation::collect_words(const KnownWords &words, const std::map<std::string, Dimension> &variables)
   {
     for (const auto &token : tokens)
       {
@@ -34,21 +94,21 @@ namespace samara
         if (token.kind != Token::word || is_known || token.text == "cubic" || token.text == "linear") // kinds of tables
           continue;
 
-        const auto word = words.find(token.text);
+        const Meaning *const word = words.find(token.text);
         if (const auto variable = variables.find(token.text); variable != variables.end())
           used.push_back({token.text, Meaning(), true, variable->second});
-        else if (word != words.end() && word->second.is_faulty)
+        else if (word != nullptr && word->is_faulty)
           throw FollowUp();
-        else if (word != words.end())
-          used.push_back({token.text, word->second, false, {}});
+        else if (word != nullptr)
+          used.push_back({token.text, *word, false, {}});
         else
           {
             auto candidates = function_names();
             for (const auto &variable : variables)
               candidates.push_back(variable.first);
             if (may_suggest())
-              for (const auto &known : words)
-                candidates.push_back(known.first);
+              for (const auto &known : words.names())
+                candidates.push_back(known);
             throw std::invalid_argument("<" + text + ">: <" + token.text +
                                         "> is neither a constant nor a unit nor a function" +
                                         did_you_mean(token.text, candidates));
@@ -126,6 +186,15 @@ namespace samara
   Evaluation::uses(const std::string &word) const
   {
     return std::any_of(used.begin(), used.end(), [&](const Used &u) { return !u.is_variable && u.name == word; });
+  }
+
+
+
+  bool
+  Evaluation::is_bare_percentage() const
+  {
+    return uses("%") &&
+           std::all_of(used.begin(), used.end(), [](const Used &u) { return u.is_variable || u.meaning.is_unit; });
   }
 
 

@@ -1,4 +1,5 @@
 #include <samara/base/function_of_time.h>
+#include <samara/base/number_in_file.h>
 #include <samara/base/text.h>
 
 #include <algorithm>
@@ -23,8 +24,8 @@ namespace samara
           row              = trim(row);
           const auto blank = row.find_first_of(" \t");
           double     x = 0, y = 0;
-          if (blank == std::string::npos || !text_to_number(row.substr(0, blank), x) ||
-              !text_to_number(trim(row.substr(blank)), y))
+          if (blank == std::string::npos || !fault_of_number(row.substr(0, blank), x).empty() ||
+              !fault_of_number(trim(row.substr(blank)), y).empty())
             throw std::invalid_argument("<" + row + "> in a table is not two numbers.");
           const auto n = table.size();
           if (n > 0 && (x < table[n - 1].first || (n > 1 && x == table[n - 2].first)))

@@ -1,4 +1,5 @@
 #include <samara/base/law.h>
+#include <samara/base/quoted.h>
 #include <samara/base/text.h>
 
 #include <deal.II/base/exceptions.h>
@@ -249,6 +250,33 @@ namespace samara
 
 
 
+  SignalNames::SignalNames(std::shared_ptr<const SignalNames> shared)
+    : around(std::move(shared))
+    , longest(around->longest)
+  {}
+
+
+
+  const std::string *
+  SignalNames::object_called(const std::string &name) const
+  {
+    if (const auto found = objects.find(name); found != objects.end())
+      return &found->second;
+    return around ? around->object_called(name) : nullptr;
+  }
+
+
+
+  const SignalNames::State *
+  SignalNames::state_called(const std::string &name) const
+  {
+    if (const auto found = states.find(name); found != states.end())
+      return &found->second;
+    return around ? around->state_called(name) : nullptr;
+  }
+
+
+
   void
   SignalNames::add_object(const std::string &name)
   {
@@ -279,7 +307,9 @@ namespace samara
   void
   SignalNames::add_short_state(const std::string &short_name, const std::string &name)
   {
-    states[short_name] = states.at(name);
+    const State *const known = state_called(name);
+    Assert(known != nullptr, dealii::ExcMessage("The state <" + name + "> has been added before."));
+    states[short_name] = *known;
   }
 
 
@@ -287,8 +317,8 @@ namespace samara
   std::string
   SignalNames::unit_of_state(const std::string &name) const
   {
-    const auto found = states.find(name);
-    return found == states.end() ? "" : found->second.unit;
+    const State *const found = state_called(name);
+    return found == nullptr ? "" : found->unit;
   }
 
 
@@ -354,28 +384,28 @@ namespace samara
   SignalNames::find(const std::string &text) const
   {
     std::vector<Found> result;
-    bool               is_quoted = false; // the name of a file
+    std::size_t        dot = text.find('.');
     for (std::size_t i = 0; i < text.size(); ++i)
       {
-        is_quoted = is_quoted != (text[i] == '"');
-        if (is_quoted)
-          continue;
+        if (const auto end = end_of_quoted(text, i); end != std::string::npos)
+          i = end; // the name of a file
         const bool begins_word = is_word_character(text[i]) && std::isdigit(static_cast<unsigned char>(text[i])) == 0 &&
                                  (i == 0 || (!is_word_character(text[i - 1]) && text[i - 1] != '.'));
         if (!begins_word)
           continue;
         // the name of an object goes up to a dot, that of a state is a word
-        const std::size_t dot = text.find('.', i);
+        if (dot < i) // the next one stays, or texts of thousands of words would be gone through for each of them
+          dot = text.find('.', i);
         const std::string object =
           dot == std::string::npos || dot - i > 2 * longest ? "" : with_single_blanks(text.substr(i, dot - i));
-        if (const auto known = objects.find(object); known != objects.end())
+        if (const std::string *const known = object_called(object))
           {
-            result.push_back(signal_of_object(text, i, known->second, dot + 1));
+            result.push_back(signal_of_object(text, i, *known, dot + 1));
             i = result.back().end - 1;
             continue;
           }
         std::size_t end = i, end_of_longest = i;
-        for (const auto &name : long_states)
+        for (const auto &name : (around ? *around : *this).long_states)
           if (has_words(text, i, name, end) && end > end_of_longest)
             {
               if (result.empty() || result.back().begin != i)
@@ -390,9 +420,9 @@ namespace samara
         end = i;
         while (end < text.size() && is_word_character(text[end]))
           ++end;
-        const auto state = states.find(text.substr(i, end - i));
-        if (state != states.end() && (end == text.size() || text[end] != '('))
-          result.push_back({i, end, state->second.name, state->second.unit});
+        const State *const state = state_called(text.substr(i, end - i));
+        if (state != nullptr && (end == text.size() || text[end] != '('))
+          result.push_back({i, end, state->name, state->unit});
         i = end - 1;
       }
     return result;

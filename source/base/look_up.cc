@@ -1,6 +1,7 @@
 #include <samara/base/chain_rule.h>
 #include <samara/base/errors.h>
 #include <samara/base/look_up.h>
+#include <samara/base/number_in_file.h>
 #include <samara/base/quantity.h>
 #include <samara/base/text.h>
 #include <samara/base/text_file.h>
@@ -182,8 +183,8 @@ namespace samara
         for (unsigned int i = 0; i <= n_arguments; ++i)
           {
             const std::string field = trim(row->fields[columns[i]]);
-            if (!text_to_number(field, number))
-              throw std::invalid_argument(row->where + ": <" + field + "> is not a number.");
+            if (const std::string fault = fault_of_number(field, number); !fault.empty())
+              throw std::invalid_argument(row->where + ": <" + field + "> " + fault + ".");
             numbers.back().push_back(factors[i] * number);
           }
         if (n_arguments == 1 && numbers.size() > 1 && !(numbers.back()[0] > numbers[numbers.size() - 2][0]))

@@ -159,6 +159,15 @@ namespace samara
       return complaints.add(where, "<" + path_and_value + "> does not name an entry.");
     const auto e =
       std::find_if(target->entries.begin(), target->entries.end(), [&](const Entry &e) { return e.name == name; });
+    if (e == target->entries.end() && target->name == "Constants")
+      {
+        std::vector<std::string> names;
+        for (const auto &entry : target->entries)
+          names.push_back(entry.name);
+        return complaints.add(where,
+                              "<" + path + ">: there is no constant <" + name + "> that this could change" +
+                                did_you_mean(name, names));
+      }
     if (e == target->entries.end())
       target->entries.push_back({name, value, where});
     else

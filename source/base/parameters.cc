@@ -3,6 +3,7 @@
 #include <samara/base/text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <mutex>
 #include <stdexcept>
@@ -35,6 +36,39 @@ namespace samara
         double number = 1;
         return text_to_number(trim(part), number) && number == 0;
       });
+    }
+
+    /**
+     * The first angle in a text, without unit and so in radians, that looks like one in degrees; 0 if there is none. It
+     * is beyond a quarter of a turn, and no multiple of 15 degrees, which is meant: 3.14159. Of a function that names
+     * nothing but s or t it is what it begins with.
+     */
+    double
+    angle_like_degrees(const std::string &text)
+    {
+      constexpr double largest = M_PI / 2, round_part = M_PI / 12, round_off = 1e-3;
+      const auto       looks_so = [&](const double angle) {
+        return std::isfinite(angle) && std::abs(angle) > largest * (1 + round_off) &&
+               std::abs(std::remainder(angle, round_part)) > round_off;
+      };
+      for (const auto &row : split_top_level(text, ';'))
+        for (const auto &element : split_top_level(row, ','))
+          {
+            double angle = 0;
+            if (!text_to_number(trim(element), angle))
+              try
+                {
+                  angle              = 0; // not what a text with units begins with
+                  const bool is_of_s = element.find('s') != std::string::npos;
+                  if (element.find('(') == std::string::npos && element.find('"') == std::string::npos)
+                    angle = ScalarFunction(trim(element), is_of_s ? "s" : "t")(0.);
+                }
+              catch (const std::invalid_argument &)
+                {} // it has units, or names
+            if (looks_so(angle))
+              return angle;
+          }
+      return 0;
     }
 
     /** A bar would end the cell of a table. */
@@ -269,6 +303,14 @@ namespace samara
                                   unit_when_read(entry, quantities));
         if (is_needed && is_zero_vector(entry.value()))
           throw std::invalid_argument("a direction must not be zero");
+        const std::string unit = unit_when_read(entry, quantities);
+        if (is_number && (unit == "rad" || unit == "(rad)"))
+          if (const double angle = angle_like_degrees(given.value); angle != 0)
+            complaints.doubt(given.where,
+                             "<" + entry.name() + "> has no unit, and is in radians: " + number_to_text("%.6g", angle) +
+                               " rad are " + number_to_text("%.5g", angle * 180 / M_PI) + " degrees. Write <" +
+                               number_to_text("%.6g", angle) + " deg>, or <" + number_to_text("%.6g", angle) +
+                               " rad> if that is meant");
       }
     catch (const FollowUp &)
       {

@@ -10,12 +10,10 @@ namespace samara
 {
   namespace
   {
-    using Words = std::map<std::string, Meaning>;
-
-    Words
+    std::map<std::string, Meaning>
     units_and_universal_constants()
     {
-      Words words;
+      std::map<std::string, Meaning> words;
       for (const auto &unit : units())
         words[unit.name] = {{{unit.quantity, unit.quantity}}, true};
       for (const auto &constant : universal_constants())
@@ -24,11 +22,19 @@ namespace samara
       return words;
     }
 
-    const Words &
+    const KnownWords &
     known_to_all()
     {
-      static const Words words = units_and_universal_constants();
+      static const KnownWords words(units_and_universal_constants());
       return words;
+    }
+
+    Meaning
+    faulty_meaning()
+    {
+      Meaning nothing;
+      nothing.is_faulty = true;
+      return nothing;
     }
 
     bool
@@ -61,6 +67,19 @@ namespace samara
         throw std::invalid_argument("<" + text + ">: cycles a second are wanted; write them in <Hz>.");
     }
 
+    /** A bare number takes the declared unit, but of 100 % nobody knows what they are parts of. */
+    void
+    check_percent(const std::string         &text,
+                  const Evaluation          &evaluation,
+                  const Evaluation::Measure &measure,
+                  const std::string         &unit)
+    {
+      const bool is_bare = is_pure(measure.dimension) && std::abs(measure.dimension[angle_exponent]) < 1e-6;
+      if (is_bare && evaluation.is_bare_percentage() && !unit.empty() && unit != "1")
+        throw std::invalid_argument("<" + text + ">: % of what? In [" + unit +
+                                    "] write the part times what it is a part of, <100 %*Omega>.");
+    }
+
     /**
      * The reading of `lb` under which the evaluation has the dimension of @p unit; "" wants no particular one. With
      * variables, dimensions that are not consistent are accepted unless it is @p strict.
@@ -83,7 +102,10 @@ namespace samara
           if (const auto measure = evaluation.measure(reading, natural_units, natural_time); measure.is_consistent)
             {
               if (unit.empty() || fits(measure, wanted))
-                return reading;
+                {
+                  check_percent(text, evaluation, measure, unit);
+                  return reading;
+                }
               if (!is_found)
                 found = measure.dimension;
               is_found = true;
@@ -115,7 +137,9 @@ namespace samara
 
   Quantities::Quantities()
     : words(known_to_all())
-  {}
+  {
+    words.begin_layer();
+  }
 
 
 
@@ -150,18 +174,17 @@ namespace samara
         for (const unsigned int i : {0, 1})
           if (!m[i].is_consistent)
             m[i] = m[1 - i];
-        words[name] = {{{{m[0].value, m[0].dimension}, {m[1].value, m[1].dimension}}}, false};
+        words.set(name, {{{{m[0].value, m[0].dimension}, {m[1].value, m[1].dimension}}}, false});
       }
     catch (const FollowUp &)
       {
-        words[name].is_faulty = true;
+        words.set(name, faulty_meaning());
       }
     catch (const std::invalid_argument &e)
       {
         complaints.add(where, "constant <" + name + ">: " + e.what());
-        Meaning nothing;
-        nothing.is_faulty = true;
-        words.emplace(name, nothing);
+        if (words.find(name) == nullptr)
+          words.set(name, faulty_meaning());
       }
   }
 
@@ -170,8 +193,7 @@ namespace samara
   void
   Quantities::begin_subsystem()
   {
-    for (auto &[name, meaning] : words)
-      meaning.is_outer = !meaning.is_unit && known_to_all().count(name) == 0;
+    words.begin_layer();
   }
 
 
@@ -199,11 +221,11 @@ namespace samara
     const auto functions = function_names();
     if (std::find(functions.begin(), functions.end(), name) != functions.end())
       return "there is a function of that name; choose another.";
-    const auto word = words.find(name);
-    if (word == words.end() || word->second.is_faulty || word->second.is_outer)
+    const Meaning *const word = words.find(name);
+    if (word == nullptr || word->is_faulty || words.is_outer(name))
       return "";
-    return word->second.is_unit ? "there is a unit of that name; choose another." :
-                                  "there is already a constant of that name.";
+    return word->is_unit ? "there is a unit of that name; choose another." :
+                           "there is already a constant of that name.";
   }
 
 
@@ -247,12 +269,12 @@ namespace samara
   {
     /** Parentheses about each number and the units behind it: "a / 2 m/s" becomes "a / (2 m/s)". */
     std::string
-    with_units_tied(const std::string &text, const Words &words)
+    with_units_tied(const std::string &text, const KnownWords &words)
     {
       const auto tokens  = tokens_of(text);
       const auto is_unit = [&](const Token &token) {
-        const auto word = words.find(token.text);
-        return token.kind == Token::word && word != words.end() && word->second.is_unit;
+        const Meaning *const word = words.find(token.text);
+        return token.kind == Token::word && word != nullptr && word->is_unit;
       };
       std::string result;
       for (std::size_t i = 0; i < tokens.size(); ++i)
@@ -470,8 +492,8 @@ namespace samara
   Quantities::known_words() const
   {
     auto names = function_names();
-    for (const auto &word : words)
-      names.push_back(word.first);
+    for (const auto &word : words.names())
+      names.push_back(word);
     return names;
   }
 } // namespace samara

@@ -1,3 +1,4 @@
+#include <samara/base/quoted.h>
 #include <samara/base/text.h>
 
 #include <algorithm>
@@ -28,14 +29,18 @@ namespace samara
     std::vector<std::string> pieces;
     if (trim(text).empty())
       return pieces;
-    int         depth     = 0;
-    bool        is_quoted = false;
+    int         depth = 0;
     std::string piece;
-    for (const char c : text)
+    for (std::size_t i = 0; i < text.size(); ++i)
       {
-        is_quoted = is_quoted != (c == '"');
-        depth += is_quoted ? 0 : (c == '(') - (c == ')');
-        if (c == separator && depth == 0 && !is_quoted)
+        const char c = text[i];
+        depth += (c == '(') - (c == ')');
+        if (const auto end = end_of_quoted(text, i); end != std::string::npos)
+          {
+            piece += text.substr(i, end + 1 - i);
+            i = end;
+          }
+        else if (c == separator && depth == 0)
           {
             pieces.push_back(trim(piece));
             piece.clear();

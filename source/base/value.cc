@@ -1,3 +1,4 @@
+#include <samara/base/number_in_file.h>
 #include <samara/base/value.h>
 
 #include <cmath>
@@ -136,8 +137,8 @@ namespace samara
   double
   Value<double>::read(const std::string &text, const std::string &unit, const Quantities &quantities)
   {
+    constexpr double most   = largest_number;
     const double     number = constant_number(text, unit, quantities);
-    constexpr double most   = 1e100; // its square and more must be numbers, too
     if (std::abs(number) > most || (number != 0 && std::abs(number) < 1 / most))
       throw std::invalid_argument("<" + text + "> is too " + (std::abs(number) > most ? "large" : "small") +
                                   " to compute with: sizes lie between 1e-100 and 1e100 in SI units, or are 0.");

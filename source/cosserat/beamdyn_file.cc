@@ -1,3 +1,4 @@
+#include <samara/base/number_in_file.h>
 #include <samara/base/text.h>
 #include <samara/cosserat/beamdyn_file.h>
 #include <samara/section/symmetric_matrix.h>
@@ -104,7 +105,7 @@ namespace samara
           {
             std::replace(word.begin(), word.end(), 'd', 'e'); // 1.0D+3
             double x = 0;
-            if (!text_to_number(word, x))
+            if (!fault_of_number(word, x).empty())
               break;
             result.push_back(x);
           }

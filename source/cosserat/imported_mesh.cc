@@ -1,5 +1,6 @@
 // Meshes of other programs: Gmsh and Abaqus.
 
+#include <samara/base/number_in_file.h>
 #include <samara/base/text.h>
 #include <samara/base/text_file.h>
 #include <samara/cosserat/imported_mesh.h>
@@ -61,8 +62,8 @@ namespace samara
         double              value = 0;
         while (words >> word)
           {
-            if (!text_to_number(word, value) || !std::isfinite(value))
-              fail("<" + word + "> is not a number");
+            if (const std::string fault = fault_of_number(word, value); !fault.empty())
+              fail("<" + word + "> " + fault);
             result.push_back(value);
           }
         return result;

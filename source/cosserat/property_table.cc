@@ -1,3 +1,4 @@
+#include <samara/base/number_in_file.h>
 #include <samara/base/quantity.h>
 #include <samara/base/text.h>
 #include <samara/base/text_file.h>
@@ -123,8 +124,8 @@ namespace samara
     for (unsigned int i = 0; i < cells.size(); ++i)
       {
         double number = 0;
-        if (!text_to_number(cells[i], number) || !std::isfinite(number))
-          throw std::invalid_argument("<" + cells[i] + ">" + place + " is not a number");
+        if (const std::string fault = fault_of_number(cells[i], number); !fault.empty())
+          throw std::invalid_argument("<" + cells[i] + ">" + place + " " + fault);
         (names[i].empty() ? abscissae : columns[names[i]]).push_back(number * factors[i]);
       }
     const auto n = abscissae.size();

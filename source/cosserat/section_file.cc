@@ -1,3 +1,4 @@
+#include <samara/base/number_in_file.h>
 #include <samara/base/text.h>
 #include <samara/cosserat/section_file.h>
 #include <samara/rotation/matrix6.h>
@@ -67,7 +68,7 @@ namespace samara
         for (std::string word; words >> word;)
           {
             double x = 0;
-            if (!text_to_number(word, x))
+            if (!fault_of_number(word, x).empty())
               return {};
             result.push_back(x);
           }

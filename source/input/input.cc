@@ -222,6 +222,7 @@ namespace samara
     if (!complaints.empty())
       find_more_mistakes(complaints);
     subsystems.without_twins(complaints).throw_if_any();
+    doubts = complaints.doubts();
     if (model.nodes.size() == 1 && !is_without_bodies())
       throw InputError((outline.section("Bodies") != nullptr ? outline.section("Bodies")->where : outline.where) +
                        ": the model has no body; add one to subsection <Bodies>.");

@@ -310,9 +310,10 @@ namespace samara
         all.front().quantities.signals = std::move(names);
         return;
       }
+    const auto shared = std::make_shared<const SignalNames>(std::move(names));
     for (auto &scope : all)
       {
-        scope.quantities.signals           = names;
+        scope.quantities.signals           = SignalNames(shared);
         scope.quantities.signals.placement = scope.placement;
         std::vector<const Scope *> outermost_first;
         for (const Scope *s = &scope; s != nullptr && !s->prefix.empty(); s = s->around)

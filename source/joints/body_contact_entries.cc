@@ -311,14 +311,14 @@ namespace samara
     std::vector<std::string>  names;
     std::vector<unsigned int> coordinates, multipliers;
     for (const Measure &m : measures)
-      names.push_back("joint " + name + ", measure of the " + m.name);
+      names.push_back("measure of the " + m.name);
     for (unsigned int i = 0; i < n_slips; ++i)
-      names.push_back("joint " + name + ", slip " + std::to_string(i + 1));
+      names.push_back("slip " + std::to_string(i + 1));
     for (unsigned int i = 0; i < n_rolls; ++i)
-      names.push_back("joint " + name + ", rolling " + std::to_string(i + 1));
+      names.push_back("rolling " + std::to_string(i + 1));
     for (unsigned int i = 0; i < n_turns; ++i)
-      names.push_back("joint " + name + ", turning");
-    first_multiplier = layout.add_multipliers(names);
+      names.push_back("turning");
+    first_multiplier = layout.add_multipliers(*this, names);
     for (unsigned int i = 0; i < names.size(); ++i)
       {
         coordinates.push_back(coordinate + i);

@@ -98,7 +98,7 @@ namespace samara
                       "Length",
                       "<" + joint_a + "> and <" + joint_b + "> are " + number_to_text("%.6g", std::abs(apart)) +
                         " m apart along the beam in the reference configuration, less than its <Length>");
-    multiplier = layout.add_multipliers({"buffer " + name});
+    multiplier = layout.add_multipliers(*this, {""});
     layout.couple(block, {}, {coordinates.begin(), coordinates.end()}, {multiplier});
     layout.add(*this, *this);
     stop.clear();

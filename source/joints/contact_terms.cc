@@ -192,6 +192,7 @@ namespace samara
   ContactTerms::add_friction(Layout &layout, const Item &item, const Layout::Friction &friction)
   {
     layout.frictions.push_back(friction);
+    layout.frictions.back().owner = &item;
     if (friction.states.empty())
       return add(layout, item, std::make_unique<Friction>(layout, item, friction));
     add(layout, item, bristle_force(layout, item, friction));

@@ -126,8 +126,8 @@ namespace samara
     std::vector<std::string>  names;
     std::vector<unsigned int> multipliers;
     for (const std::string row : {"force 1", "force 2", "force 3", "moment 1", "moment 2", "moment 3"})
-      names.push_back("joint " + this->name + ", " + row);
-    first_multiplier = layout.add_multipliers(names);
+      names.push_back(row);
+    first_multiplier = layout.add_multipliers(*this, names);
     for (unsigned int i = 0; i < 6; ++i)
       multipliers.push_back(first_multiplier + i);
     b = layout.model.resolved(b);

@@ -93,21 +93,20 @@ namespace samara
   void
   Joint::number_rows(Layout &layout)
   {
-    const std::string prefix = "joint " + name + ", ";
     rows.clear();
     for (const auto &l : locked)
-      rows.push_back(prefix + l.name);
+      rows.push_back(l.name);
     for (const auto *motion : used)
-      rows.push_back(prefix + "measure of the " + motion->name);
+      rows.push_back("measure of the " + motion->name);
     for (const auto *motion : used)
       if (motion->is_prescribed)
-        rows.push_back(prefix + "prescribed " + motion->name);
+        rows.push_back("prescribed " + motion->name);
     if (is_screw)
-      rows.push_back(prefix + "pitch");
+      rows.push_back("pitch");
     for (const auto &s : no_slip)
-      rows.push_back(prefix + s.name);
+      rows.push_back(s.name);
 
-    first_multiplier = layout.add_multipliers(rows);
+    first_multiplier = layout.add_multipliers(*this, rows);
     first_row        = layout.of_multiplier(first_multiplier);
     std::vector<unsigned int> coordinates, multipliers(rows.size());
     for (const auto *motion : used)

@@ -356,7 +356,7 @@ namespace samara
   void
   Gear::connect(Layout &layout)
   {
-    multiplier = layout.add_multipliers({"gear " + name});
+    multiplier = layout.add_multipliers(*this, {""});
     row        = has_backlash ? 3 : 2;
     layout.couple(block, {}, {coordinates, coordinates + row}, {multiplier});
     layout.add(*this, *this);

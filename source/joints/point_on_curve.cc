@@ -166,8 +166,7 @@ namespace samara
     frame_b = layout.model.resolved(frame_b);
     if (!check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
       return;
-    const std::string prefix = "joint " + name + ", curve ";
-    first_multiplier         = layout.add_multipliers({prefix + "1", prefix + "2", prefix + "3"});
+    first_multiplier = layout.add_multipliers(*this, {"curve 1", "curve 2", "curve 3"});
     layout.couple(own_block,
                   {{frame_a.node}, {frame_b.node}},
                   {coordinate},

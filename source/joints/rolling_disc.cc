@@ -313,13 +313,13 @@ namespace samara
     frame_b = layout.model.resolved(frame_b);
     if (!check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
       return;
-    const std::string prefix = "joint " + name + ", ";
-    first_multiplier         = layout.add_multipliers({prefix + "measure of the tilt",
-                                                       prefix + "distance from the plane",
-                                                       prefix + "cosine and sine of the tilt",
-                                                       prefix + "rolling along",
-                                                       prefix + "rolling across"});
-    const unsigned int m     = first_multiplier;
+    first_multiplier     = layout.add_multipliers(*this,
+                                              {"measure of the tilt",
+                                                   "distance from the plane",
+                                                   "cosine and sine of the tilt",
+                                                   "rolling along",
+                                                   "rolling across"});
+    const unsigned int m = first_multiplier;
     layout.couple(own_block,
                   {{frame_a.node}, {frame_b.node}},
                   {coordinate, coordinate + 1},

@@ -409,17 +409,16 @@ namespace samara
     frame_b = layout.model.resolved(frame_b);
     if (!check_bodies())
       return;
-    used                     = {&free.front()};
-    const std::string prefix = "joint " + name + ", ";
+    used = {&free.front()};
     rows.clear();
-    for (const char i : {'1', '2', '3'})
-      rows.push_back(prefix + "displacement " + i);
+    for (const std::string i : {"1", "2", "3"})
+      rows.push_back("displacement " + i);
     for (const Cosine &c : cosines)
-      rows.push_back(prefix + c.name);
+      rows.push_back(c.name);
     n_rows = rows.size();
     if (free.front().is_prescribed)
-      rows.push_back(prefix + "prescribed displacement");
-    first_multiplier = layout.add_multipliers(rows);
+      rows.push_back("prescribed displacement");
+    first_multiplier = layout.add_multipliers(*this, rows);
 
     // a rail couples the frames of each of its pieces, not those of all of them with each other
     std::vector<unsigned int> multipliers(n_rows);

@@ -29,8 +29,8 @@ namespace samara
     {
       std::vector<std::string> names;
       for (unsigned int i = 0; i < n; ++i)
-        names.push_back("joint " + joint.name + ", turn about axis " + std::to_string(i + 1));
-      multiplier                            = layout.add_multipliers(names);
+        names.push_back("turn about axis " + std::to_string(i + 1));
+      multiplier                            = layout.add_multipliers(joint, names);
       std::vector<unsigned int> coordinates = {joint.coordinate()}, multipliers;
       for (unsigned int i = 0; i < n; ++i)
         {

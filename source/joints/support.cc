@@ -242,9 +242,8 @@ namespace samara
         std::vector<std::string>  rows;
         std::vector<unsigned int> multipliers;
         for (unsigned int i = 0; i < node.functions.size(); ++i)
-          rows.push_back("support " + name + ", " +
-                         (node.force_axes[i] >= 0 ? names_of_fixed[node.force_axes[i]] : "rotation"));
-        node.first_multiplier = layout.add_multipliers(rows);
+          rows.push_back(node.force_axes[i] >= 0 ? names_of_fixed[node.force_axes[i]] : "rotation");
+        node.first_multiplier = layout.add_multipliers(*this, rows);
         for (unsigned int i = 0; i < rows.size(); ++i)
           multipliers.push_back(node.first_multiplier + i);
         layout.couple(node.block, {node.ground, node.frame}, {}, multipliers);

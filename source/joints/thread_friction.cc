@@ -9,14 +9,14 @@ namespace samara
   {
   public:
     Slip(Layout                          &layout,
-         const std::string               &joint,
+         const Item                      &joint,
          const std::vector<unsigned int> &coordinates,
          const std::vector<double>       &factors,
          const bool                       of_rates)
       : coordinates(coordinates)
       , factors(factors)
       , of_rates(of_rates)
-      , multiplier(layout.add_multipliers({"joint " + joint + ", slip of the thread"}))
+      , multiplier(layout.add_multipliers(joint, {"slip of the thread"}))
     {
       layout.couple(block, {}, coordinates, {multiplier});
       if (of_rates)
@@ -129,7 +129,7 @@ namespace samara
       return;
     const double lead = std::atan2(std::abs(pitch), radius), sense = pitch < 0 ? -1 : 1;
     term = std::make_unique<Slip>(layout,
-                                  joint.name,
+                                  joint,
                                   std::vector<unsigned int>{static_cast<unsigned int>(slip), displacement, rotation},
                                   std::vector<double>{1., -std::sin(lead), -sense * radius * std::cos(lead)},
                                   false);
@@ -151,7 +151,7 @@ namespace samara
       return;
     const double lead = std::atan2(1., std::abs(turn) * radius);
     auto         own  = std::make_unique<Slip>(layout,
-                                      joint.name,
+                                      joint,
                                       std::vector<unsigned int>{static_cast<unsigned int>(slip), displacement},
                                       std::vector<double>{1., -1 / std::sin(lead)},
                                       true);

@@ -6,13 +6,11 @@ namespace samara
   class VectorFriction::Turns : public Evaluated<VectorFriction::Turns, Constraint>
   {
   public:
-    Turns(Layout &layout, const std::string &joint, const Frame &a, const Frame &b, const unsigned int first_coordinate)
+    Turns(Layout &layout, const Item &joint, const Frame &a, const Frame &b, const unsigned int first_coordinate)
       : a(a)
       , b(b)
       , coordinate(first_coordinate)
-      , multiplier(layout.add_multipliers({"joint " + joint + ", turn about axis 1",
-                                           "joint " + joint + ", turn about axis 2",
-                                           "joint " + joint + ", turn about axis 3"}))
+      , multiplier(layout.add_multipliers(joint, {"turn about axis 1", "turn about axis 2", "turn about axis 3"}))
     {
       const std::vector<unsigned int> three = {0, 1, 2};
       std::vector<unsigned int>       coordinates, multipliers;
@@ -161,7 +159,7 @@ namespace samara
       return;
     if (of == Of::ball)
       {
-        turns = std::make_unique<Turns>(layout, joint.name, a, b, coordinates.front());
+        turns = std::make_unique<Turns>(layout, joint, a, b, coordinates.front());
         layout.add(joint, *turns);
       }
     add_to(layout, joint, multipliers);

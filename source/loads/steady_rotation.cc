@@ -65,7 +65,7 @@ namespace samara
         model->holds.push_back(prescribed->second);
         return;
       }
-    multiplier = layout.add_multipliers({"steady rotation " + name});
+    multiplier = layout.add_multipliers(*this, {""});
     model->holds.push_back(multiplier);
     layout.couple(block, {}, {static_cast<unsigned int>(rotation.coordinate)}, {multiplier});
     layout.add(*this, *this);

@@ -88,12 +88,23 @@ namespace samara
 
 
   unsigned int
-  Layout::add_multipliers(const std::vector<std::string> &names)
+  Layout::add_multipliers(const Item &owner, const std::vector<std::string> &parts)
   {
     Assert(pattern == nullptr, dealii::ExcMessage("Multipliers are added in Item::connect()."));
-    multiplier_names.insert(multiplier_names.end(), names.begin(), names.end());
-    n_multipliers = multiplier_names.size();
-    return n_multipliers - names.size();
+    for (const auto &part : parts)
+      rows_of_multipliers.push_back({&owner, part});
+    n_multipliers = rows_of_multipliers.size();
+    return n_multipliers - parts.size();
+  }
+
+
+
+  std::string
+  Layout::name_of_multiplier(const unsigned int i) const
+  {
+    AssertIndexRange(i, n_multipliers);
+    const auto &[owner, part] = rows_of_multipliers[i];
+    return owner->title() + (part.empty() ? "" : ", " + part);
   }
 
 
@@ -227,7 +238,7 @@ namespace samara
     const unsigned int first_coordinate = of_coordinate(0), first_state = of_state(0),
                        first_multiplier = of_multiplier(0);
     if (unknown >= first_multiplier)
-      return multiplier_names[unknown - first_multiplier];
+      return name_of_multiplier(unknown - first_multiplier);
     if (unknown >= first_state)
       return "state " + model.states[unknown - first_state].name;
     if (unknown >= first_coordinate)

@@ -1,6 +1,7 @@
 #include <samara/base/text.h>
 #include <samara/model/model.h>
 #include <samara/model/output_name.h>
+#include <samara/model/relative_motion.h>
 #include <samara/model/signal.h>
 
 #include <deal.II/base/exceptions.h>
@@ -135,7 +136,13 @@ namespace samara
   {
     for (unsigned int i = 0; i < states.size(); ++i)
       if (states[i].name == path)
-        return state_signal(i);
+        {
+          const auto &all  = named(path);
+          laws_name_states = laws_name_states || std::none_of(all.begin(), all.end(), [](const Item *const item) {
+                               return item->is_control();
+                             });
+          return state_signal(i);
+        }
     const auto  dot  = path.find('.');
     std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
     const auto  all = full_names(name);
@@ -148,7 +155,12 @@ namespace samara
           if (item->is_faulty)
             throw FollowUp();
           if (auto signal = item->signal(*this, rest))
-            return signal;
+            {
+              const bool is_of_motion =
+                dynamic_cast<const Body *>(item) != nullptr || dynamic_cast<const RelativeMotions *>(item) != nullptr;
+              laws_name_states = laws_name_states || !is_of_motion;
+              return signal;
+            }
         }
     find<Item>(name, "object"); // complains if there is none
     throw std::invalid_argument("<" + name + "> has no <" + rest + "> that an expression could depend on");

@@ -2,11 +2,14 @@
 #include <samara/output/file.h>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -46,6 +49,105 @@ namespace samara
     std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder, ignored))
       fail(folder, error.value());
+  }
+
+
+
+  namespace
+  {
+    /** "process 123 since 12:30:01"; what stands in the file of a lock. */
+    std::string
+    text_of_lock()
+    {
+      char              host[256] = {}, at[64] = {};
+      const std::time_t now = std::time(nullptr);
+      std::tm           local;
+      if (gethostname(host, sizeof(host) - 1) != 0)
+        host[0] = '\0';
+      std::strftime(at, sizeof(at), "%Y-%m-%d %H:%M:%S", localtime_r(&now, &local));
+      return "process " + std::to_string(getpid()) + (host[0] != '\0' ? std::string(" on ") + host : "") + ", since " +
+             at + "\n";
+    }
+
+
+
+    /** Whether @p handle is that of the file which has this name now: who held it before may have removed it. */
+    bool
+    is_still(const int handle, const std::string &file)
+    {
+      struct stat opened, named;
+      return ::fstat(handle, &opened) == 0 && ::stat(file.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+             opened.st_dev == named.st_dev;
+    }
+  } // namespace
+
+
+
+  FolderLock::FolderLock(const std::string &folder)
+    : file(folder + "/.samara_lock")
+  {
+    take_it();
+  }
+
+
+
+  FolderLock::FolderLock(FolderLock &&other) noexcept
+    : file(std::move(other.file))
+    , handle(other.handle)
+  {
+    other.handle = -1;
+  }
+
+
+
+  FolderLock::~FolderLock()
+  {
+    if (handle < 0)
+      return;
+    ::unlink(file.c_str()); // before it is let go, or it might be that of the next one
+    ::close(handle);
+  }
+
+
+
+  void
+  FolderLock::take_it()
+  {
+    constexpr unsigned int most_attempts = 100; // each means that another process has just ended
+    for (unsigned int attempt = 0; attempt < most_attempts; ++attempt)
+      {
+        handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (handle < 0)
+          return; // whoever writes files here says what is wrong
+        struct flock whole = {};
+        whole.l_type       = F_WRLCK;
+        whole.l_whence     = SEEK_SET;
+        // of the process, not of the open file: children that outlive a killed parent do not hold it
+        if (::fcntl(handle, F_SETLK, &whole) != 0)
+          {
+            const bool    is_taken = errno == EACCES || errno == EAGAIN;
+            std::ifstream in(file);
+            std::string   whose;
+            std::getline(in, whose);
+            ::close(handle);
+            handle = -1;
+            if (!is_taken)
+              return; // the file system knows no locks
+            throw CannotWrite("another run writes its results into " + file.substr(0, file.rfind('/')) + " (" +
+                              (whose.empty() ? "it has begun just now" : whose) +
+                              "): rows of both would be mixed. Wait until it has ended, or stop it.");
+          }
+        if (!is_still(handle, file))
+          {
+            ::close(handle);
+            handle = -1;
+            continue;
+          }
+        const std::string text = text_of_lock();
+        if (::ftruncate(handle, 0) != 0 || ::write(handle, text.data(), text.size()) < 0)
+          return; // a full disk: the lock holds without the words
+        return;
+      }
   }
 
 
@@ -140,6 +242,34 @@ namespace samara
     std::filesystem::resize_file(file, size, error);
     if (error)
       fail(file, error.value());
+  }
+
+
+
+  std::string
+  file_name_of(const std::string &text)
+  {
+    std::string result;
+    for (const char c : text)
+      result += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
+    return result;
+  }
+
+
+
+  std::string
+  FileNames::next(const std::string &text)
+  {
+    const auto is_new = [&](std::string name) {
+      for (char &c : name)
+        c = std::tolower(static_cast<unsigned char>(c));
+      return taken.insert(name).second;
+    };
+    const std::string first = file_name_of(text);
+    std::string       name  = first;
+    for (unsigned int i = 2; !is_new(name); ++i)
+      name = first + "_" + std::to_string(i);
+    return name;
   }
 
 

@@ -130,17 +130,22 @@ namespace samara
 
 
 
-    /** Before anything is computed: a folder that cannot be made, or not be written to, is a wrong argument. */
-    void
+    /**
+     * Before anything is computed: a folder that cannot be made, or not be written to, or into which another process
+     * writes, is a wrong argument. It is this process's own as long as the result is there.
+     */
+    [[nodiscard]] FolderLock
     prepare_folder(const std::string &folder)
     {
       try
         {
           make_folder(folder);
+          FolderLock        lock(folder);
           const std::string attempt = folder + "/.samara_can_write";
           open_file(attempt);
           std::error_code ignored;
           std::filesystem::remove(attempt, ignored);
+          return lock;
         }
       catch (const CannotWrite &problem)
         {
@@ -180,7 +185,7 @@ namespace samara
         return log.line(options.model + ": no mistakes found\n  members           " +
                         std::to_string(study.members.size()));
       const std::string folder = folder_of_results(options);
-      prepare_folder(folder);
+      const FolderLock  lock   = prepare_folder(folder);
       study.run(folder, options.jobs, execute, log);
     }
 
@@ -208,7 +213,7 @@ namespace samara
             return dynamic_cast<const Section *>(item.get()) != nullptr;
           })));
       const std::string folder = folder_of_results(options);
-      prepare_folder(folder);
+      const FolderLock  lock   = prepare_folder(folder);
       write_used(input, folder);
       for (const auto &analysis : input.analyses)
         analysis->run_without_bodies(input.model, folder, input.pictures, log);
@@ -285,7 +290,7 @@ namespace samara
       log.line(counts.text(system, options.model) + "\n" + graph.text());
       if (options.output.empty())
         return;
-      prepare_folder(options.output);
+      const FolderLock lock = prepare_folder(options.output);
       for (const auto &[name, text] :
            {std::make_pair("mechanism.dot", graph.dot()), std::make_pair("mechanism.svg", graph.svg())})
         {
@@ -384,6 +389,8 @@ namespace samara
     const auto overrides    = is_automatic ? find_meshes(Catalogue(), file, options.overrides, log) : options.overrides;
     Input      input(Catalogue(), std::move(file), overrides);
     input.use_settings();
+    for (const auto &doubt : input.doubts)
+      log.warning("", doubt);
     let_trim_continue(input, options.model, overrides);
     if (input.is_without_bodies())
       return run_without_bodies(options, input, log);
@@ -403,7 +410,7 @@ namespace samara
     const bool least_norm = counts.mark(probes);
 
     const std::string folder = folder_of_results(options);
-    prepare_folder(folder);
+    const FolderLock  lock   = prepare_folder(folder);
     write_used(input, folder);
     if (input.assembled)
       input.assembled->write(folder + "/assembly.csv");

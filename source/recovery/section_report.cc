@@ -91,17 +91,6 @@ namespace samara
 
 
 
-  std::string
-  file_name_of(const std::string &text)
-  {
-    std::string result;
-    for (const char c : text)
-      result += std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-' ? c : '_';
-    return result;
-  }
-
-
-
   void
   SectionReport::add_parameters(Parameters &prm)
   {
@@ -172,6 +161,7 @@ namespace samara
     /** A section with one curvature; its files but for the tables are written. */
     Row
     report_one(const std::string &name,
+               const std::string &file,
                const Section     &section,
                const Vector3     &curvature,
                const std::string &folder,
@@ -183,9 +173,9 @@ namespace samara
           const auto analysis = analysed->analyse(curvature);
           add_analysis(row, *analysed, *analysis);
           if (pictures)
-            replace_file(folder + "/section_" + file_name_of(name) + ".vtu", picture_of(*analysis));
+            replace_file(folder + "/section_" + file + ".vtu", picture_of(*analysis));
         }
-      replace_file(folder + "/section_" + file_name_of(name) + ".txt", file_of(row).write(16));
+      replace_file(folder + "/section_" + file + ".txt", file_of(row).write(16));
       return row;
     }
   } // namespace
@@ -197,13 +187,18 @@ namespace samara
   {
     constexpr std::size_t most = 4; // a curved beam has many curvatures
     std::vector<Row>      rows;
+    FileNames             files;
     for (const Section *const section : wanted(model))
       {
         const auto curvatures = section->curvatures();
         for (std::size_t i = 0; i < std::min(most, curvatures.size()); ++i)
           {
-            rows.push_back(report_one(
-              section->name + (i == 0 ? "" : " " + std::to_string(i + 1)), *section, curvatures[i], folder, pictures));
+            const std::string name = section->name + (i == 0 ? "" : " " + std::to_string(i + 1)),
+                              file = files.next(name);
+            if (file != file_name_of(name))
+              log.line("Section " + name + " is in section_" + file +
+                       ".txt: names of files have other characters, and another section takes that without a number");
+            rows.push_back(report_one(name, file, *section, curvatures[i], folder, pictures));
             SectionFile shown = file_of(rows.back());
             shown.values.outline.clear();
             log.line(shown.write(10));
@@ -273,6 +268,7 @@ namespace samara
   void
   SectionReport::write_beamdyn_files(const Context &context) const
   {
+    FileNames files;
     for (const auto &name : beamdyn_beams)
       try
         {
@@ -283,7 +279,7 @@ namespace samara
             blade.stations.push_back({there.x, there.values.stiffness, there.values.inertia});
           if (beam.has_trapeze())
             context.log.line("Beam " + name + ": BeamDyn knows no trapeze effect, its file is without it");
-          const std::string file = context.folder + "/" + file_name_of(name) + "_beamdyn.dat";
+          const std::string file = context.folder + "/" + files.next(name) + "_beamdyn.dat";
           replace_file(file, blade.write("Beam " + name + ", length " + number_to_text("%.9g", beam.length()) + " m"));
           context.log.line("Beam " + name + ": " + std::to_string(blade.stations.size()) + " stations for BeamDyn in " +
                            file);

@@ -200,6 +200,7 @@ namespace samara
     Table whole = table_with(
             {"place", "time [s]", "section", "F1 [N]", "F2 [N]", "F3 [N]", "M1 [N m]", "M2 [N m]", "M3 [N m]"}),
           plies = table_with({"place", "time [s]", "wall", "layer", "material", "angle [deg]"});
+    FileNames files;
     for (const auto &[name, file, here, time] : wanted)
       {
         const auto               analysis = here.section->analyse(here.curvature);
@@ -222,7 +223,7 @@ namespace samara
         add_extremes(row, of_all);
         whole.add_row(row);
         if (context.pictures && context.is_shown())
-          replace_file(context.folder + "/stresses_" + file_name_of(file) + ".vtu",
+          replace_file(context.folder + "/stresses_" + files.next(file) + ".vtu",
                        picture_of_stresses(*analysis, here.linear_forces, here.helix, here.x, here.D));
       }
     whole.write(context.folder + "/stresses.csv");

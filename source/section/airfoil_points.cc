@@ -1,5 +1,6 @@
 // Points of airfoils: by digits, and from files.
 
+#include <samara/base/number_in_file.h>
 #include <samara/base/text.h>
 #include <samara/base/text_file.h>
 #include <samara/section/airfoil_outline.h>
@@ -77,7 +78,7 @@ namespace samara
           while (words >> word)
             {
               double x = 0;
-              is_text  = is_text || !text_to_number(word, x) || !std::isfinite(x);
+              is_text  = is_text || !fault_of_number(word, x).empty();
               numbers.push_back(x);
             }
           if (numbers.empty() || (is_text && result.empty()))

@@ -45,9 +45,8 @@ namespace samara
   Assembly::rows_of(const Item &item) const
   {
     std::vector<unsigned int> rows;
-    const auto               &names = system.layout.multiplier_names;
-    for (unsigned int i = 0; i < names.size(); ++i)
-      if (owner_and_row(names[i]).first == "joint " + item.name || names[i] == "gear " + item.name)
+    for (unsigned int i = 0; i < system.layout.n_multipliers; ++i)
+      if (&system.layout.owner_of_multiplier(i) == &item)
         rows.push_back(i);
     return rows;
   }
@@ -59,11 +58,13 @@ namespace samara
   {
     const Eigen::VectorXd then = gaps_at(state_at(drawing())), now = gaps_at(state_at(place));
     std::vector<Gap>      result;
+    const Item           *last = nullptr;
     for (int i = 0; i < now.size(); ++i)
       {
-        const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
-        if (result.empty() || result.back().name != owner)
-          result.push_back({owner});
+        const Item &owner = system.layout.owner_of_multiplier(i);
+        if (&owner != last)
+          result.push_back({owner.title()});
+        last = &owner;
         if (!(scale[i] > 0))
           continue;
         Gap       &of_owner = result.back();

@@ -224,9 +224,27 @@ namespace samara
 
 
 
+    /** How many constraints there are: rows of multipliers that hold something. Redundant ones are left out before. */
+    unsigned int
+    n_constraints(const LinearMotion &motion)
+    {
+      const Pattern &p = *motion.S.pattern;
+      unsigned int   n = 0;
+      for (int j = motion.n_kinematic; j < p.size(); ++j)
+        for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+          if (p.rows[k] < static_cast<int>(motion.n_kinematic) && motion.S.values[k] != 0.)
+            {
+              ++n;
+              break;
+            }
+      return n;
+    }
+
+
+
     /**
      * No more eigenvalues are finite than two for each unknown with mass and, if nothing is viscous, one for each of
-     * the others whose rate counts: states of first order.
+     * the others whose rate counts: states of first order; and none than two for each motion that constraints leave.
      */
     unsigned int
     most_eigenvalues(const LinearMotion &motion)
@@ -241,7 +259,7 @@ namespace samara
           else if (k >= 0 && motion.gyroscopic.values[k] != 0.)
             n += 1;
         }
-      return n;
+      return std::min(n, 2 * (motion.n_kinematic - std::min(motion.n_kinematic, n_constraints(motion))));
     }
 
 
@@ -365,16 +383,16 @@ namespace samara
                      const unsigned int  n_modes,
                      const double        frequency)
     {
-      const unsigned int n = motion.n_kinematic, wanted = std::min(2 * n_modes, most_eigenvalues(motion));
+      const unsigned int n = motion.n_kinematic, most = most_eigenvalues(motion), wanted = std::min(2 * n_modes, most);
       // where the Krylov space would be most of the space anyway, dense matrices are simpler and complete
       const auto dense = [&]() { return select(dense_pairs(motion, op), motion, op, frequency); };
-      if (n <= std::max(2 * wanted, 60u))
+      if (n <= std::max(2 * wanted, 60u) || (wanted == most && n <= most_for_dense))
         return dense();
       // what cannot be found there may not be there: more is asked for than constraints leave
       const bool can_be_dense = n <= most_for_dense;
       try
         {
-          auto pairs = undamped_pairs(op, n_modes);
+          auto pairs = undamped_pairs(op, std::min(n_modes, (most + 1) / 2));
           if (pairs.empty())
             pairs = krylov_pairs(op, wanted);
           const Modes modes = select(pairs, motion, op, frequency);

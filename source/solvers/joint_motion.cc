@@ -182,7 +182,7 @@ namespace samara
     std::string  names;
     for (int i = 0; i < residual.size(); ++i)
       if (std::abs(residual(i)) > 0.05 * worst)
-        names += "\n  " + system.layout.multiplier_names[i];
+        names += "\n  " + system.layout.name_of_multiplier(i);
     throw InputError(
       "steady rotation: the speeds contradict each other, or what turns is locked, at:" + names +
       "\n  Look for a gear between two joints whose speeds are both given, or for axes that are out of line.");

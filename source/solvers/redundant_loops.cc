@@ -44,26 +44,15 @@ namespace samara
 
 
 
-  std::pair<std::string, std::string>
-  owner_and_row(const std::string &name)
-  {
-    const auto        comma = name.rfind(", ");
-    const std::string owner = name.substr(0, comma), twice = "joint joint";
-    const bool        is_two = owner.compare(0, twice.size(), twice) == 0;
-    return {is_two ? owner.substr(6) : owner, comma == std::string::npos ? "" : name.substr(comma + 2)};
-  }
-
-
-
   std::string
   RedundantRows::names(const Eigen::MatrixXd &X, const int j) const
   {
     const double                                     largest = X.col(j).cwiseAbs().maxCoeff();
-    std::vector<std::pair<std::string, std::string>> parts;
+    std::vector<std::pair<const Item *, std::string>> parts;
     for (int i = 0; i < m; ++i)
       if (std::abs(X(i, j)) > 1e-6 * largest)
         {
-          const auto [owner, row] = owner_and_row(system.layout.multiplier_names[i]);
+          const auto &[owner, row] = system.layout.rows_of_multipliers[i];
           if (parts.empty() || parts.back().first != owner)
             parts.emplace_back(owner, row);
           else
@@ -71,7 +60,7 @@ namespace samara
         }
     std::string text;
     for (const auto &[owner, row] : parts)
-      text += (text.empty() ? "" : "; ") + owner + (row.empty() ? "" : " (" + row + ")");
+      text += (text.empty() ? "" : "; ") + owner->title() + (row.empty() ? "" : " (" + row + ")");
     return text;
   }
 
@@ -87,18 +76,18 @@ namespace samara
         const double largest = X.col(j).cwiseAbs().maxCoeff();
         for (int i = 0; i < m; ++i)
           if (std::abs(X(i, j)) > 1e-6 * largest)
-            if (const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
-                loop.joints.empty() || loop.joints.back() != owner)
-              loop.joints.push_back(owner);
+            if (const Item &owner = system.layout.owner_of_multiplier(i);
+                loop.joints.empty() || loop.joints.back() != &owner)
+              loop.joints.push_back(&owner);
         // joined with those before that share a joint
         for (auto other = result.begin(); other != result.end();)
-          if (std::any_of(other->joints.begin(), other->joints.end(), [&](const std::string &name) {
-                return std::find(loop.joints.begin(), loop.joints.end(), name) != loop.joints.end();
+          if (std::any_of(other->joints.begin(), other->joints.end(), [&](const Item *const joint) {
+                return std::find(loop.joints.begin(), loop.joints.end(), joint) != loop.joints.end();
               }))
             {
-              for (const auto &name : loop.joints)
-                if (std::find(other->joints.begin(), other->joints.end(), name) == other->joints.end())
-                  other->joints.push_back(name);
+              for (const auto *const joint : loop.joints)
+                if (std::find(other->joints.begin(), other->joints.end(), joint) == other->joints.end())
+                  other->joints.push_back(joint);
               loop.joints = other->joints;
               loop.n_redundant += other->n_redundant;
               other = result.erase(other);

@@ -121,13 +121,13 @@ namespace samara
   {
     // what the rows of one joint cost: how many are kept, times the unknowns they couple
     std::vector<int> joint(m, 0), n_kept;
-    std::string      last;
+    const Item      *last = nullptr;
     for (int i = 0; i < m; ++i)
       {
-        const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
-        if (i == 0 || owner != last)
+        const Item &owner = system.layout.owner_of_multiplier(i);
+        if (&owner != last)
           n_kept.push_back(0);
-        last     = owner;
+        last     = &owner;
         joint[i] = n_kept.size() - 1;
         ++n_kept.back();
       }
@@ -407,6 +407,8 @@ namespace samara
     auto rows = dependent_rows();
     if (rows.empty())
       return rows;
+    generic          = state; // if nothing better is found
+    generic.left_out = rows;
     try
       {
         factorize(rows);

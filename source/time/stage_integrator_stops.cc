@@ -94,7 +94,7 @@ namespace samara
       for (const auto multiplier : friction.multipliers)
         if (!is_active[multiplier])
           throw NotConverged("t = " + number_to_text("%.6g", state.time) + " s: " + friction.name +
-                             " depends on a reaction that is not unique, <" + layout.multiplier_names[multiplier] +
+                             " depends on a reaction that is not unique, <" + layout.name_of_multiplier(multiplier) +
                              ">: constraints are redundant there. Take away those that repeat others");
   }
 

@@ -118,10 +118,10 @@ namespace samara
     std::vector<std::pair<double, unsigned int>> reactions;
     for (unsigned int i = 0; i < state.multipliers.size(); ++i)
       {
-        const double      size  = std::abs(state.multipliers[i]);
-        const std::string owner = owner_and_row(system.layout.multiplier_names[i]).first;
-        const auto        same  = std::find_if(reactions.begin(), reactions.end(), [&](const auto &r) {
-          return owner_and_row(system.layout.multiplier_names[r.second]).first == owner;
+        const double size  = std::abs(state.multipliers[i]);
+        const Item  &owner = system.layout.owner_of_multiplier(i);
+        const auto   same  = std::find_if(reactions.begin(), reactions.end(), [&](const auto &r) {
+          return &system.layout.owner_of_multiplier(r.second) == &owner;
         });
         if (same == reactions.end())
           reactions.emplace_back(size, i);
@@ -132,14 +132,14 @@ namespace samara
     std::ostringstream text;
     for (unsigned int k = 0; k < std::min<std::size_t>(reactions.size(), 4) && reactions[k].first > 0; ++k)
       {
-        const auto [owner, row] = owner_and_row(system.layout.multiplier_names[reactions[k].second]);
+        const auto &[owner, row] = system.layout.rows_of_multipliers[reactions[k].second];
         if (reactions[k].first < 1e-3 * reactions[0].first)
           break;
         if (k == 0)
-          text << "; the largest reaction, " << reactions[k].first << " N or N m, is at " << owner
+          text << "; the largest reaction, " << reactions[k].first << " N or N m, is at " << owner->title()
                << (row.empty() ? "" : " (" + row + ")");
         else
-          text << (k == 1 ? ", then at " : ", ") << owner;
+          text << (k == 1 ? ", then at " : ", ") << owner->title();
       }
     if (!system.model.prescribed.empty())
       text

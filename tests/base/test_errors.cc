@@ -44,6 +44,30 @@ namespace
 
 
 
+  TEST(Complaints, WhatIsKnownCountsAgainForTheSecondObject)
+  {
+    Complaints complaints;
+    complaints.add("a.prm:1", "there is no material <steal>");
+    const auto before = complaints.count();
+    complaints.add("a.prm:1", "there is no material <steal>"); // of a copy
+    EXPECT_GT(complaints.count(), before) << "the copy would be taken for sound";
+    EXPECT_EQ(complaints.all().size(), 1u) << "and it is said once";
+  }
+
+
+
+  TEST(Complaints, DoubtsRefuseNothing)
+  {
+    Complaints complaints;
+    complaints.doubt("a.prm:1", "degrees?");
+    complaints.doubt("a.prm:1", "degrees?");
+    EXPECT_EQ(complaints.doubts(), std::vector<std::string>{"a.prm:1: degrees?"});
+    EXPECT_EQ(complaints.count(), 0u);
+    EXPECT_NO_THROW(complaints.throw_if_any());
+  }
+
+
+
   TEST(Complaints, StandInTheOrderOfTheFile)
   {
     Complaints complaints;

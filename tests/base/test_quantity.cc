@@ -226,6 +226,53 @@ namespace
 
 
 
+  TEST(Quantity, PercentAreOfSomething)
+  {
+    const auto q = with_constants({{"Omega", "20 rad/s"}, {"turns", "3"}});
+    EXPECT_DOUBLE_EQ(q.number("50 %", "1"), 0.5);
+    EXPECT_DOUBLE_EQ(q.number("50 %*Omega", "rad/s"), 10);
+    EXPECT_DOUBLE_EQ(q.number("50 %*turns", "rad/s"), 1.5) << "a constant without unit has the declared one";
+    EXPECT_DOUBLE_EQ(q.number("2 m + 3 m*10 %", "m"), 2.3);
+    for (const char *unit : {"rad/s", "m", "N", "rad", "s"})
+      for (const char *text : {"100 %", "2*50 %", "(1 + 1)*5 %"})
+        try
+          {
+            q.number(text, unit);
+            FAIL() << text << " in " << unit;
+          }
+        catch (const std::invalid_argument &problem)
+          {
+            EXPECT_TRUE(contains(problem.what(), "% of what?")) << problem.what();
+          }
+    EXPECT_THROW(q.expression("100 %*sin(3*t)", "m", {"t"}), std::invalid_argument);
+    EXPECT_THROW(q.expression("5 %*t", "rad", {"t"}), std::invalid_argument);
+    EXPECT_NO_THROW(q.expression("5 %*Omega*t", "rad", {"t"}));
+  }
+
+
+
+  TEST(Quantity, SubsystemsHideConstantsAndLeaveThoseAroundAlone)
+  {
+    Quantities around = with_constants({{"L", "3 m"}, {"n", "2"}});
+    Quantities first = around, second = around;
+    Complaints complaints;
+    for (Quantities *const inner : {&first, &second})
+      inner->begin_subsystem();
+    first.add_constant("L", "5 m", "a.prm:1", complaints);
+    around.add_constant("later", "1", "a.prm:2", complaints);
+    EXPECT_DOUBLE_EQ(first.number("n*L", "m"), 10);
+    EXPECT_DOUBLE_EQ(second.number("n*L", "m"), 6);
+    EXPECT_DOUBLE_EQ(around.number("n*L", "m"), 6);
+    EXPECT_THROW(first.number("later", "1"), std::invalid_argument) << "it is defined behind";
+    EXPECT_TRUE(complaints.empty());
+    first.add_constant("L", "6 m", "a.prm:3", complaints);
+    first.add_constant("pi", "3", "a.prm:4", complaints);
+    first.add_constant("m", "3", "a.prm:5", complaints);
+    EXPECT_EQ(complaints.all().size(), 3u) << "twice in one subsystem, a universal constant, a unit";
+  }
+
+
+
   TEST(Quantity, ThereIsAListOfWords)
   {
     const auto words = with_constants({{"span", "6 m"}}).known_words();

@@ -154,4 +154,16 @@ namespace
     for (const char *text : {"", "at 0.3", " at 0.3", "pin", "pin at", "pin at ", "pinat 3"})
       EXPECT_FALSE(split_at(text, name, place)) << text;
   }
+
+
+
+  TEST(Text, QuotesStandAroundWordsAndMarksWithinAreLetters)
+  {
+    using Pieces = std::vector<std::string>;
+    EXPECT_EQ(split_top_level("table(\"a,b.csv\", x), y", ','), (Pieces{"table(\"a,b.csv\", x)", "y"}));
+    EXPECT_EQ(split_top_level("\"a,b.csv\", y", ','), (Pieces{"\"a,b.csv\"", "y"}));
+    EXPECT_EQ(split_top_level("a\"b.end, c\"d.start", ','), (Pieces{"a\"b.end", "c\"d.start"}));
+    EXPECT_EQ(split_top_level("3\" pipe.end, 4\" pipe.end", ','), (Pieces{"3\" pipe.end", "4\" pipe.end"}));
+    EXPECT_EQ(split_top_level("\"a.x, \"b.x", ','), (Pieces{"\"a.x", "\"b.x"}));
+  }
 } // namespace

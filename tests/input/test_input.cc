@@ -77,7 +77,9 @@ TEST(UsedPrm, IsTheSameModel)
       const std::string text = used(original);
       const Scene       again(text);
       EXPECT_EQ(used(again), text) << model;
-      ASSERT_EQ(again.system.layout.multiplier_names, original.system.layout.multiplier_names) << model;
+      ASSERT_EQ(again.system.layout.n_multipliers, original.system.layout.n_multipliers) << model;
+      for (unsigned int i = 0; i < again.system.layout.n_multipliers; ++i)
+        ASSERT_EQ(again.system.layout.name_of_multiplier(i), original.system.layout.name_of_multiplier(i)) << model;
       EXPECT_EQ(residual(again.system), residual(original.system)) << model;
       EXPECT_EQ(again.context.speeds, original.context.speeds) << model;
       EXPECT_EQ(again.input.rotor_speeds, original.input.rotor_speeds) << model;

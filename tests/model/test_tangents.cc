@@ -475,7 +475,7 @@ TEST(Tangents, SecondRatesAreChangesOfRates)
         {
           // what a law of states prescribes
           if (std::isnan(second[i]))
-            EXPECT_NE(layout.multiplier_names[i].find("prescribed"), std::string::npos) << kind;
+            EXPECT_NE(layout.name_of_multiplier(i).find("prescribed"), std::string::npos) << kind;
           else
             EXPECT_NEAR(second[i], differences(i), 1e-9 * (1 + std::abs(differences(i)))) << kind << ", row " << i;
           ++n_rows;

@@ -224,7 +224,7 @@ TEST(Redundant, RowsLeftOutAreSpreadOverTheLoop)
   const Scene scene("prm/benchmarks/dynamics/four_bar.prm", {"Joints/B1/Type = revolute", "Joints/B2/Type = revolute"});
   std::map<std::string, unsigned int> n_left_out;
   for (const auto i : scene.context.state.left_out)
-    ++n_left_out[owner_and_row(scene.system.layout.multiplier_names[i]).first];
+    ++n_left_out[scene.system.layout.owner_of_multiplier(i).title()];
   EXPECT_EQ(scene.context.state.left_out.size(), 6U);
   for (const auto &[joint, n] : n_left_out)
     EXPECT_LE(n, 2U) << joint;

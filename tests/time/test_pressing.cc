@@ -50,7 +50,7 @@ namespace
   multiplier_named(const System &system, const State &state, const std::string &name)
   {
     for (unsigned int i = 0; i < state.multipliers.size(); ++i)
-      if (system.layout.multiplier_names[i] == name)
+      if (system.layout.name_of_multiplier(i) == name)
         return state.multipliers[i];
     ADD_FAILURE() << name;
     return 0;
@@ -508,8 +508,8 @@ TEST(Pressing, OtherJointsDoNotTouchAPin)
                               gravity));
       State       state = scene.system.reference();
       for (unsigned int i = 0; i < state.multipliers.size(); ++i)
-        if (scene.system.layout.multiplier_names[i].find("joint pin, displacement") == 0)
-          state.multipliers[i] = scene.system.layout.multiplier_names[i].back() == '1' ? 3 : 4;
+        if (scene.system.layout.name_of_multiplier(i).find("joint pin, displacement") == 0)
+          state.multipliers[i] = scene.system.layout.name_of_multiplier(i).back() == '1' ? 3 : 4;
       SparseMatrix C(scene.system.layout.pattern);
       scene.system.damping(state, C);
       const int at = scene.system.layout.of_coordinate(0);

@@ -34,6 +34,9 @@ namespace samara
      */
     bool is_shown() const;
 
+    /** The present speed of the first rotation with as many digits as tell it from the others of the sweep. */
+    std::string name_of_speed() const;
+
     /** All rotations in proportion to their own speeds, so that the first has @p speed. */
     std::vector<double> speeds_at(double speed) const;
   };

@@ -58,6 +58,9 @@ namespace samara
 
   ModelCheck check_model(const System &system);
 
+  /** "joint foot", ...: what messages call these. */
+  std::vector<std::string> titles_of(const std::vector<const Item *> &items);
+
   /** "a, b, c and 5 more": six names at most. */
   std::string join_some(const std::vector<std::string> &names);
 

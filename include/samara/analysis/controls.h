@@ -17,7 +17,7 @@ namespace samara
     std::vector<unsigned int> result;
     const auto               &states = system.model.states;
     for (const auto &item : system.model.items)
-      if (item->kind == "control")
+      if (item->is_control())
         for (unsigned int i = 0; i < states.size(); ++i)
           if (states[i].name == item->name)
             result.push_back(i);

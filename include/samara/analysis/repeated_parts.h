@@ -32,7 +32,8 @@ namespace samara
     /**
      * @p groups: names of what is repeated, "blade 1", "blade 2", …; "lag 1", "lag 2", …, each in the order in which
      * they come to the same place, part k where k + 1 was. Nodes, joint coordinates and states belong to the part whose
-     * name theirs contains. @p turning: names of what turns with them and is not repeated.
+     * name theirs contains. @p turning: names of objects that turn with them and are not repeated; of subsystems, or a
+     * word of names, where no object is called so.
      * @throws std::invalid_argument saying which name has no counterpart, or belongs to nothing
      */
     RepeatedParts(const System                                &system,
@@ -112,6 +113,12 @@ namespace samara
   private:
     /** P x, or P⁻¹ x. */
     void exchange(double *x, bool forward) const;
+
+    /** What is named among what turns: nodes, and rotations of joints. @throws std::invalid_argument if nothing is */
+    void find_turning(const std::string &part);
+
+    /** Mean of the angular velocities of the repeated nodes, in inertial axes of the model as built [rad/s]. */
+    Vector3 spin_of_parts(const State &moving) const;
 
     /** The rotation that takes each part to the next one where the model was built, and whether it does. @{ */
     Matrix3 turn_as_built(const State &moving) const;

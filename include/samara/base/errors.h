@@ -79,10 +79,20 @@ namespace samara
   public:
     /**
      * Note that @p text is wrong at @p where ("file:line", or "" when there is no place). The same words about the same
-     * place count once: several readers may stumble over one mistake. Without a text it is a FollowUp. A text is cut in
-     * its middle if it is long, and what is not printable is escaped.
+     * place are told once: several readers may stumble over one mistake. Without a text it is a FollowUp. A text is cut
+     * in its middle if it is long, and what is not printable is escaped.
      */
     void add(const std::string &where, const std::string &text);
+
+    /** Note that @p text is doubtful at @p where: it is told, and not refused. The same words are told once. */
+    void doubt(const std::string &where, const std::string &text);
+
+    /** "file:line: what is doubtful", in the order in which it was found. */
+    const std::vector<std::string> &
+    doubts() const
+    {
+      return doubtful;
+    }
 
     /** Add a complaint that has its place in front: what another collection has found. */
     void add_all(const std::vector<std::string> &complaints);
@@ -90,7 +100,10 @@ namespace samara
     /** Whether there are none that have words. */
     bool empty() const;
 
-    /** How often something was wrong so far; follow-ups count, too. */
+    /**
+     * How often something was wrong so far; follow-ups count, too, and so does what has been told before: whoever sees
+     * the count grow while an object is read knows that the object is faulty, whether it is the first one or a copy.
+     */
     std::size_t count() const;
 
     /** By file, in the order in which files were first complained about, and by line. */
@@ -111,7 +124,8 @@ namespace samara
   private:
     std::vector<std::string>        complaints; ///< in the order in which they were found
     std::unordered_set<std::string> known;
-    std::size_t                     n_follow_ups = 0;
+    std::size_t                     n_follow_ups = 0; ///< and complaints that are known
+    std::vector<std::string>        doubtful;
 
     std::map<std::string, std::vector<std::string>> inclusions; ///< places, by file
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,42 @@ namespace samara
     std::array<Quantity, 2> readings;
     bool                    is_unit   = false;
     bool                    is_faulty = false; ///< a constant that could not be read: who uses it throws a FollowUp
-    bool                    is_outer  = false; ///< a constant outside of the subsystem, where another may have its name
+  };
+
+
+
+  /**
+   * What words stand for, one layer around the other: units and universal constants, constants of the model, of a
+   * subsystem, of one in it. A word is looked up from the innermost layer outwards. Layers are shared by copies of it,
+   * of which there may be thousands; one that is changed becomes the copy's own.
+   */
+  class KnownWords
+  {
+  public:
+    explicit KnownWords(std::map<std::string, Meaning> outermost);
+
+    /** What a word stands for; null if it is not known. */
+    const Meaning *find(const std::string &name) const;
+
+    /** Whether it stands in a layer around the innermost one, but not in the outermost: it may be hidden. */
+    bool is_outer(const std::string &name) const;
+
+    /** Let a word stand for something in the innermost layer, which hides what it stands for around it. */
+    void set(const std::string &name, const Meaning &meaning);
+
+    /** Begin a layer in the present one. */
+    void begin_layer();
+
+    /** All there are, in alphabetical order. */
+    std::vector<std::string> names() const;
+
+  private:
+    struct Layer
+    {
+      std::map<std::string, Meaning> words;
+      std::shared_ptr<const Layer>   around; ///< null of the outermost
+    };
+    std::shared_ptr<Layer> innermost;
   };
 
 
@@ -28,7 +64,7 @@ namespace samara
   public:
     /** Faults of @p text are thrown as std::invalid_argument. Variables hide other words. */
     Evaluation(const std::string                      &text,
-               const std::map<std::string, Meaning>   &words,
+               const KnownWords                       &words,
                const std::map<std::string, Dimension> &variables = {});
 
     struct Measure
@@ -54,6 +90,9 @@ namespace samara
     /** Whether @p word, which is no variable, is used. */
     bool uses(const std::string &word) const;
 
+    /** Whether it is a percentage of nothing that has a name: "100 %", "2*50 % rad". */
+    bool is_bare_percentage() const;
+
     /** The text with numbers in place of all words except variables. */
     std::string si_text(unsigned int reading) const;
 
@@ -67,7 +106,7 @@ namespace samara
       Dimension   natural; ///< of a variable
     };
 
-    void collect_words(const std::map<std::string, Meaning> &words, const std::map<std::string, Dimension> &variables);
+    void collect_words(const KnownWords &words, const std::map<std::string, Dimension> &variables);
 
     const std::string  text;
     std::vector<Token> tokens;

@@ -148,6 +148,11 @@ namespace samara
   class SignalNames
   {
   public:
+    SignalNames() = default;
+
+    /** Those of @p around, which many subsystems share, and short names to be added. */
+    explicit SignalNames(std::shared_ptr<const SignalNames> around);
+
     void add_object(const std::string &name);
     void add_state(const std::string &name, const std::string &unit);
 
@@ -186,6 +191,11 @@ namespace samara
     {
       std::string name, unit;
     };
+    /** The full name of what is called so, and the state; null if there is none. */
+    const std::string *object_called(const std::string &name) const;
+    const State       *state_called(const std::string &name) const;
+
+    std::shared_ptr<const SignalNames>           around;      ///< null: nothing is shared
     std::unordered_map<std::string, std::string> objects;     ///< full names, by what they are called
     std::unordered_map<std::string, State>       states;      ///< the same
     std::vector<std::string>                     long_states; ///< names that are more than one word

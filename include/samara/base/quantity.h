@@ -93,7 +93,7 @@ namespace samara
     std::string
     expression_of_table(const std::string &rows, const std::string &unit, const std::string &variable) const;
 
-    std::map<std::string, Meaning> words;
+    KnownWords words;
   };
 } // namespace samara
 

@@ -48,6 +48,7 @@ namespace samara
     std::vector<std::unique_ptr<Analysis>> analyses;
     std::vector<std::string>               probes;
     std::vector<double>                    rotor_speeds;
+    std::vector<std::string>               doubts; ///< "file:line: what may not be meant", for warnings
     bool                                   pictures       = true;
     bool                                   says_redundant = false; ///< an entry of earlier versions is set
 

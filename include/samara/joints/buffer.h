@@ -21,6 +21,12 @@ namespace samara
   class Buffer : public Item, public Evaluated<Buffer, Constraint>
   {
   public:
+    std::string
+    noun() const override
+    {
+      return "buffer";
+    }
+
     void add_parameters(Parameters &prm) override;
 
     /** Complains about joints that do not slide on one beam, and of a contact without stiffness. */

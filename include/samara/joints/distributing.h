@@ -20,6 +20,12 @@ namespace samara
   class Distributing : public Item, public Evaluated<Distributing, Constraint>
   {
   public:
+    std::string
+    noun() const override
+    {
+      return "joint";
+    }
+
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;

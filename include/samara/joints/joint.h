@@ -217,6 +217,12 @@ namespace samara
   class Joint : public Item, public RelativeMotions, public Connection, public HasPressing
   {
   public:
+    std::string
+    noun() const override
+    {
+      return "joint";
+    }
+
     void               add_parameters(Parameters &prm) override;
     void               be_placed(const Placement &placement) override;
     void               be_moved(const MotionOf &motion_of) override;

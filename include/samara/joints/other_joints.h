@@ -123,6 +123,12 @@ namespace samara
   class Gear : public Item, public Evaluated<Gear, Constraint>
   {
   public:
+    std::string
+    noun() const override
+    {
+      return "gear";
+    }
+
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;

@@ -25,6 +25,12 @@ namespace samara
   class Support : public Item, public Evaluated<Support, Constraint>
   {
   public:
+    std::string
+    noun() const override
+    {
+      return "support";
+    }
+
     void add_parameters(Parameters &prm) override;
     void be_placed(const Placement &placement) override;
     void initialize(Model &model) override;

@@ -204,6 +204,12 @@ namespace samara
   class SteadyRotation : public Item, public Evaluated<SteadyRotation, Constraint>
   {
   public:
+    std::string
+    noun() const override
+    {
+      return "steady rotation";
+    }
+
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;

@@ -39,6 +39,21 @@ namespace samara
     std::string name, kind;
     Parameters  parameters;
 
+    /** What messages call such a thing, "joint", "gear"; "" where its name says enough. */
+    virtual std::string
+    noun() const
+    {
+      return "";
+    }
+
+    /** "joint hinge", "gear train": for people alone. A noun with which the name begins is not said twice. */
+    std::string
+    title() const
+    {
+      const std::string with_blank = noun() + " ";
+      return with_blank.size() == 1 || name.compare(0, with_blank.size(), with_blank) == 0 ? name : with_blank + name;
+    }
+
     /** There has been a complaint about it: it is not initialized, or not to its end, and must not be used. */
     bool is_faulty = false;
 
@@ -61,6 +76,13 @@ namespace samara
     /** Whether it acts on all bodies there are: then it cannot stand in a subsystem. */
     virtual bool
     acts_on_whole_model() const
+    {
+      return false;
+    }
+
+    /** Whether the state that it adds is a control, which keeps its value: no law of the model brings it back. */
+    virtual bool
+    is_control() const
     {
       return false;
     }

@@ -84,8 +84,11 @@ namespace samara
     void add(const Item &item, Force &term);
     void add(const Item &item, StateEquation &term);
 
-    /** Numbers for as many multipliers as there are names; returns the first. */
-    unsigned int add_multipliers(const std::vector<std::string> &names);
+    /**
+     * Numbers for as many multipliers as there are parts, "axis 2", "" if the item has one row; returns the first. The
+     * owner is the item of the file, also of rows that an attachment of it adds.
+     */
+    unsigned int add_multipliers(const Item &owner, const std::vector<std::string> &parts);
 
     /** Declare that these unknowns are coupled; the block is filled when the layout is complete. */
     void couple(Block                           &block,
@@ -98,7 +101,22 @@ namespace samara
     void when_numbered(const std::function<void()> &action);
     /** @} */
 
-    std::vector<std::string> multiplier_names;
+    /** Whose row it is: for messages, and for whoever asks what belongs together. Names of items may be anything. */
+    struct Row
+    {
+      const Item *owner; ///< the item of the file; never null
+      std::string part;  ///< "axis 2", "prescribed rotation"; empty if the item has one row
+    };
+    std::vector<Row> rows_of_multipliers;
+
+    const Item &
+    owner_of_multiplier(const unsigned int i) const
+    {
+      return *rows_of_multipliers[i].owner;
+    }
+
+    /** "joint hinge, axis 2": for people alone. */
+    std::string name_of_multiplier(unsigned int i) const;
 
     /** Multipliers that laws depend on: forces and moments of joints. */
     std::vector<unsigned int> multipliers_in_laws;
@@ -146,6 +164,7 @@ namespace samara
       std::vector<unsigned int> multipliers;
       double                    preload = 0; ///< [N], not negative
       std::string               name;        ///< for messages: "joint hinge, friction of the rotation"
+      const Item               *owner = nullptr; ///< whose it is; set when it is added
     };
     std::vector<Friction> frictions;
 

@@ -154,6 +154,9 @@ namespace samara
     /** The multipliers of prescribed coordinates, by coordinate; known when joints are connected. */
     std::map<unsigned int, unsigned int> prescribed;
 
+    /** Whether laws name a state that is no control: it may bring a speed back. Known when signals are found. */
+    bool laws_name_states = false;
+
     Complaints complaints;
 
     /**

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,42 @@ namespace samara
   /** Cut off what stands behind the first @p size bytes. Once begun it is done, even if the program is killed. */
   void cut_file(const std::string &file, std::uintmax_t size);
   /** @} */
+
+  /**
+   * A folder of results belongs to one process at a time: two that write into it would mix their rows. The lock is one
+   * of the operating system on the file .samara_lock in it, so that it ends with the process, however that ends.
+   * Processes that are started by this one have no part in it. Where the file system knows no locks there is none.
+   */
+  class FolderLock
+  {
+  public:
+    /** @throws CannotWrite naming the other process, if one writes into the folder, which must exist */
+    explicit FolderLock(const std::string &folder);
+
+    FolderLock(FolderLock &&other) noexcept;
+
+    ~FolderLock();
+
+  private:
+    std::string file;
+    int         handle = -1;
+
+    void take_it();
+  };
+
+  /** @p text with an underscore for all that is no letter, digit, point or minus sign: a part of a file's name. */
+  std::string file_name_of(const std::string &text);
+
+  /** Parts of files' names of which no two are equal, though file_name_of() is: "a_b", "a_b_2". */
+  class FileNames
+  {
+  public:
+    /** That of the next text. Letters whose case alone differs are the same on some systems. */
+    std::string next(const std::string &text);
+
+  private:
+    std::set<std::string> taken; ///< in small letters
+  };
 
   /** A line of a CSV file with its end; fields with commas, quotes or line breaks are quoted. */
   std::string csv_line(const std::vector<std::string> &fields);

@@ -49,9 +49,6 @@ namespace samara
 
 
 
-  /** A name that every file system takes. */
-  std::string file_name_of(const std::string &text);
-
   /** @name Files for ParaView, in the axes 1, 2, 3 as x, y, z @{ */
   /** The section with materials, fibres and the warping of unit section forces. */
   std::string picture_of(const SectionAnalysis &analysis);

@@ -88,8 +88,8 @@ namespace samara
     /** Joints (and what else has rows) that share combinations, with the number of their redundant rows. */
     struct Loop
     {
-      std::vector<std::string> joints;
-      unsigned int             n_redundant = 0;
+      std::vector<const Item *> joints;
+      unsigned int              n_redundant = 0;
     };
     std::vector<Loop> loops(const Eigen::MatrixXd &X) const;
 
@@ -184,14 +184,6 @@ namespace samara
     double motion_until_next(const Entries &before, double motion) const;
     void   keep_forces(State &state, const std::vector<unsigned int> &left_out) const;
   };
-
-
-
-  /**
-   * The two parts of a multiplier's name: "joint foot" and "displacement 3" of "joint foot, displacement 3"; a joint's
-   * own name may begin with that word.
-   */
-  std::pair<std::string, std::string> owner_and_row(const std::string &name);
 } // namespace samara
 
 #endif

@@ -27,6 +27,12 @@ namespace samara
     /** The control itself, "" for its path is its name, in its unit. */
     std::optional<Probe> probe(const std::string &path) const override;
 
+    bool
+    is_control() const override
+    {
+      return true;
+    }
+
     /** Controls never decide on steps. */
     std::vector<CountedStates>
     counted_states() const override
