@@ -26,8 +26,8 @@ namespace samara
    *
    *     ε₁₁ = Γ₁₁   γ₁₂ = Γ₁₂ + Γ₂₁   ε₂₂ = Γ₂₂   κ₁₁ = K₁₂   2κ₁₂ = K₂₂ − K₁₁   κ₂₂ = −K₂₁   γ₁₃ = Γ₁₃   γ₂₃ = Γ₂₃
    *
-   * The rest, Γ₁₂ − Γ₂₁ (drilling), K₁₁ + K₂₂, K₁₃ and K₂₃, has a stiffness of a tenth of that in shear, so that it
-   * stays small, the last two more in large cells, so that tension leaves them stable. Normals at nodes are those of
+   * Of the rest, Γ₁₂ − Γ₂₁ (drilling), K₁₃ and K₂₃ have a stiffness of a tenth of that in shear, so that they stay
+   * small, the last two more in large cells, so that tension leaves them stable; K₁₁ + K₂₂ has none. Normals at nodes are those of
    * the interpolated surface, averaged over cells whose normals differ by less than the crease angle; where more meet,
    * they share the node, each with a triad of its own.
    *
