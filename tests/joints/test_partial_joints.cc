@@ -240,7 +240,7 @@ TEST(PartialJoints, CurvesDoNotKnowWhereTheModelIs)
 // A corner is one in all units.
 TEST(PartialJoints, CornersOfCurvesAreRefused)
 {
-  for (const std::string unit : {"1", "1e-6", "1e6"})
+  for (const std::string unit : {"1", "1e-7", "1e6"})
     {
       std::string refusal;
       try
