@@ -227,6 +227,7 @@ namespace samara
     // as many points of integration as nodes: what is known at the points is interpolated to the nodes
     to_nodes = made->N.inverse();
     make_rule_across();
+    make_samples();
   }
 
 
