@@ -49,15 +49,15 @@ namespace samara
         const unsigned int    laminate  = laminate_of(i);
         const Eigen::MatrixXd at_points = recovered_at_points(i, state), there = at_points * to_samples.transpose();
         const auto            value = [&](const Recovered &at) {
-          return quantity.of(layer_extremes(plate_state(at, laminate), layer));
+          return quantity.of(layer_extremes(plate_state(at, laminate), layer)); // of faces alike, either may be told
         };
         for (unsigned int k = 0; k < there.cols(); ++k)
           if (const double here = value(there.col(k)); is_first || std::abs(here) > std::abs(result.value))
             {
               // the next term of the series, if it goes on as the last two
               const auto   less  = [&](const unsigned int i) { return to_samples_of_less[i].row(k).transpose(); };
-              const double first = value(at_points * less(0)), last = std::abs(here - first),
-                           before = std::abs(first - value(at_points * less(1)));
+              const double first = std::abs(value(at_points * less(0))), last = std::abs(std::abs(here) - first),
+                           before = std::abs(first - std::abs(value(at_points * less(1))));
               result              = {here, last < before ? last * last / before : last};
               is_first            = false;
             }

