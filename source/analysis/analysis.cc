@@ -59,9 +59,27 @@ namespace samara
           }
     for (const auto &c : context.system.model.items)
       if (const auto *const doubtful = dynamic_cast<const Doubtful *>(c.get()))
-        for (const auto &doubt : doubtful->doubts(state))
-          if (doubted.emplace(c.get(), doubt.about).second)
-            context.log.warning(when, doubt.text);
+        {
+          for (const auto &doubt : doubtful->doubts(state))
+            if (doubted.emplace(c.get(), doubt.about).second)
+              context.log.warning(when, doubt.text);
+          const Doubtful::Energies now = doubtful->energies(state);
+          Doubtful::Energies      &of  = largest[doubtful];
+          of.left_out                  = std::max(of.left_out, now.left_out);
+          of.elastic                   = std::max(of.elastic, now.elastic);
+        }
+  }
+
+
+
+  void
+  CoarseMeshes::conclude(const Context &context, const std::string &when)
+  {
+    for (const auto &c : context.system.model.items)
+      if (const auto found = largest.find(dynamic_cast<const Doubtful *>(c.get())); found != largest.end())
+        if (const std::string text = found->first->doubt_of_run(found->second);
+            !text.empty() && doubted.emplace(c.get(), "of the run").second)
+          context.log.warning(when, text);
   }
 
 

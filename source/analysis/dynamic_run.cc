@@ -228,6 +228,7 @@ namespace samara
     analysis.summarize(context, *machinery.integrator);
     if (const std::string text = singular.text(); !text.empty())
       context.log.line(text);
+    analysis.meshes.conclude(context, "dynamic");
     analysis.conclude(context);
   }
 

@@ -227,6 +227,7 @@ namespace samara
     context.is_equilibrium = true;
     tell_motion(context);
     tell_instability(context);
+    meshes.conclude(context, "static");
     State reported = context.state;
     if (context.least_norm && !reported.left_out.empty())
       RedundantRows(context.system).make_least(reported);

@@ -1,4 +1,7 @@
 #include <samara/analysis/static.h>
+#include <samara/base/errors.h>
+#include <samara/base/text.h>
+#include <samara/model/doubts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -217,5 +220,11 @@ namespace samara
           row.push_back(probe.value(point.state));
         limits_history->add(row);
       }
+    for (const auto &item : context.system.model.items)
+      if (const auto *const doubtful = dynamic_cast<const Doubtful *>(item.get()))
+        if (const std::string why = doubtful->why_no_limit(point.state); !why.empty())
+          throw NotConverged("the path ends at load factor " + number_to_text("%.6g", point.state.factor) +
+                             ": what is found there is likely to be none of the structure but of its mesh. " + why +
+                             ". Give it more <Elements>");
   }
 } // namespace samara

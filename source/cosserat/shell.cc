@@ -229,6 +229,7 @@ namespace samara
     // as many points of integration as nodes: what is known at the points is interpolated to the nodes
     to_nodes = inverse(made->N);
     make_rule_across();
+    make_samples();
   }
 
 

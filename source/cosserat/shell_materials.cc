@@ -190,6 +190,12 @@ namespace samara
     /** Stiffness of Γ₁₂ − Γ₂₁ over A₆₆: rotations about the normal follow those of the surface. */
     constexpr double beta = 0.1;
 
+    /**
+     * Stiffness of K₁₁ + K₂₂ over A₆₆ h²/12. On a plane this sum is γ₁₃,₂ − γ₂₃,₁, the curl of the shear strain, which
+     * has no stiffness of its own: free edges consist of it (Mindlin). So much only makes the matrix definite.
+     */
+    constexpr double least_twist = 1e-8;
+
     /** The tension over A₆₆ up to which rotations about the normal are stable; see doc/theory/shell.md. */
     constexpr double tension_held = 0.01;
   } // namespace
@@ -259,7 +265,7 @@ namespace samara
     C.bottomRightCorner<2, 2>()   = laminate.shear;
     MatrixN      result           = plate.transpose() * C * plate;
     const double drilling         = beta * laminate.ABD(1, 1);
-    const double of_curvature     = drilling * laminate.thickness * laminate.thickness / 12;
+    const double of_curvature     = least_twist * laminate.ABD(1, 1) * laminate.thickness * laminate.thickness / 12;
     VectorN      skew_membrane = VectorN::Zero(), twist = VectorN::Zero();
     skew_membrane(gamma(1, 2)) = 1;
     skew_membrane(gamma(2, 1)) = -1;

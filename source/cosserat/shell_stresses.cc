@@ -74,21 +74,6 @@ namespace samara
 
 
 
-  SectionStresses::Extremes
-  Shell::extremes_over_surface(const int layer, const State &state) const
-  {
-    SectionStresses::Extremes result;
-    for (unsigned int i = 0; i < n_elements(); ++i)
-      {
-        const Eigen::MatrixXd at_points = recovered_at_points(i, state);
-        for (unsigned int g = 0; g < table->n_points; ++g)
-          result.add(layer_extremes(plate_state(at_points.col(g), laminate_of(i)), layer));
-      }
-    return result;
-  }
-
-
-
   unsigned int
   Shell::laminate_at(const unsigned int node) const
   {
@@ -138,12 +123,15 @@ namespace samara
     const std::string   last  = trim(dot == std::string::npos ? point : point.substr(dot + 1));
     const bool          names = last == "layers" || last.substr(0, 6) == "layer ";
     const std::string   place = names ? (dot == std::string::npos ? "" : trim(point.substr(0, dot))) : point;
-    const ExtremeByName quantity(text);
+    // "layers.stress 11 error": how well it is known
+    const std::string   ending   = " error";
+    const bool          of_error = text.size() > ending.size() && text.substr(text.size() - ending.size()) == ending;
+    const ExtremeByName quantity(of_error ? text.substr(0, text.size() - ending.size()) : text);
     if (!quantity.is_known() || (!names && !is_place(place)))
       return {};
     if (rigid)
       throw std::invalid_argument("shell <" + name + "> is rigid: nothing is known of its stresses");
-    if (text == across_the_layers && !knows_across())
+    if (text.find(across_the_layers) == 0 && !knows_across())
       throw std::invalid_argument("the stress 33 of shell <" + name +
                                   "> is not known: it takes elements of type <shell> of degree 2 or more");
     const int  layer             = names ? layer_named(last) : -1;
@@ -162,10 +150,15 @@ namespace samara
     };
     for (unsigned int laminate = 0; place.empty() && laminate < laminates.size(); ++laminate)
       require_strengths(laminate);
+    are_stresses_asked = true;
     if (place.empty())
       return Probe{path, quantity.unit(), [=](const State &state) {
-                     return quantity.of(extremes_over_surface(layer, state));
+                     const Peak peak = peak_over_surface(quantity, layer, state);
+                     return of_error ? peak.error : peak.value;
                    }};
+    if (of_error)
+      throw std::invalid_argument("<" + path + ">: how well it is known is told of the largest over the surface, <" +
+                                  name + "." + (names ? last : "layers") + "." + text + ">");
     const int node = point_named(place).node;
     if (node < 0)
       throw std::invalid_argument("shell <" + name + "> has no stresses at <" + place + ">, which is no node of it");

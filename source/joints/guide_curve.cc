@@ -18,15 +18,6 @@ namespace samara
     : expressions(expressions)
     , arc_lengths(1, 0.)
   {
-    // a formula may switch without a corner, as |s|³ does: what counts is the slope on both sides
-    for (const auto &f : expressions)
-      for (double s = f.next_corner(0., 1.); s < 1.; s = f.next_corner(s, 1.))
-        {
-          const double h = 1e-9;
-          if (std::abs(f.derivative(s + h) - f.derivative(s - h)) > 1e-6 * (1 + std::abs(f.derivative(s + h))) ||
-              std::abs(f(s + h) - f(s - h)) > 1e-6 * (1 + std::abs(f(s))))
-            throw std::invalid_argument("the curve has a corner at s = " + number_to_text(s) + "; it must be smooth");
-        }
     for (unsigned int i = 0; i < n_pieces; ++i)
       {
         const double a = double(i) / n_pieces, b = double(i + 1) / n_pieces, piece = distance(a, b);
@@ -34,6 +25,15 @@ namespace samara
           throw std::invalid_argument("the curve stands still, or is not finite, at s = " + number_to_text(a));
         arc_lengths.push_back(arc_lengths.back() + piece);
       }
+    // a formula may switch without a corner, as |s|³ does: what counts is the slope on both sides
+    for (const auto &f : expressions)
+      for (double s = f.next_corner(0., 1.); s < 1.; s = f.next_corner(s, 1.))
+        {
+          const double h = 1e-9;
+          if (std::abs(f.derivative(s + h) - f.derivative(s - h)) > 1e-6 * (length() + std::abs(f.derivative(s + h))) ||
+              std::abs(f(s + h) - f(s - h)) > 1e-6 * length())
+            throw std::invalid_argument("the curve has a corner at s = " + number_to_text(s) + "; it must be smooth");
+        }
     for (unsigned int i = 0; i <= n_pieces; ++i)
       if (derivative(double(i) / n_pieces).norm() < 1e-6 * length())
         throw std::invalid_argument("the curve stands still at s = " + number_to_text(double(i) / n_pieces));

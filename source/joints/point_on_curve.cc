@@ -141,8 +141,11 @@ namespace samara
       return m.complaints.add(parameters.where("Expressions"),
                               "joint <" + name + ">: the curve is " + number_to_text("%.6g", (on_curve - x).norm()) +
                                 " m away from <" + body_b + ">");
-    frame_a    = m.frame_at((*ends)[0], Vector3::Zero(), E);
-    frame_b    = m.frame_at((*ends)[1], on_curve, E);
+    // at the point, not at the model's origin: between its ends a step has axes that are not of unit length, and an arm
+    // of some length would be counted with them
+    origin     = on_curve;
+    frame_a    = m.frame_at((*ends)[0], origin, E);
+    frame_b    = m.frame_at((*ends)[1], origin, E);
     coordinate = m.add_coordinate(name + ".displacement", "m");
 
     const Parameters &along = parameters.subsection("displacement");
@@ -256,7 +259,7 @@ namespace samara
     add_turns(q, rates);
     // along the curve, where the point is
     const PairValues<double> pair(frame_a, frame_b, q, false);
-    const Vector3            t = at(curve->nearest(E * pair.gaps)).tangent;
+    const Vector3            t = at(curve->nearest(origin + E * pair.gaps)).tangent;
     Vector12                 g = Vector12::Zero();
     for (unsigned int k = 0; k < 3; ++k)
       PairFunction{PairFunction::gap, k}.add_gradient(pair, t(k), g);
@@ -295,7 +298,7 @@ namespace samara
   PointOnCurve::at(const double sigma) const
   {
     const GuideCurve::At along_x = curve->at(sigma);
-    return {E.transpose() * along_x.x, E.transpose() * along_x.tangent, E.transpose() * along_x.curvature};
+    return {E.transpose() * (along_x.x - origin), E.transpose() * along_x.tangent, E.transpose() * along_x.curvature};
   }
 
 

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace samara
@@ -150,12 +152,55 @@ namespace samara
       }
     shear = compliance.inverse();
 
+    warping << warping_along(0), warping_along(1);
+
     Integrals below;
     for (Layer &layer : layers)
       {
         layer.below = below;
         below       = integrals(layer, layer.top);
       }
+  }
+
+
+
+  double
+  Laminate::warping_along(const unsigned int alpha) const
+  {
+    const double point[3] = {(1 - std::sqrt(0.6)) / 2, 0.5, (1 + std::sqrt(0.6)) / 2},
+                 weight[3] = {5. / 18, 8. / 18, 5. / 18};
+    // ∫E dz, ∫E z dz, and of the warping w from the bottom on ∫E w dz; E the stiffness along α
+    const double of_shear = shear.inverse()(alpha, alpha);
+    double       whole = 0, first = 0, warped = 0, w = 0;
+    for (const Layer &layer : layers)
+      {
+        const double h = layer.top - layer.bottom, E = layer.reduced(2 * alpha, 2 * alpha),
+                     g          = layer.shear(alpha, alpha);
+        const auto warping_over = [&](const double height) { // of f/g, quadratic in z
+          double sum = 0;
+          for (int k = 0; k < 3; ++k)
+            sum += weight[k] * height * shear_stresses(layer, layer.bottom + point[k] * height)(alpha, alpha) / g;
+          return sum;
+        };
+        whole += h * E;
+        first += h * E * (layer.top + layer.bottom) / 2;
+        for (int k = 0; k < 3; ++k)
+          warped += weight[k] * h * E * (w + warping_over(point[k] * h));
+        w += warping_over(h);
+      }
+    // less the turn, which the shear angle of the plate is, and the shift that leaves no force
+    const double neutral = first / whole, mean = warped / whole, half = thickness / 2;
+    const double below = -mean + of_shear * (half + neutral), above = w - mean - of_shear * (half - neutral);
+    return std::max(std::abs(below / (half + neutral)), std::abs(above / (half - neutral))) / of_shear;
+  }
+
+
+
+  Matrix3
+  Laminate::free_bending() const
+  {
+    const Matrix3 B = ABD.topRightCorner<3, 3>(), A = ABD.topLeftCorner<3, 3>();
+    return ABD.bottomRightCorner<3, 3>() - B.transpose() * A.inverse() * B;
   }
 
 

@@ -410,7 +410,7 @@ namespace samara
     const unsigned int i       = correction.multiplier;
     const double       gap     = constraints_at_end[system.layout.of_multiplier(i)];
     const bool         is_open = gap_scale[i] * std::abs(gap) > closed * length;
-    return force_of<double>(tableau, h, rate, multiplier, mean_rates[i] - (is_open ? gap / h : 0.));
+    return force_of<double>(tableau, h, unit_of(correction), rate, multiplier, mean_rates[i] - (is_open ? gap / h : 0.));
   }
 
 

@@ -469,7 +469,8 @@ namespace samara
                          epsilon * X[k * n + layout.of_multiplier(correction.multiplier)]);
         };
         const Complex mean(mean_rates[correction.multiplier], epsilon * mean_changes[correction.multiplier]);
-        const Complex force = StageIntegrator::force_of<Complex>(tableau, h, rate, multiplier, mean);
+        const Complex force =
+          StageIntegrator::force_of<Complex>(tableau, h, integrator.unit_of(correction), rate, multiplier, mean);
         for (unsigned int k = 0; k < s; ++k)
           result[k * n + layout.of_coordinate(correction.coordinate)] -= (force * rate(k)).imag() / epsilon;
       }

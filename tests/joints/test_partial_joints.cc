@@ -189,6 +189,78 @@ TEST(PartialJoints, CurveOnAMovingBody)
 
 
 
+namespace
+{
+  /** Two free bodies, one of them with a curve: what @p moved by, and in lengths of so many metres. */
+  double
+  slide_on_a_moving_body(const Vector3 &moved, const double metre)
+  {
+    const auto vector = [&](const double x, const double y, const double z, const double unit) {
+      return number_to_text(unit * x) + ", " + number_to_text(unit * y) + ", " + number_to_text(unit * z);
+    };
+    const auto body = [&](const std::string &name, const Vector3 &x, const std::string &more) {
+      const Vector3 place = x + moved;
+      return " subsection " + name +
+             "\n set Type = rigid body\n set Mass = 2\n set Inertia = " + vector(1, 1.5, 2, metre * metre) +
+             "\n set Position = " + vector(place(0), place(1), place(2), metre) + "\n" + more + " end\n";
+    };
+    const auto curve = [&](const double at, const std::string &more) {
+      return number_to_text(metre * at) + " + " + number_to_text(metre) + "*(" + more + ")";
+    };
+    Scene scene(
+      "set Analyses = dynamic\nsubsection Bodies\n" +
+      body("a", {0.3, 0.2, 0.5}, " set Angular velocity = 0.5, -1, 2\n") +
+      body("b", {0.5, 0.25, 0.1}, " set Velocity = " + vector(0, 1, 0, metre) + "\n") +
+      "end\nsubsection Joints\n subsection wire\n set Type = point on curve\n set Body A = a\n"
+      " set Body B = b\n set Expressions = " +
+      curve(moved(0), "s") + ", " + curve(moved(1), "s^2") + ", " + curve(moved(2), "0.1*exp(s - 0.5)") +
+      "\n end\nend\nsubsection Dynamic\n set End time = 1\n set Step = 0.1\n set Newton tolerance = 1e-13\nend\n");
+    auto &dynamic = scene.analysis<DynamicAnalysis>();
+    dynamic.start(scene.context);
+    dynamic.run(scene.context);
+    EXPECT_LT(dynamic.report.largest_balance, 1e-10);
+    return scene.value("wire.displacement") / metre;
+  }
+} // namespace
+
+
+
+// Steps are not small here, and do the same wherever the model is, and in whatever unit of length.
+TEST(PartialJoints, CurvesDoNotKnowWhereTheModelIs)
+{
+  const double here = slide_on_a_moving_body({0, 0, 0}, 1);
+  EXPECT_GT(std::abs(here), 0.05);
+  EXPECT_NEAR(slide_on_a_moving_body({3, -8, 5}, 1), here, 1e-9);
+  EXPECT_NEAR(slide_on_a_moving_body({0, 0, 0}, 1e-6), here, 1e-8);
+  EXPECT_NEAR(slide_on_a_moving_body({0, 0, 0}, 1e3), here, 1e-8);
+}
+
+
+
+// A corner is one in all units.
+TEST(PartialJoints, CornersOfCurvesAreRefused)
+{
+  for (const std::string unit : {"1", "1e-7", "1e6"})
+    {
+      std::string refusal;
+      try
+        {
+          Scene scene(
+            "subsection Bodies\n subsection b\n set Type = rigid body\n set Mass = 1\n set Inertia = 1, 1, 1\n end\nend\n"
+            "subsection Joints\n subsection wire\n set Type = point on curve\n set Body A = ground\n"
+            " set Body B = b\n set Expressions = " +
+            unit + "*s, " + unit + "*abs(s - 0.3) - " + unit + "*0.3, 0\n end\nend\n");
+        }
+      catch (const std::exception &problem)
+        {
+          refusal = problem.what();
+        }
+      EXPECT_NE(refusal.find("has a corner at s = 0.3"), std::string::npos) << unit << ": " << refusal;
+    }
+}
+
+
+
 // Beyond its end a curve goes on straight, and along the axes that are asked for the force is what they say.
 TEST(PartialJoints, BeyondTheEndOfACurve)
 {

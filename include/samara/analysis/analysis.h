@@ -2,8 +2,10 @@
 #define samara_analysis_analysis_h
 
 #include <samara/base/log.h>
+#include <samara/model/doubts.h>
 #include <samara/model/system.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -122,7 +124,7 @@ namespace samara
 
   /**
    * Warn once of each item whose mesh is too coarse for a state, see Item::coarse_place(), and once of each doubt of an
-   * item whose theory does not hold there, see Doubtful.
+   * item whose theory does not hold there, see Doubtful; and at the end of what all states together say.
    */
   class CoarseMeshes
   {
@@ -130,9 +132,14 @@ namespace samara
     /** @p when: "static, load factor 0.5" */
     void check(const Context &context, const State &state, const std::string &when);
 
+    /** What all states so far together say; once of each item. */
+    void conclude(const Context &context, const std::string &when);
+
   private:
     std::set<const Item *>                         warned;
     std::set<std::pair<const Item *, std::string>> doubted;
+
+    std::map<const Doubtful *, Doubtful::Energies> largest; ///< of the run
   };
 
   /** What must not be nor come out of an analysis: @throws NotConverged naming an unknown that is not finite. */

@@ -9,6 +9,7 @@
 #include <samara/cosserat/section.h>
 #include <samara/cosserat/tension_torsion.h>
 #include <samara/model/drawing.h>
+#include <samara/model/kinks.h>
 #include <samara/model/relative_motion.h>
 
 #include <algorithm>
@@ -23,7 +24,11 @@ namespace samara
    * and frequencies for degree p with p Gauss points; no locking at any slenderness. Elements of one beam may have
    * different degrees; a mesh that meets an error is found by automatic_mesh.h.
    */
-  class Beam : public Cosserat<1>, public RelativeMotions, public InitialMotion, public HasStrainProducts
+  class Beam : public Cosserat<1>,
+               public RelativeMotions,
+               public InitialMotion,
+               public HasStrainProducts,
+               public HasKinks
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -55,6 +60,9 @@ namespace samara
 
     /** Those of tension that stiffens torsion. */
     void add_strain_products(std::vector<StrainProduct> &products) const override;
+
+    double lacking(double S, const Vector6 &wrench) const override;
+    double elastic_energy(const State &state) const override;
 
     /** All nodes. */
     std::vector<unsigned int> rigid_nodes() const override;

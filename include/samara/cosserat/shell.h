@@ -6,9 +6,11 @@
 #include <samara/cosserat/region_layup.h>
 #include <samara/cosserat/shell_curve.h>
 #include <samara/cosserat/shell_mesh.h>
+#include <samara/model/doubts.h>
 #include <samara/model/relative_motion.h>
 #include <samara/model/surface_curve.h>
 #include <samara/model/surface_load.h>
+#include <samara/section/extremes_by_name.h>
 #include <samara/section/laminate.h>
 #include <samara/section/recovery.h>
 
@@ -26,8 +28,8 @@ namespace samara
    *
    *     ε₁₁ = Γ₁₁   γ₁₂ = Γ₁₂ + Γ₂₁   ε₂₂ = Γ₂₂   κ₁₁ = K₁₂   2κ₁₂ = K₂₂ − K₁₁   κ₂₂ = −K₂₁   γ₁₃ = Γ₁₃   γ₂₃ = Γ₂₃
    *
-   * The rest, Γ₁₂ − Γ₂₁ (drilling), K₁₁ + K₂₂, K₁₃ and K₂₃, has a stiffness of a tenth of that in shear, so that it
-   * stays small, the last two more in large cells, so that tension leaves them stable. Normals at nodes are those of
+   * Of the rest, Γ₁₂ − Γ₂₁ (drilling), K₁₃ and K₂₃ have a stiffness of a tenth of that in shear, so that they stay
+   * small, the last two more in large cells, so that tension leaves them stable; K₁₁ + K₂₂ has none. Normals at nodes are those of
    * the interpolated surface, averaged over cells whose normals differ by less than the crease angle; where more meet,
    * they share the node, each with a triad of its own.
    *
@@ -36,7 +38,7 @@ namespace samara
    *
    * Source: doc/theory/shell.md.
    */
-  class Shell : public Cosserat<2>, public SurfaceBody, public HasCurves, public RelativeMotions
+  class Shell : public Cosserat<2>, public SurfaceBody, public HasCurves, public RelativeMotions, public Doubtful
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -59,6 +61,19 @@ namespace samara
     double                 thickness() const override;
     /** The cell that is longest for its tension, if it is too long. */
     std::string coarse_place(const State &state) const override;
+
+    /**
+     * The angle [rad] by which a cell is bent as the highest polynomial that it has: the largest, over lines along both
+     * of its unit coordinates, of the highest coefficients of curvature, as in Beam::turn().
+     */
+    double fold(unsigned int cell, const State &state) const;
+    /** The cell with the largest fold() and what would do; empty if that is no more than @p most [rad]. */
+    std::string folded_place(const State &state, double most) const;
+
+    /** Of a laminate so thick for how it is bent that shear warps it, if stresses of layers are asked for. */
+    std::vector<Doubt> doubts(const State &state) const override;
+    /** Where a fold is too sharp for its cell, which catches at the ends of cells; see fold(). */
+    std::string why_no_limit(const State &state) const override;
 
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
@@ -294,8 +309,20 @@ namespace samara
 
     /** Of the layer, or of all if it is negative, at a place, or over the surface. @{ */
     SectionStresses::Extremes layer_extremes(const PlateState &at, int layer) const;
-    SectionStresses::Extremes extremes_over_surface(int layer, const State &state) const;
     /** @} */
+
+    /** The largest of a quantity over the surface, and about how well it is known: the term that cells have no more. */
+    struct Peak
+    {
+      double value, error;
+    };
+    /** At the integration points and the nodes of each cell, by the polynomials of the cell. */
+    Peak peak_over_surface(const ExtremeByName &quantity, int layer, const State &state) const;
+    /** Values at the nodes and at the integration points from those at the latter; by lower degrees. */
+    Eigen::MatrixXd to_samples, to_samples_of_less[2];
+    void            make_samples();
+
+    mutable bool are_stresses_asked = false; ///< by a probe
     /** The laminate of all cells at a node. @throws std::invalid_argument if they have several */
     unsigned int laminate_at(unsigned int node) const;
 

@@ -8,8 +8,8 @@
 namespace samara
 {
   /**
-   * A point of B stays on a curve that is fixed to A: with the joint axes E, of which "Axis" is the third, Δ from the
-   * place of the model's origin in the reference configuration, and the components of the curve there,
+   * A point of B stays on a curve that is fixed to A: with the joint axes E, of which "Axis" is the third, Δ from where
+   * the point is in the reference configuration, and the components of the curve from there,
    *
    *     E_iᴬ·Δ − c_i(σ) = 0,   i = 1, 2, 3
    *
@@ -59,6 +59,7 @@ namespace samara
     std::unique_ptr<Constraint>       term;
     Matrix3                           E          = Matrix3::Identity(); ///< joint axes in the reference configuration
     double                            start      = 0;                   ///< σ in the reference configuration [m]
+    Vector3                           origin     = Vector3::Zero();     ///< the point of the curve there [m]
     unsigned int                      coordinate = 0;
     Block                             own_block; ///< 12 twists, the coordinate, 3 multipliers
 
@@ -72,7 +73,7 @@ namespace samara
     template <typename Number>
     PressingParts<Number> parts_at(const Point<Number> &point) const;
 
-    /** On the curve, along the joint axes. */
+    /** On the curve, from where the point is in the reference configuration, along the joint axes. */
     GuideCurve::At at(double sigma) const;
 
     /** That of A on B along the joint axes [N]. */

@@ -6,6 +6,7 @@
 #include <samara/joints/thread_friction.h>
 #include <samara/joints/vector_friction.h>
 #include <samara/model/bends.h>
+#include <samara/model/doubts.h>
 
 namespace samara
 {
@@ -35,7 +36,7 @@ namespace samara
    * "At the ends = leave": a step in time ends where S gets to an end, and from there on nothing holds B. That it has
    * left is said by the state alone: S is parked a hundred lengths away, S = parked is one row, λ = 0 are the others.
    */
-  class SlidingJoint : public Joint, public HasBends, public CanLeave
+  class SlidingJoint : public Joint, public HasBends, public CanLeave, public Doubtful
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -97,6 +98,16 @@ namespace samara
     std::optional<Probe>     probe(const std::string &path) const override;
     std::vector<std::string> probe_names() const override;
     void                     draw(const State &state, Drawing &drawing) const override;
+
+    /** @name How much too stiff the beam is, because its moments cannot jump within an element, see HasKinks @{ */
+    std::vector<Doubt>
+    doubts(const State &) const override
+    {
+      return {};
+    }
+    Energies    energies(const State &state) const override;
+    std::string doubt_of_run(const Energies &largest) const override;
+    /** @} */
 
   protected:
     /** Products of axes E_i of B and directors d_k of the beam that stay zero; one that turns is the screw's. */

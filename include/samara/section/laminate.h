@@ -60,6 +60,17 @@ namespace samara
      */
     Vector6 stress(unsigned int index, double z, const Vector6 &strains, const Eigen::Vector2d &Q) const;
 
+    /** Bending stiffness, for κ₁₁ 2κ₁₂ κ₂₂, if the middle is free to stretch [N m]. */
+    Matrix3 free_bending() const;
+
+    /**
+     * For bending along each direction α: what the warping of the section by shear adds to the stress along α in the
+     * outer faces, over what bending has there, as a multiple of the energy of shear over that of bending. With γ(z) =
+     * g⁻¹ f(z) Q the section warps by w = ∫γ dz, less what a shift and a turn of it explain, so that stresses along α
+     * change by w Q,α; Q,α = −k² M in a wave of k. 1/6 if homogeneous, more where soft plies lie between stiff ones.
+     */
+    Eigen::Vector2d warping = Eigen::Vector2d::Zero();
+
     /** What the stress across the laminae follows from beside plate strains: a balance along the normal. */
     struct Across
     {
@@ -115,6 +126,7 @@ namespace samara
     Integrals       integrals(const Layer &layer, double z) const;
     void            find_membrane_and_bending();
     void            find_shear();
+    double          warping_along(unsigned int alpha) const;
     void            find_asymptotic_shear();
   };
 

@@ -302,10 +302,23 @@ namespace samara
     double largest_gap(double h) const;
     /** λ̄ ρ, the force of a correction per rate. */
     double force_of(const Layout::Correction &correction, double h) const;
-    /** The same from functions rate(k) and multiplier(k) of the stages, and the mean rate of the constraint. */
+    /**
+     * The same from functions rate(k) and multiplier(k) of the stages, and the mean rate of the constraint; @p unit is
+     * the size of the coordinate that matters, 1 of an angle and the model's length of a slide.
+     */
     template <typename Number, typename Rate, typename Multiplier>
     static Number
-    force_of(const Tableau &tableau, double h, const Rate &rate, const Multiplier &multiplier, const Number &mean_rate);
+    force_of(const Tableau    &tableau,
+             double            h,
+             double            unit,
+             const Rate       &rate,
+             const Multiplier &multiplier,
+             const Number     &mean_rate);
+    double
+    unit_of(const Layout::Correction &correction) const
+    {
+      return system.layout.scale_of(system.layout.of_coordinate(correction.coordinate), length);
+    }
     /** Increments of the stages from their residuals: dz, dz_rate, d_lambda; false without a solution for the stops. */
     bool solve_for_increments(double h);
     /** Solve with the factors for the residuals; increments from the solutions. @{ */
@@ -533,21 +546,23 @@ namespace samara
   Number
   StageIntegrator::force_of(const Tableau    &tableau,
                             const double      h,
+                            const double      unit,
                             const Rate       &rate,
                             const Multiplier &multiplier,
                             const Number     &mean_rate)
   {
-    // where the coordinate turns less than this a step, ρ is a quotient of small numbers, and the work not worth
-    // mentioning; of one stage it has a limit, as the error of the mean rate goes with the turn, and less will do
+    // where the coordinate turns less than this a step, in units, ρ is a quotient of small numbers, and the work not
+    // worth mentioning; of one stage it has a limit, as the error of the mean rate goes with the turn: less will do
     const double least_turn = tableau.s == 1 ? 1e-8 : 1e-7;
     Number       lambda = 0, squares = 0;
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        const Number turn = h * rate(k);
+        const Number turn = h / unit * rate(k);
         lambda += tableau.b(k) * multiplier(k);
         squares += tableau.b(k) * (turn * turn);
       }
-    return lambda * (h * h * mean_rate * squares / (squares * squares + std::pow(least_turn, 4)));
+    const double per_unit = h / unit;
+    return lambda * (per_unit * per_unit * mean_rate * squares / (squares * squares + std::pow(least_turn, 4)));
   }
 } // namespace samara
 
