@@ -1,6 +1,7 @@
 // What elements of a beam lack where something acts within one of them.
 
 #include <samara/cosserat/beam.h>
+#include <samara/rotation/matrix6.h>
 
 #include <deal.II/base/polynomial.h>
 
@@ -49,7 +50,7 @@ namespace samara
     const Matrix6 &C = materials[integration_points()[elements[i].first_point + point].material].stiffness;
     Vector6        jump(wrench);
     jump(1) = jump(2) = 0;
-    return h * unresolved_part(xi, cells[i].degree) * jump.dot(C.llt().solve(jump));
+    return h * unresolved_part(xi, cells[i].degree) * jump.dot(symmetric_solution(C, jump));
   }
 
 
