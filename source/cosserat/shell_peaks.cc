@@ -49,7 +49,7 @@ namespace samara
         const unsigned int    laminate  = laminate_of(i);
         const Eigen::MatrixXd at_points = recovered_at_points(i, state), there = at_points * to_samples.transpose();
         const auto            value = [&](const Recovered &at) {
-          return quantity.of(layer_extremes(plate_state(at, laminate), layer)); // of faces alike, either may be told
+          return quantity.of(layer_extremes(plate_state(at, laminate), layer));
         };
         for (unsigned int k = 0; k < there.cols(); ++k)
           if (const double here = value(there.col(k)); is_first || std::abs(here) > std::abs(result.value))

@@ -167,7 +167,7 @@ namespace samara
   double
   Laminate::warping_along(const unsigned int alpha) const
   {
-    const double point[3] = {(1 - std::sqrt(0.6)) / 2, 0.5, (1 + std::sqrt(0.6)) / 2},
+    const double point[3]  = {(1 - std::sqrt(0.6)) / 2, 0.5, (1 + std::sqrt(0.6)) / 2},
                  weight[3] = {5. / 18, 8. / 18, 5. / 18};
     // ∫E dz, ∫E z dz, and of the warping w from the bottom on ∫E w dz; E the stiffness along α
     const double of_shear = shear.inverse()(alpha, alpha);

@@ -34,7 +34,7 @@ namespace
     model.thickness = 0.2;
     model.joints    = support("x", "s.edge u0", "displacement 1, displacement 2, displacement 3, rotation 1") +
                    support("y", "s.edge v0", "displacement 1, displacement 2, displacement 3, rotation 2");
-    model.top = "subsection Modal\n set Modes = 1\nend\n";
+    model.top = "set Analyses = modal\nsubsection Modal\n set Modes = 1\nend\n";
     Scene scene(model.text());
     return std::abs(scene.modes().at(0).frequency() / frequency_of_free_plate(0) - 1);
   }
@@ -69,7 +69,7 @@ TEST(FreeEdges, WholePlateWithNothingHeld)
   model.degree    = 4;
   model.elements  = "4, 4";
   model.thickness = 0.2;
-  model.top       = "subsection Modal\n set Modes = 9\nend\n";
+  model.top       = "set Analyses = modal\nsubsection Modal\n set Modes = 9\nend\n";
   Scene       scene(model.text());
   const auto &modes = scene.modes();
   ASSERT_EQ(modes.size(), 9u);
@@ -90,7 +90,7 @@ TEST(FreeEdges, StripInTorsion)
   model.elements  = "8, 4";
   model.thickness = 0.04;
   model.E         = 2.6;
-  model.top       = "subsection Modal\n set Modes = 16\nend\n";
+  model.top       = "set Analyses = modal\nsubsection Modal\n set Modes = 16\nend\n";
   Scene        scene(model.text());
   const double b = 0.2, h = 0.04, J = b * h * h * h / 3 * (1 - 0.630249 * h / b), polar = b * h * (b * b + h * h) / 12,
                omega = M_PI / 4 * std::sqrt(J / polar);

@@ -29,9 +29,9 @@ namespace samara
    *     ε₁₁ = Γ₁₁   γ₁₂ = Γ₁₂ + Γ₂₁   ε₂₂ = Γ₂₂   κ₁₁ = K₁₂   2κ₁₂ = K₂₂ − K₁₁   κ₂₂ = −K₂₁   γ₁₃ = Γ₁₃   γ₂₃ = Γ₂₃
    *
    * Of the rest, Γ₁₂ − Γ₂₁ (drilling), K₁₃ and K₂₃ have a stiffness of a tenth of that in shear, so that they stay
-   * small, the last two more in large cells, so that tension leaves them stable; K₁₁ + K₂₂ has none. Normals at nodes are those of
-   * the interpolated surface, averaged over cells whose normals differ by less than the crease angle; where more meet,
-   * they share the node, each with a triad of its own.
+   * small, the last two more in large cells, so that tension leaves them stable; K₁₁ + K₂₂ has none. Normals at nodes
+   * are those of the interpolated surface, averaged over cells whose normals differ by less than the crease angle;
+   * where more meet, they share the node, each with a triad of its own.
    *
    * Order 2p in frequencies; no locking, though degree 2 is slow in very thin curved shells. Degree 1 is refused where
    * a cell is no parallelogram. Mass at the nodes by the Gauss–Lobatto rule; rotary inertia also about the normal.
