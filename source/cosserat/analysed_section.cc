@@ -1,115 +1,13 @@
 #include <samara/cosserat/analysed_section.h>
+#include <samara/cosserat/section_loft.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <mutex>
+#include <typeinfo>
 
 namespace samara
 {
-  namespace
-  {
-    /** FNV-1a of 64 bits, twice with different starts: a key of 128 bits. */
-    class ContentKey
-    {
-    public:
-      template <typename Number>
-      void
-      add(const Number &number)
-      {
-        unsigned char bytes[sizeof(Number)];
-        std::memcpy(bytes, &number, sizeof(Number));
-        for (const unsigned char byte : bytes)
-          for (auto &part : parts)
-            part = (part ^ byte) * 1099511628211ull;
-      }
-
-      std::string
-      text() const
-      {
-        return std::to_string(parts[0]) + " " + std::to_string(parts[1]);
-      }
-
-    private:
-      std::array<std::uint64_t, 2> parts = {{14695981039346656037ull, 88172645463325252ull}};
-    };
-
-
-
-    /** What the analysis depends on: places and plies of all cells, and the materials. */
-    std::string
-    content_of(const SectionShape &shape, const unsigned int degree)
-    {
-      ContentKey key;
-      key.add(degree);
-      key.add(shape.finest);
-      for (const auto &patch : shape.patches)
-        for (unsigned int i = 0; i + 1 < patch.u.size(); ++i)
-          for (unsigned int j = 0; j + 1 < patch.v.size(); ++j)
-            {
-              const Ply ply = patch.ply(i, j);
-              key.add(ply.material);
-              key.add(ply.angle);
-              // as many points as a cell's polynomial has
-              for (unsigned int a = 0; a <= degree; ++a)
-                for (unsigned int b = 0; b <= degree; ++b)
-                  {
-                    const auto place = patch.place(patch.u[i] + (patch.u[i + 1] - patch.u[i]) * a / degree,
-                                                   patch.v[j] + (patch.v[j + 1] - patch.v[j]) * b / degree);
-                    key.add(place[0]);
-                    key.add(place[1]);
-                    if (patch.tangent)
-                      {
-                        const Eigen::Vector2d t = patch.tangent(place);
-                        key.add(t(0));
-                        key.add(t(1));
-                      }
-                  }
-            }
-      for (const auto &material : shape.materials)
-        {
-          for (int i = 0; i < 36; ++i)
-            key.add(material.stiffness.data()[i]);
-          key.add(material.density);
-        }
-      return key.text();
-    }
-
-
-
-    struct Known
-    {
-      std::mutex                                                             mutex;
-      std::map<std::pair<std::string, std::array<double, 3>>, SectionValues> values;
-    };
-
-    Known &
-    known_sections()
-    {
-      static Known known;
-      return known;
-    }
-
-
-
-    /** Points of different patches that are nearer than this are one. */
-    double
-    tolerance_of(const SectionShape &shape)
-    {
-      return 1e-6 * shape.finest;
-    }
-  } // namespace
-
-
-
-  SectionAnalysis::SectionAnalysis(const SectionShape &shape, const unsigned int degree, const Vector3 &curvature)
-    : shape(shape)
-    , mesh(shape.patches, degree, tolerance_of(shape))
-    , section(mesh, shape.materials, curvature)
-  {}
-
-
-
   void
   AnalysedSection::add_parameters(Parameters &prm)
   {
@@ -144,11 +42,11 @@ namespace samara
     if (is_analysed())
       try
         {
-          shape = make_shape(model);
+          SectionShape shape = make_shape(model);
           if (model.complaints.count() != before)
             return;
-          place_shape();
-          content = content_of(shape, degree) + (has_trapeze ? " trapeze" : "");
+          place(shape);
+          placed = std::make_shared<AnalysedShape>(shape, degree, has_trapeze, curvature_of == "beam");
         }
       catch (const std::invalid_argument &problem)
         {
@@ -177,7 +75,7 @@ namespace samara
 
 
   void
-  AnalysedSection::place_shape()
+  AnalysedSection::place(SectionShape &shape) const
   {
     const double           c = std::cos(rotation), s = std::sin(rotation);
     const dealii::Point<2> origin(position[0], position[1]);
@@ -199,18 +97,7 @@ namespace samara
       {
         const auto x = moved({corner(0), corner(1)});
         corner << x[0], x[1];
-        size = std::max(size, corner.norm());
       }
-  }
-
-
-
-  Vector3
-  AnalysedSection::rounded(const Vector3 &curvature) const
-  {
-    // what differs by round-off is one, and what turns by less than 1e-9 in a depth is straight
-    const double unit = 1e-9 / size;
-    return ((curvature / unit).array().round() * unit).matrix() + Vector3::Zero(); // no −0
   }
 
 
@@ -226,7 +113,7 @@ namespace samara
   std::vector<Eigen::Vector2d>
   AnalysedSection::outline(double) const
   {
-    return shape.outline;
+    return placed->shape.outline;
   }
 
 
@@ -234,27 +121,14 @@ namespace samara
   SectionValues
   AnalysedSection::at(double, const Vector3 &curvature) const
   {
-    const Vector3 k     = depends_on_curvature() ? rounded(curvature) : Vector3(Vector3::Zero());
-    Known        &known = known_sections();
     {
-      const std::lock_guard<std::mutex> guard(known.mutex);
+      static std::mutex                 one_at_a_time;
+      const std::lock_guard<std::mutex> guard(one_at_a_time);
+      const Vector3                     k = placed->seen(curvature);
       if (std::find(asked.begin(), asked.end(), k) == asked.end())
         asked.push_back(k);
-      const auto found = known.values.find({content, {{k(0), k(1), k(2)}}});
-      if (found != known.values.end())
-        {
-          SectionValues values = found->second;
-          values.outline       = shape.outline;
-          return values;
-        }
     }
-    const auto    analysis = analyse(k);
-    SectionValues values{analysis->section.stiffness, analysis->section.inertia, shape.outline};
-    if (has_trapeze)
-      values.trapeze = trapeze_of(analysis->section);
-    const std::lock_guard<std::mutex> guard(known.mutex);
-    known.values[{content, {{k(0), k(1), k(2)}}}] = values;
-    return values;
+    return placed->values(curvature);
   }
 
 
@@ -262,7 +136,27 @@ namespace samara
   std::unique_ptr<SectionAnalysis>
   AnalysedSection::analyse(const Vector3 &curvature, const unsigned int more_degrees) const
   {
-    return std::make_unique<SectionAnalysis>(shape, degree + more_degrees, curvature);
+    return placed->analyse(curvature, more_degrees);
+  }
+
+
+
+  std::vector<StressedSection>
+  AnalysedSection::stressed(double, double) const
+  {
+    return is_analysed() && placed != nullptr ? std::vector<StressedSection>{{name, placed}} :
+                                                std::vector<StressedSection>();
+  }
+
+
+
+  std::unique_ptr<const SectionLoft>
+  AnalysedSection::loft_to(const Section &other) const
+  {
+    const auto *const that = other.analysed();
+    if (that == nullptr || placed == nullptr || that->placed == nullptr || typeid(*this) != typeid(*that))
+      return nullptr;
+    return AnalysedLoft::make(placed, that->placed);
   }
 
 
@@ -286,7 +180,7 @@ namespace samara
   void
   AnalysedSection::try_mesh(const SectionShape &shape) const
   {
-    SectionMesh(shape.patches, degree, tolerance_of(shape));
+    mesh_of(shape, degree);
   }
 
 

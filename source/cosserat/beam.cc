@@ -27,7 +27,8 @@ namespace samara
       "Elements",
       elements_wish,
       "Number of elements along the beam, which end at corners, frames and, if there are enough of them, where section "
-      "or twist have kinks (not given: as many as that takes, at least 4); or <automatic, 1e-4>: elements and their degrees so that the strains of the equilibrium, or "
+      "or twist have kinks (not given: as many as that takes, at least 4); if there are not, and equal elements miss more than "
+      "1e-3 of the section, at those within a third of an element from their ends. Or <automatic, 1e-4>: elements and their degrees so that the strains of the equilibrium, or "
       "of the modes without loads, have this relative error in the energy norm, as estimated.");
     prm.add("Degree",
             degree,

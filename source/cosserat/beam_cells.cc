@@ -95,6 +95,28 @@ namespace samara
 
 
 
+  std::vector<double>
+  Beam::moved_to_kinks(std::vector<double> ends, const std::vector<double> &breaks) const
+  {
+    constexpr double far = 1. / 3; // of the shorter element beside: both keep a third of their length
+    const double     L   = curve->length();
+    const auto       is  = [&](const double a, const double b) { return std::abs(a - b) < 1e-9 * L; };
+    const auto       was = ends;
+    for (unsigned int i = 1; i + 1 < ends.size(); ++i)
+      {
+        if (std::any_of(breaks.begin(), breaks.end(), [&](const double s) { return is(s, was[i]); }))
+          continue;
+        const double reach = far * std::min(was[i] - was[i - 1], was[i + 1] - was[i]);
+        const auto nearer = [&](const double a, const double b) { return std::abs(a - was[i]) < std::abs(b - was[i]); };
+        if (const auto nearest = std::min_element(kinks.begin(), kinks.end(), nearer);
+            nearest != kinks.end() && std::abs(*nearest - was[i]) < reach)
+          ends[i] = *nearest;
+      }
+    return ends;
+  }
+
+
+
   bool
   Beam::take_mesh(const std::vector<double> &breaks)
   {
@@ -146,18 +168,33 @@ namespace samara
       }
     const unsigned int needed = breaks.size() - 1;
     if (parameters.is_set("Elements") && elements_wish.error == 0 && elements_wish.number < needed)
-      model->complaints.add(parameters.where("Elements"),
-                            "beam <" + name + "> needs " + std::to_string(needed) +
-                              " elements at least: they end at its corners, at its <Frames>, and where its twist jumps");
+      model->complaints.add(
+        parameters.where("Elements"),
+        "beam <" + name + "> needs " + std::to_string(needed) +
+          " elements at least: they end at its corners, at its <Frames>, and where its twist jumps");
     // at kinks too if there are enough of them, or nobody says how many; an automatic mesh begins with degree 2
     auto all = breaks;
     all.insert(all.end(), kinks.begin(), kinks.end());
     all = sorted(all, curve->length());
     const bool at_kinks =
       elements_wish.error > 0 || !parameters.is_set("Elements") || elements_wish.number + 1 >= all.size();
+    const auto take_ends = [&](const std::vector<double> &ends) {
+      cells.clear();
+      for (unsigned int i = 0; i + 1 < ends.size(); ++i)
+        cells.push_back({ends[i], ends[i + 1], elements_wish.error > 0 ? 2 : degree});
+    };
     const auto ends = element_ends(at_kinks ? all : breaks);
-    for (unsigned int i = 0; i + 1 < ends.size(); ++i)
-      cells.push_back({ends[i], ends[i + 1], elements_wish.error > 0 ? 2 : degree});
+    take_ends(ends);
+    if (at_kinks || rigid || section->kinks().empty())
+      return;
+    // equal elements are the best ones unless they miss much of what the section does between stations
+    const auto   equal = cells;
+    const double error = error_of_cells();
+    if (error < much_error_of_sections)
+      return;
+    take_ends(moved_to_kinks(ends, breaks));
+    if (!(error_of_cells() < error))
+      cells = equal;
   }
 
 

@@ -1,10 +1,13 @@
 // What the sections along a beam give its elements: stiffness, damping, inertia.
 
+#include <samara/base/text.h>
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/section_average.h>
 #include <samara/rotation/matrix6.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numeric>
 
 namespace samara
@@ -82,6 +85,10 @@ namespace samara
   {
     constexpr double round_off_of_curvatures = 1e-6, round_off_of_lines = 1e-9;
 
+    /** Of a table of stations whose shapes are linear in between, against one whose numbers are: of √(c_ii c_jj). */
+    constexpr double       error_of_lines = 1e-3;
+    constexpr unsigned int most_halvings  = 5; // of the way between two stations
+
     bool
     are_same(const SectionValues &a, const SectionValues &b, const double tolerance)
     {
@@ -112,16 +119,35 @@ namespace samara
     for (const Cell &cell : cells)
       for (unsigned int k = 1; is_local && k <= cell.degree; ++k)
         places.push_back((cell.start + (cell.end - cell.start) * k / cell.degree) / L);
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end(), [](const double a, const double b) { return b - a < 1e-9; }),
-                 places.end());
-
     const auto seen_from = [&](const double x, const double inside) {
       const auto  has_it = [&](const Cell &cell) { return inside * L <= cell.end; };
       const Cell &cell   = *std::find_if(cells.begin(), cells.end() - 1, has_it);
       return SectionThere{
         x, section->at_side(x, inside, is_local ? initial_curvature(cell, x * L) : Vector3(Vector3::Zero()))};
     };
+    // where shapes are linear, numbers are not: as many places as it takes
+    const std::function<void(double, double, unsigned int)> add_between =
+      [&](const double a, const double b, const unsigned int halvings) {
+        const double middle = 0.5 * (a + b);
+        if (halvings == most_halvings ||
+            are_same(interpolate(seen_from(a, middle).values, seen_from(b, middle).values, 0.5),
+                     seen_from(middle, middle).values,
+                     error_of_lines))
+          return;
+        places.push_back(middle);
+        add_between(a, middle, halvings + 1);
+        add_between(middle, b, halvings + 1);
+      };
+    const auto in_order = [&]() {
+      std::sort(places.begin(), places.end());
+      const auto are_one = [](const double a, const double b) { return b - a < 1e-9; };
+      places.erase(std::unique(places.begin(), places.end(), are_one), places.end());
+    };
+    in_order();
+    for (unsigned int i = 0, n = places.size(); !section->kinks().empty() && i + 1 < n; ++i)
+      add_between(places[i], places[i + 1], 0);
+    in_order();
+
     std::vector<SectionThere> result;
     const auto                add = [&](const SectionThere &next) {
       // a station between two others on whose line it is says nothing
@@ -150,27 +176,116 @@ namespace samara
 
 
   std::vector<Matrix6>
-  Beam::stiffnesses_of(const Cell &cell) const
+  Beam::stiffnesses_of(const Cell &cell, const ElementTable<1> &of_degree) const
   {
     const auto stiffness = [&](const double xi) {
       return section_at(cell, cell.start + xi * (cell.end - cell.start)).stiffness;
     };
-    const auto           breaks = kinks_inside(cell);
+    auto                 breaks = kinks_inside(cell);
     std::vector<Matrix6> result;
-    std::vector<double>  points, weights(table->weights.begin(), table->weights.end());
-    for (const auto &xi : table->points)
+    std::vector<double>  points, weights(of_degree.weights.begin(), of_degree.weights.end());
+    for (const auto &xi : of_degree.points)
       {
         points.push_back(xi[0]);
         if (breaks.empty())
           result.push_back(stiffness(xi[0]));
       }
-    if (breaks.empty())
+    const auto is_first = [&](const Matrix6 &C) { return C == result[0]; };
+    if (breaks.empty() && (section->kinks().empty() || (std::all_of(result.begin(), result.end(), is_first) &&
+                                                        is_first(stiffness(0.)) && is_first(stiffness(1.)))))
       return result;
+    if (breaks.empty())
+      breaks = {0., 1.};
     // of the compliance: section forces are smooth where stiffnesses jump
-    for (const Matrix6 &compliance :
-         section_averages(points, weights, breaks, [&](const double xi) { return inverse6(stiffness(xi)); }))
-      result.push_back(inverse6(compliance));
+    result.clear();
+    const auto compliance = [&](const double xi) { return inverse6(stiffness(xi)); };
+    for (const Matrix6 &mean : section_averages(points, weights, breaks, compliance))
+      result.push_back(inverse6(mean));
     return result;
+  }
+
+
+
+  void
+  Beam::add_to_sums(const Cell &cell, const ElementTable<1> &of_degree, const std::vector<Matrix6> &stiffnesses)
+  {
+    // of test forces that are constant, and grow from either end: as polynomials that the rule has without error
+    const double L = curve->length(), h = cell.end - cell.start;
+    const auto   tests = [&](const double s) {
+      const auto power = [&](const double x) { return cell.degree == 1 ? x : x * x; };
+      return Vector3(1, power(s / L), power(1 - s / L));
+    };
+    const auto compliance = [&](const double xi) {
+      return Matrix6(section_at(cell, cell.start + xi * h).stiffness.inverse());
+    };
+    auto breaks = kinks_inside(cell);
+    if (breaks.empty())
+      breaks = {0., 1.};
+    for (const auto &[xi, weight] : section_rule(breaks, compliance))
+      section_sums.exact += h * weight * compliance(xi).diagonal() * tests(cell.start + xi * h).transpose();
+    for (unsigned int g = 0; g < of_degree.n_points; ++g)
+      section_sums.of_points += h * of_degree.weights[g] * stiffnesses[g].inverse().diagonal() *
+                                tests(cell.start + of_degree.points[g][0] * h).transpose();
+  }
+
+
+
+  double
+  Beam::error_of_cells()
+  {
+    std::map<unsigned int, ElementTable<1>> tables;
+    section_sums = {};
+    for (const Cell &cell : cells)
+      {
+        const ElementTable<1> &of_degree = tables.try_emplace(cell.degree, cell.degree).first->second;
+        add_to_sums(cell, of_degree, stiffnesses_of(cell, of_degree));
+      }
+    const double error = error_of_sections();
+    section_sums       = {};
+    return error;
+  }
+
+
+
+  double
+  Beam::error_of_sections() const
+  {
+    const auto  &exact = section_sums.exact;
+    const double most  = exact.maxCoeff();
+    return most > 0 ? ((section_sums.of_points - exact).array() / exact.array()).abs().maxCoeff() : 0.;
+  }
+
+
+
+  std::vector<Remark>
+  Beam::remarks() const
+  {
+    constexpr double none = 1e-12, much = much_error_of_sections;
+    const double     error = error_of_sections();
+    if (rigid || error < none)
+      return {};
+    const std::string head = "beam " + name + ": the stiffness of section <" + section_name +
+                             "> along its elements is " +
+                             (error > much ? "off by up to " + number_to_text("%.2g", 100 * error) + " %" :
+                                             "integrated to " + number_to_text("%.1e", error));
+    if (error < much)
+      return {{Remark::of_check, head}};
+    std::vector<double> ends;
+    for (const Cell &cell : cells)
+      ends.push_back(cell.end);
+    const auto is_end = [&](const double s) {
+      return s < 1e-9 * curve->length() || std::any_of(ends.begin(), ends.end(), [&](const double end) {
+               return std::abs(end - s) < 1e-9 * curve->length();
+             });
+    };
+    const auto n_inside = std::count_if(kinks.begin(), kinks.end(), [&](const double s) { return !is_end(s); });
+    return {{Remark::warning,
+             head + (n_inside == 0 ?
+                       std::string(", where it changes much between stations: give it more <Elements>, or a "
+                                   "higher <Degree>") :
+                       ", for " + std::to_string(n_inside) + (n_inside == 1 ? " station lies" : " stations lie") +
+                         " inside of them. Leave out <Elements>, or give it " +
+                         std::to_string(cells.size() + n_inside) + " or more, which end at all stations")}};
   }
 
 
@@ -231,7 +346,9 @@ namespace samara
     std::vector<unsigned int> indices(table->n_points, 0);
     if (!materials.empty() && !varies)
       return indices;
-    const auto stiffnesses = stiffnesses_of(cell);
+    const auto stiffnesses = stiffnesses_of(cell, *table);
+    if (!section->kinks().empty())
+      add_to_sums(cell, *table, stiffnesses);
     const auto trapezes_at = trapezes_of(cell, stiffnesses);
     for (unsigned int g = 0; g < (varies ? table->n_points : 1); ++g)
       {

@@ -1,7 +1,6 @@
 // What is known along a beam: probes and drawing.
 
 #include <samara/base/text.h>
-#include <samara/cosserat/analysed_section.h>
 #include <samara/cosserat/beam.h>
 #include <samara/model/frame_probe.h>
 #include <samara/section/extremes_by_name.h>
@@ -113,19 +112,28 @@ namespace samara
 
 
 
-  std::pair<const AnalysedSection *, Vector3>
-  Beam::analysed_at(const double s) const
+  std::pair<std::vector<StressPart>, Vector3>
+  Beam::stressed_at(const double s, const std::optional<double> inside) const
   {
-    const double                 L     = curve->length();
-    const AnalysedSection *const there = section->nearest(s / L);
-    if (there == nullptr)
+    const double L = curve->length(), x = s / L, side = inside.value_or(x);
+    const auto   sections = section->stressed(x, side);
+    if (sections.empty())
       throw std::invalid_argument("section <" + section_name + "> of beam <" + name +
                                   "> has no stresses: it is not given by its shape and material");
     if (rigid)
       throw std::invalid_argument("beam <" + name + "> is rigid: nothing is known of its stresses");
-    const auto  is_here = [&](const Cell &cell) { return s <= cell.end + 1e-9 * L; };
-    const Cell &cell    = *std::find_if(cells.begin(), cells.end() - 1, is_here);
-    return {there, there->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero())};
+    const auto    is_here   = [&](const Cell &cell) { return std::max(s, side * L) <= cell.end + 1e-9 * L; };
+    const Cell   &cell      = *std::find_if(cells.begin(), cells.end() - 1, is_here);
+    const Vector3 curvature = section->depends_on_curvature() ? initial_curvature(cell, s) : Vector3(Vector3::Zero());
+    std::vector<StressPart> parts;
+    for (const auto &one : sections)
+      {
+        parts.push_back({one});
+        if (!one.is_there)
+          parts.back().forces =
+            one.shape->values(curvature).stiffness * section->at_side(x, side, curvature).stiffness.inverse();
+      }
+    return {parts, curvature};
   }
 
 
@@ -144,13 +152,20 @@ namespace samara
     const ExtremeByName wanted(quantity);
     if (!wanted.is_known())
       return {};
-    const auto [there, curvature] = analysed_at(s);
-    const auto analysis           = there->analyse(curvature);
-    const auto stresses =
-      std::make_shared<SectionStresses>(analysis->section, analysis->mesh, analysis->shape.materials);
-    if (wanted.of(stresses->extremes(Vector6::Zero())) < 0)
-      throw std::invalid_argument("<" + path + "> needs more strengths of a material of section <" + there->name + ">");
-    return Probe{path, wanted.unit(), [=](const State &state) {
+    const double x     = s / curve->length();
+    auto        &known = probed[x];
+    if (known == nullptr)
+      {
+        const auto [parts, curvature] = stressed_at(s);
+        std::vector<BeamStresses::Part> made;
+        for (const auto &part : parts)
+          made.push_back({part, section_stresses_of(*part.section.shape, curvature)});
+        known = std::make_shared<BeamStresses>(made);
+      }
+    if (wanted.of(known->extremes(Vector6::Zero(), 0)) < 0)
+      throw std::invalid_argument("<" + path + "> needs more strengths of a material of section <" + section_name +
+                                  "> there");
+    return Probe{path, wanted.unit(), [this, s, wanted, stresses = known](const State &state) {
                    const Local here = local(state, s);
                    return wanted.of(stresses->extremes(here.stress - here.helical, helix_of(here)));
                  }};
@@ -158,15 +173,31 @@ namespace samara
 
 
 
+  std::vector<Doubt>
+  Beam::doubts(const State &state) const
+  {
+    std::vector<Doubt> result;
+    for (const auto &[x, stresses] : probed)
+      {
+        const Local here = local(state, x * curve->length());
+        if (const std::string text = stresses->disagreement(here.stress - here.helical, helix_of(here)); !text.empty())
+          result.push_back(
+            {"stresses at " + number_to_text(x), "Beam " + name + " at " + number_to_text(x) + ": " + text});
+      }
+    return result;
+  }
+
+
+
   Beam::Station
-  Beam::station(const State &state, const std::string &point) const
+  Beam::station(const State &state, const std::string &point, const std::optional<double> inside) const
   {
     const auto s = abscissa_of(point);
     if (!s)
       throw std::invalid_argument("beam <" + name + "> has no point <" + point + ">" + did_you_mean(point, points()));
-    const auto [there, curvature] = analysed_at(*s);
+    const auto [parts, curvature] = stressed_at(*s, inside);
     const Local here              = local(state, *s);
-    return {there, curvature, here.stress, here.stress - here.helical, helix_of(here), here.sample.x, here.sample.D};
+    return {parts, curvature, here.stress, here.stress - here.helical, helix_of(here), here.sample.x, here.sample.D};
   }
 
 
@@ -178,7 +209,7 @@ namespace samara
     for (const std::string q : {"force", "moment", "strain", "curvature"})
       for (const char i : {'1', '2', '3'})
         quantities.push_back(q + " " + i);
-    if (section != nullptr && !rigid && section->nearest(0) != nullptr)
+    if (section != nullptr && !rigid && !section->stressed(0, 0).empty())
       {
         const auto of_stresses = ExtremeByName::names();
         quantities.insert(quantities.end(), of_stresses.begin(), of_stresses.end());

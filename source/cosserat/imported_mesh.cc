@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -429,6 +431,102 @@ namespace samara
       return "no physical groups and no sets";
     const std::map<std::string, int> none;
     return list("point", points, none) + ", " + list("curve", lines, sets) + ", and " + list("surface", regions, none);
+  }
+
+
+
+  namespace
+  {
+    /** For each vertex of cells itself, or the first one at its place; the number of the vertex for all others. */
+    std::vector<unsigned int>
+    first_at_place(const ImportedMesh &mesh)
+    {
+      constexpr double          one      = 1e-6; // of the shortest side
+      double                    shortest = std::numeric_limits<double>::infinity();
+      std::vector<unsigned int> used, first(mesh.vertices.size());
+      for (const auto &cell : mesh.quadrilaterals)
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            used.push_back(cell[i]);
+            if (const unsigned int next = cell[(i + 1) % 4]; next != cell[i])
+              shortest = std::min(shortest, (mesh.vertices[next] - mesh.vertices[cell[i]]).norm());
+          }
+      std::sort(used.begin(), used.end());
+      used.erase(std::unique(used.begin(), used.end()), used.end());
+      std::iota(first.begin(), first.end(), 0);
+
+      // sorted along a direction that no mesh has, those at one place are near each other
+      const Vector3 direction(1, 0.3719, 0.1273);
+      const auto    along = [&](const unsigned int v) { return direction.dot(mesh.vertices[v]); };
+      std::sort(used.begin(), used.end(), [&](const unsigned int a, const unsigned int b) {
+        return along(a) < along(b);
+      });
+      const double near = one * shortest;
+      for (std::size_t i = 0; i < used.size(); ++i)
+        for (std::size_t j = i + 1; j < used.size() && along(used[j]) - along(used[i]) <= near * direction.norm(); ++j)
+          if ((mesh.vertices[used[j]] - mesh.vertices[used[i]]).norm() <= near)
+            {
+              const unsigned int both = std::min(first[used[i]], first[used[j]]);
+              first[used[i]] = first[used[j]] = both;
+            }
+      return first;
+    }
+  } // namespace
+
+
+
+  unsigned int
+  ImportedMesh::n_coincident() const
+  {
+    const auto   first = first_at_place(*this);
+    unsigned int n     = 0;
+    for (unsigned int v = 0; v < first.size(); ++v)
+      n += first[v] != v;
+    return n;
+  }
+
+
+
+  unsigned int
+  ImportedMesh::merge()
+  {
+    const auto   first = first_at_place(*this);
+    unsigned int n     = 0;
+    for (unsigned int v = 0; v < first.size(); ++v)
+      n += first[v] != v;
+    const auto replace = [&](auto &numbers) {
+      for (unsigned int &v : numbers)
+        v = first[v];
+    };
+    for (auto &cell : quadrilaterals)
+      replace(cell);
+    for (auto *const groups : {&sets, &points})
+      for (auto &[name, vertices_of_group] : *groups)
+        {
+          replace(vertices_of_group);
+          std::sort(vertices_of_group.begin(), vertices_of_group.end());
+          vertices_of_group.erase(std::unique(vertices_of_group.begin(), vertices_of_group.end()),
+                                  vertices_of_group.end());
+        }
+    for (auto &[name, sides] : lines)
+      for (auto &side : sides)
+        replace(side);
+    return n;
+  }
+
+
+
+  std::string
+  ImportedMesh::take_coincident(const bool wanted, const std::string &file)
+  {
+    const unsigned int n = wanted ? merge() : n_coincident();
+    if (n == 0)
+      return "";
+    const std::string what =
+      "in " + file + " " + std::to_string(n) +
+      (n == 1 ? " node lies at the place of another and is " : " nodes lie at the places of others and are ");
+    return what +
+           (wanted ? "joined with them, as <Merge> wants" : "kept apart, as at a slit; <Merge = true> joins them");
   }
 
 

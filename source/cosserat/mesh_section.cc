@@ -50,6 +50,11 @@ namespace samara
                  file,
                  "Mesh of Gmsh (.msh, text) or Abaqus (.inp) of straight quadrilaterals and triangles; its x and y are "
                  "axes 2 and 3. Relative to the .prm file that says it.");
+    prm.add(
+      "Merge",
+      merges,
+      "Whether nodes of the file at one place are one node; without it cells hang together by the nodes that they "
+      "have in the file, and two nodes at one place are a slit.");
     prm.add("Length unit", scale, "One in the file is this long [m].", dealii::Patterns::Double(0));
     prm.add(
       "Groups",
@@ -154,18 +159,53 @@ namespace samara
 
 
 
-    /** The quadrilaterals that a cell is divided into: a triangle, whose last two corners are one, or four. */
-    std::vector<std::array<Place, 4>>
-    divided(const std::array<Place, 4> &x, const bool is_triangle)
+    /** Places of a mesh with their numbers: those of vertices, and those that cells are divided at. */
+    class Corners
     {
-      const unsigned int                n = is_triangle ? 3 : 4;
-      Place                             middle;
-      std::vector<std::array<Place, 4>> result;
+    public:
+      explicit Corners(const std::vector<Place> &vertices)
+        : x(vertices)
+      {}
+
+      std::vector<Place> x;
+
+      unsigned int
+      middle_of_side(const unsigned int a, const unsigned int b)
+      {
+        const auto known = of_side.emplace(std::minmax(a, b), x.size());
+        if (known.second)
+          x.push_back(Place(0.5 * (x[a] + x[b])));
+        return known.first->second;
+      }
+
+      unsigned int
+      add(const Place &place)
+      {
+        x.push_back(place);
+        return x.size() - 1;
+      }
+
+    private:
+      std::map<std::pair<unsigned int, unsigned int>, unsigned int> of_side;
+    };
+
+
+
+    /** The quadrilaterals that a cell is divided into: a triangle, whose last two corners are one, or four. */
+    std::vector<std::array<unsigned int, 4>>
+    divided(const std::array<unsigned int, 4> &cell, Corners &corners)
+    {
+      const unsigned int n = cell[2] == cell[3] ? 3 : 4;
+      Place              middle;
       for (unsigned int i = 0; i < n; ++i)
-        middle += x[i] / n;
+        middle += corners.x[cell[i]] / n;
+      const unsigned int                       m = corners.add(middle);
+      std::vector<std::array<unsigned int, 4>> result;
       for (unsigned int i = 0; i < n; ++i)
-        result.push_back(
-          {{x[i], Place(0.5 * (x[i] + x[(i + 1) % n])), middle, Place(0.5 * (x[i] + x[(i + n - 1) % n]))}});
+        result.push_back({{cell[i],
+                           corners.middle_of_side(cell[i], cell[(i + 1) % n]),
+                           m,
+                           corners.middle_of_side(cell[(i + n - 1) % n], cell[i])}});
       return result;
     }
   } // namespace
@@ -282,30 +322,41 @@ namespace samara
         tangents.push_back(tangent_of(group.layer, mesh, plane, file));
       }
 
-    const bool  has_triangles = std::any_of(mesh.quadrilaterals.begin(),
+    const bool has_triangles = std::any_of(mesh.quadrilaterals.begin(),
                                            mesh.quadrilaterals.end(),
                                            [](const auto &cell) { return cell[2] == cell[3]; });
-    const auto &x             = plane.x;
-    shape.finest              = plane.size;
+    Corners    corners(plane.x);
+    shape.finest = plane.size;
     for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
       {
-        const auto                &cell = mesh.quadrilaterals[c];
-        const unsigned int         g    = group_of[c];
-        const std::array<Place, 4> corners{{x[cell[0]], x[cell[1]], x[cell[2]], x[cell[3]]}};
-        const auto                 pieces =
-          has_triangles ? divided(corners, cell[2] == cell[3]) : std::vector<std::array<Place, 4>>{corners};
-        for (const auto &piece : pieces)
+        const auto        &cell = mesh.quadrilaterals[c];
+        const unsigned int g    = group_of[c];
+        const auto pieces = has_triangles ? divided(cell, corners) : std::vector<std::array<unsigned int, 4>>{cell};
+        for (const auto &numbers : pieces)
           {
-            SectionPatch patch = patch_of_cell(piece);
-            patch.name         = "cell " + std::to_string(c + 1) + " of group <" + groups[g].group + ">";
-            patch.group        = groups[g].group;
-            patch.tangent      = tangents[g];
-            patch.ply          = [ply = plies[g]](unsigned int, unsigned int) { return ply; };
+            const auto                &x = corners.x;
+            const std::array<Place, 4> piece{{x[numbers[0]], x[numbers[1]], x[numbers[2]], x[numbers[3]]}};
+            SectionPatch               patch = patch_of_cell(piece);
+            patch.corners                    = {numbers[0], numbers[1], numbers[3], numbers[2]};
+            patch.name                       = "cell " + std::to_string(c + 1) + " of group <" + groups[g].group + ">";
+            patch.group                      = groups[g].group;
+            patch.tangent                    = tangents[g];
+            patch.ply                        = [ply = plies[g]](unsigned int, unsigned int) { return ply; };
             shape.patches.push_back(patch);
             for (unsigned int i = 0; i < 4; ++i)
               shape.finest = std::min(shape.finest, piece[i].distance(piece[(i + 1) % 4]));
           }
       }
+  }
+
+
+
+  std::vector<Remark>
+  MeshSection::remarks() const
+  {
+    if (of_coincident.empty())
+      return {};
+    return {{Remark::line, "section " + name + ": " + of_coincident}};
   }
 
 
@@ -325,8 +376,9 @@ namespace samara
     std::string blamed = "Mesh file";
     try
       {
-        const ImportedMesh mesh = read_mesh_file(file, true);
-        blamed                  = "Groups";
+        ImportedMesh mesh = read_mesh_file(file, true);
+        of_coincident     = mesh.take_coincident(merges, file);
+        blamed            = "Groups";
         add_cells(mesh, model, result);
         blamed = "Mesh file";
         if (model.complaints.count() == before)
@@ -334,7 +386,9 @@ namespace samara
       }
     catch (const std::invalid_argument &problem)
       {
-        model.complaints.add(parameters.where(blamed), std::string("section <") + name + ">: " + problem.what());
+        model.complaints.add(parameters.where(blamed),
+                             std::string("section <") + name + ">: " + problem.what() +
+                               (of_coincident.empty() ? "" : "; " + of_coincident));
         return result;
       }
     // drawn: the box around the cells

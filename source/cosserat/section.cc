@@ -1,5 +1,5 @@
 #include <samara/base/text.h>
-#include <samara/cosserat/section.h>
+#include <samara/cosserat/section_loft.h>
 #include <samara/model/drawing.h>
 #include <samara/rotation/matrix6.h>
 #include <samara/section/symmetric_matrix.h>
@@ -40,6 +40,14 @@ namespace samara
             interpolate(a.outline, b.outline, w),
             {(1 - w) * a.trapeze.coupling + w * b.trapeze.coupling,
              (1 - w) * a.trapeze.stiffness + w * b.trapeze.stiffness}};
+  }
+
+
+
+  std::unique_ptr<const SectionLoft>
+  Section::loft_to(const Section &) const
+  {
+    return nullptr;
   }
 
 

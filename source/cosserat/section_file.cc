@@ -116,7 +116,7 @@ namespace samara
 
 
     /** A line <name [unit] number>. */
-    struct Remark
+    struct RemarkOfFile
     {
       std::string name;
       double      number;
@@ -127,7 +127,7 @@ namespace samara
 
     /** Numbers for people, where there are some, are those of the matrices: who edits them edits in vain. */
     void
-    check_remarks(const SectionLines &lines, const std::vector<Remark> &remarks, const SectionValues &values)
+    check_remarks(const SectionLines &lines, const std::vector<RemarkOfFile> &remarks, const SectionValues &values)
     {
       const SectionConstants constants(inverse6(values.stiffness), values.inertia);
       const double           size = std::sqrt(constants.principal_bending.larger / constants.EA);
@@ -214,11 +214,11 @@ namespace samara
   SectionFile
   SectionFile::read(const std::string &file)
   {
-    const SectionLines  lines(file);
-    SectionFile         result;
-    std::vector<Remark> remarks;
-    bool                has_stiffness = false, has_inertia = false;
-    const auto          only_once = [&](const std::size_t i, bool &has) {
+    const SectionLines        lines(file);
+    SectionFile               result;
+    std::vector<RemarkOfFile> remarks;
+    bool                      has_stiffness = false, has_inertia = false;
+    const auto                only_once = [&](const std::size_t i, bool &has) {
       if (has)
         lines.wrong(i, "this block is there twice");
       has = true;

@@ -1,4 +1,6 @@
+#include <samara/base/text.h>
 #include <samara/cosserat/section_kinds.h>
+#include <samara/cosserat/section_loft.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +77,60 @@ namespace samara
 
 
 
+  std::unique_ptr<const SectionLoft>
+  ClosedFormSection::loft_to(const Section &other) const
+  {
+    const auto *const that = dynamic_cast<const ClosedFormSection *>(&other);
+    if (that == nullptr || is_analysed() || that->is_analysed())
+      return AnalysedSection::loft_to(other);
+    return has_trapeze == that->has_trapeze ? loft_in_closed_form(*that) : nullptr;
+  }
+
+
+
+  namespace
+  {
+    double
+    linear(const double a, const double b, const double w)
+    {
+      return (1 - w) * a + w * b;
+    }
+  } // namespace
+
+
+
+  void
+  ClosedFormSection::mix(const ClosedFormSection &a, const ClosedFormSection &b, const double w)
+  {
+    E            = linear(a.E, b.E, w);
+    nu           = linear(a.nu, b.nu, w);
+    density      = linear(a.density, b.density, w);
+    shear_factor = linear(a.shear_factor, b.shear_factor, w);
+    has_trapeze  = a.has_trapeze;
+  }
+
+
+
+  std::vector<Remark>
+  ClosedFormSection::remarks() const
+  {
+    constexpr double little = 1e-3;
+    if (is_analysed() || parameters.is_set("Shear factor"))
+      return {};
+    const Matrix6               C  = closed_form().stiffness;
+    const double                GA = C(0, 0) / (2 * (1 + nu));
+    const std::array<double, 2> k  = shear_factors_of_energy();
+    if (std::max(std::abs(k[0] * GA / C(1, 1) - 1), std::abs(k[1] * GA / C(2, 2) - 1)) < little)
+      return {};
+    const auto text = [](const double x) { return number_to_text("%.4g", x); };
+    return {{Remark::of_check,
+             "section " + name + ": GA2 and GA3 have the usual shear factor " + text(C(1, 1) / GA) +
+               "; an analysis by <Material> has those of the energy of the warping, which Poisson's ratio changes: " +
+               text(k[0]) + " and " + text(k[1])}};
+  }
+
+
+
   RectangularSection::RectangularSection()
     : ClosedFormSection(5. / 6)
   {}
@@ -86,7 +142,12 @@ namespace samara
   {
     prm.add("Width 2", width_2, "Side along axis 2 [m].", Double(0));
     prm.add("Width 3", width_3, "Side along axis 3; not with a layup, which has its thickness [m].", Double(0));
-    prm.add("Shear factor", shear_factor, "Shear stiffness is this times G times the area [1].", Double(0, 1));
+    prm.add(
+      "Shear factor",
+      shear_factor,
+      "Shear stiffness is this times G times the area; by <Material> it is that of the energy of the warping, which "
+      "the report tells [1].",
+      Double(0, 1));
     prm.add("Layup", layup, "Or name of a layup, its plies stacked along axis 3, the first one lowest.");
     ClosedFormSection::add_parameters(prm);
   }
@@ -125,6 +186,39 @@ namespace samara
     SectionValues v = c.values();
     v.outline       = rectangle_outline(width_2, width_3);
     return v;
+  }
+
+
+
+  std::array<double, 2>
+  RectangularSection::shear_factors_of_energy() const
+  {
+    // Renton, Int. J. Solids Struct. 27 (1991) 1409, of a force along the side h, b being the other one
+    const auto factor = [&](const double b, const double h) {
+      double series = 0;
+      for (unsigned int n = 1; n < 40; ++n)
+        series += std::tanh(n * M_PI * h / b) / std::pow(n, 5);
+      return 1 /
+             (1.2 + std::pow(nu / (1 + nu), 2) * std::pow(b / h, 4) * (0.2 - 18 / std::pow(M_PI, 5) * b / h * series));
+    };
+    return {{factor(width_3, width_2), factor(width_2, width_3)}};
+  }
+
+
+
+  std::unique_ptr<const SectionLoft>
+  RectangularSection::loft_in_closed_form(const ClosedFormSection &other) const
+  {
+    const auto *const that = dynamic_cast<const RectangularSection *>(&other);
+    if (that == nullptr)
+      return nullptr;
+    return std::make_unique<ClosedFormLoft>([this, that](const double w) {
+      RectangularSection there;
+      there.mix(*this, *that, w);
+      there.width_2 = linear(width_2, that->width_2, w);
+      there.width_3 = linear(width_3, that->width_3, w);
+      return there.closed_form();
+    });
   }
 
 
@@ -173,10 +267,12 @@ namespace samara
   {
     prm.add("Outer radius", outer, "Outer radius [m].", Double(0));
     prm.add("Inner radius", inner, "Inner radius, zero for a rod; not with a layup [m].", Double(0));
-    prm.add("Shear factor",
-            shear_factor,
-            "Shear stiffness is this times G times the area; 0: by Cowper [1].",
-            Double(0, 1));
+    prm.add(
+      "Shear factor",
+      shear_factor,
+      "Shear stiffness is this times G times the area; 0: by Cowper; by <Material> it is that of the energy of the "
+      "warping, which the report tells [1].",
+      Double(0, 1));
     prm.add("Layup",
             layup,
             "Or name of the layup of the wall, the first ply outside; angles turn towards the tangent.");
@@ -221,6 +317,36 @@ namespace samara
     v.trapeze       = with_margin(v.trapeze, v.stiffness); // a thin wall is all at one distance
     v.outline       = ellipse_outline(outer, outer);
     return v;
+  }
+
+
+
+  std::array<double, 2>
+  TubularSection::shear_factors_of_energy() const
+  {
+    // likewise; a half for a thin tube, whose shear is that of a membrane
+    const double m = inner * inner / (outer * outer), sum = std::pow(1 + m, 2);
+    const double factor =
+      6 * std::pow(1 + nu, 2) * sum / ((7 + 14 * nu + 8 * nu * nu) * sum + (20 + 40 * nu + 16 * nu * nu) * m);
+    return {{factor, factor}};
+  }
+
+
+
+  std::unique_ptr<const SectionLoft>
+  TubularSection::loft_in_closed_form(const ClosedFormSection &other) const
+  {
+    // without a shear factor it is Cowper's, between which and a given one there is nothing
+    const auto *const that = dynamic_cast<const TubularSection *>(&other);
+    if (that == nullptr || (shear_factor > 0) != (that->shear_factor > 0))
+      return nullptr;
+    return std::make_unique<ClosedFormLoft>([this, that](const double w) {
+      TubularSection there;
+      there.mix(*this, *that, w);
+      there.outer = linear(outer, that->outer, w);
+      there.inner = linear(inner, that->inner, w);
+      return there.closed_form();
+    });
   }
 
 

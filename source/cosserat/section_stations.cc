@@ -167,7 +167,26 @@ namespace samara
   SectionStations::at_side(const double x, const double inside, const Vector3 &curvature) const
   {
     const auto [i, w] = piece(x, inside);
-    return interpolate(values_at(stations[i], curvature), values_at(stations[i + 1], curvature), w);
+    if (const auto *const loft = between(i))
+      return loft->at(w, curvature);
+    const SectionValues before = values_at(stations[i], curvature);
+    if (stations[i].section != nullptr && stations[i].section == stations[i + 1].section)
+      return before;
+    return interpolate(before, values_at(stations[i + 1], curvature), w);
+  }
+
+
+
+  const SectionLoft *
+  SectionStations::between(const unsigned int i) const
+  {
+    const Station &a = stations[i], &b = stations[i + 1];
+    if (a.section == nullptr || b.section == nullptr || a.section == b.section)
+      return nullptr;
+    auto known = made.find(i);
+    if (known == made.end())
+      known = made.emplace(i, Between{a.section->loft_to(*b.section)}).first;
+    return known->second.loft.get();
   }
 
 
@@ -191,12 +210,35 @@ namespace samara
 
 
 
-  const AnalysedSection *
-  SectionStations::nearest(const double x) const
+  std::vector<StressedSection>
+  SectionStations::stressed(const double x, const double inside) const
   {
-    const auto [i, w]          = piece(x, x);
-    const Section *const there = stations[w < 0.5 ? i : i + 1].section;
-    return there != nullptr ? there->nearest(0) : nullptr;
+    const auto [i, w]      = piece(x, inside);
+    const Section *const a = stations[i].section, *const b = stations[i + 1].section;
+    if (a == b || w == 0 || w == 1)
+      return w == 1 && b != nullptr ? b->stressed(0, 0) :
+             a != nullptr           ? a->stressed(0, 0) :
+                                      std::vector<StressedSection>();
+    if (const auto *const loft = between(i))
+      if (const auto shape = loft->shape(w))
+        return {{a->name + " to " + b->name, shape}};
+    std::vector<StressedSection> result;
+    for (const bool is_before : {true, false})
+      if (const Section *const station = is_before ? a : b; station != nullptr)
+        for (StressedSection part : station->stressed(0, 0))
+          {
+            part.is_there = false;
+            part.weight   = is_before ? 1 - w : w;
+            result.push_back(part);
+          }
+    if (result.size() == 1)
+      {
+        // nothing is known of the other one, which has no shape: this one counts where it is the nearer
+        if (result[0].weight < 0.5)
+          return {};
+        result[0].weight = 1;
+      }
+    return result;
   }
 
 

@@ -31,7 +31,7 @@ namespace samara
     prm.add("Mesh",
             mesh_entries,
             "Instead of <Elements>: where they end along u by along v, of each patch: 0.25 0.5 1 by 0.5 1; ...");
-    prm.add("Merge", merges, "Whether nodes of patches at one place are one node; false leaves a slit open.");
+    prm.add("Merge", merges, "Whether nodes at one place are one; not given: of patches, not of a mesh file.");
     prm.add("Grid",
             grid,
             "Instead of patches: a function of deal.II's GridGenerator that makes a surface in space, hyper_sphere, "
@@ -76,6 +76,16 @@ namespace samara
       "u and v as functions of s from 0 to 1 that stay on the patch.");
     prm.add("Rigid", rigid, "Whether the shell is a rigid body with its mass; it then adds a single node.");
     initial_velocity.add_parameters(prm, "first node of the mesh");
+  }
+
+
+
+  std::vector<Remark>
+  Shell::remarks() const
+  {
+    if (of_coincident.empty())
+      return {};
+    return {{Remark::line, "shell " + name + ": " + of_coincident}};
   }
 
 
@@ -189,8 +199,9 @@ namespace samara
           mesh->add_grid(grid, grid_arguments, refinements);
         if (!mesh_file.empty())
           {
-            const ImportedMesh file = read_mesh_file(mesh_file);
-            groups_of_file          = " " + mesh_file + " has " + file.groups() + ".";
+            ImportedMesh file = read_mesh_file(mesh_file);
+            of_coincident     = file.take_coincident(merges && parameters.is_set("Merge"), mesh_file);
+            groups_of_file    = " " + mesh_file + " has " + file.groups() + ".";
             mesh->add_cells(file, is_curved, crease, refinements);
           }
         if (has_patches && merges)

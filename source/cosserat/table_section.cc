@@ -13,8 +13,9 @@ namespace samara
     prm.add(
       "Stations",
       station_texts,
-      "Sections at abscissae, linear in between: root at 0, tip at 1, or root at 0 m, tip at 7.5 m. Without a unit "
-      "they are relative to the beam. Two sections at the same abscissa make a jump.");
+      "Sections at abscissae: root at 0, tip at 1, or root at 0 m, tip at 7.5 m. Without a unit they are relative to "
+      "the beam. In between the shape is linear where both are of one kind, as two boxes of the same layups, and "
+      "elsewhere stiffness and inertia are. Two sections at the same abscissa make a jump.");
     prm.add_file(
       "File",
       file_names,
@@ -81,7 +82,8 @@ namespace samara
           throw std::invalid_argument("<" + text + ">: some stations have a length and some have none");
         const auto &there = model.find<Section>(section, "section");
         if (!there.damping().isZero(0.))
-          throw std::invalid_argument("the station <" + section + "> varies along a beam and has damping: a beam names it");
+          throw std::invalid_argument("the station <" + section +
+                                      "> varies along a beam and has damping: a beam names it");
         stations.push_back({x, &there, {}, 0.});
       }
     is_relative = !has_length;
@@ -207,10 +209,10 @@ namespace samara
 
 
 
-  const AnalysedSection *
-  TableSection::nearest(const double x) const
+  std::vector<StressedSection>
+  TableSection::stressed(const double x, const double inside) const
   {
-    return of_all_beams().nearest(x);
+    return of_all_beams().stressed(x, inside);
   }
 
 

@@ -8,6 +8,7 @@
 #include <samara/input/input.h>
 #include <samara/input/mechanism_graph.h>
 #include <samara/input/single_nodes.h>
+#include <samara/model/remarks.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/program/program.h>
@@ -201,11 +202,29 @@ namespace samara
 
 
 
+    /** What items are to tell before anything is computed. */
+    void
+    tell_remarks(const Options &options, const Model &model, Log &log)
+    {
+      for (const auto &item : model.items)
+        if (const auto *const teller = dynamic_cast<const HasRemarks *>(item.get()))
+          for (const auto &remark : teller->remarks())
+            {
+              if (remark.level == Remark::warning)
+                log.warning(item->parameters.where(), remark.text);
+              else if (remark.level == Remark::line || options.check)
+                log.line(remark.text);
+            }
+    }
+
+
+
     /** A model without bodies: nothing moves, and there is nothing to assemble. */
     void
     run_without_bodies(const Options &options, const Input &input, Log &log)
     {
       input.make_probes();
+      tell_remarks(options, input.model, log);
       if (options.check)
         return log.line(
           options.model + ": no mistakes found\n  sections          " +
@@ -399,6 +418,7 @@ namespace samara
     check_size(input, system);
     auto       probes = input.make_probes();
     ModelCheck counts = checked(input, system, log);
+    tell_remarks(options, input.model, log);
     if (input.assembled)
       log.line(input.assembled->text());
     if (options.check)

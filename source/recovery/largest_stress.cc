@@ -20,39 +20,49 @@ namespace samara
   void
   LargestStress::find_places(const State &state)
   {
-    std::vector<double> abscissae(1, 0.);
+    // one analysis for all places of the same section with the same curvature, but for round-off of the latter
+    struct Known
+    {
+      std::shared_ptr<const AnalysedShape>   shape;
+      Vector3                                curvature;
+      std::shared_ptr<const SectionStresses> stresses;
+    };
+    std::vector<Known> known;
+    const auto         stresses_there = [&](const StressedSection &section, const Vector3 &curvature) {
+      const auto is_it = [&](const Known &other) {
+        return other.shape == section.shape &&
+               (other.curvature - curvature).norm() * beam.length() <= 1e-6 * (1 + curvature.norm() * beam.length());
+      };
+      if (const auto same = std::find_if(known.begin(), known.end(), is_it); same != known.end())
+        return same->stresses;
+      // of all materials: the largest index of some says nothing of the others
+      for (const auto &material : section.shape->shape.materials)
+        if (index_of(failure_indices(material.strengths, Vector6::Zero())) < 0)
+          throw std::invalid_argument("section <" + section.name + "> of beam <" + beam.name + "> has a material, <" +
+                                      material.name + ">, without strengths that the criterion <" + criterion +
+                                      "> needs");
+      known.push_back({section.shape, curvature, section_stresses_of(*section.shape, curvature)});
+      return known.back().stresses;
+    };
+    std::string at_last_end;
+    const auto  add = [&](const double x, const double inside) {
+      const auto here   = beam.station(state, point_at(x), inside);
+      const bool is_new = x >= inside || here.parts[0].section.name != at_last_end; // else it was an element's end
+      at_last_end       = here.parts[0].section.name;
+      if (!is_new)
+        return;
+      std::vector<BeamStresses::Part> parts;
+      for (const StressPart &part : here.parts)
+        parts.push_back({part, stresses_there(part.section, here.curvature)});
+      places.push_back({x, inside, std::make_shared<BeamStresses>(parts)});
+    };
+    double start = 0;
     for (const auto &element : beam.mesh())
       {
-        const double start = abscissae.back();
-        abscissae.push_back(0.5 * (start + element.end));
-        abscissae.push_back(element.end);
-      }
-
-    // one analysis for all places of the same section with the same curvature, but for round-off of the latter
-    std::vector<Beam::Station> known;
-    for (const double x : abscissae)
-      {
-        const auto here    = beam.station(state, point_at(x));
-        const auto is_here = [&](const auto &other) {
-          return other.section == here.section && (other.curvature - here.curvature).norm() * beam.length() <=
-                                                    1e-6 * (1 + here.curvature.norm() * beam.length());
-        };
-        const auto same = std::find_if(known.begin(), known.end(), is_here);
-        if (same == known.end())
-          {
-            const auto analysis = here.section->analyse(here.curvature);
-            places.push_back(
-              {x, std::make_shared<SectionStresses>(analysis->section, analysis->mesh, analysis->shape.materials)});
-            // of all materials: the largest index of some says nothing of the others
-            for (const auto &material : analysis->shape.materials)
-              if (index_of(failure_indices(material.strengths, Vector6::Zero())) < 0)
-                throw std::invalid_argument("section <" + here.section->name + "> of beam <" + beam.name +
-                                            "> has a material, <" + material.name +
-                                            ">, without strengths that the criterion <" + criterion + "> needs");
-          }
-        else
-          places.push_back({x, places[same - known.begin()].stresses});
-        known.push_back(here);
+        const double middle = 0.5 * (start + element.end);
+        for (const double x : {start, middle, element.end})
+          add(x, middle);
+        start = element.end;
       }
   }
 
@@ -81,7 +91,7 @@ namespace samara
     last_time = state.time;
     for (const auto &place : places)
       {
-        const auto   there = beam.station(state, point_at(place.x));
+        const auto   there = beam.station(state, point_at(place.x), place.inside);
         const double index = index_of(place.stresses->extremes(there.linear_forces, there.helix).indices);
         if (!found || index > found->index)
           found = Found{state.time, place.x, index, there};

@@ -52,7 +52,7 @@ namespace samara
       for (unsigned int j = 0; j <= p; ++j)
         for (unsigned int i = 0; i <= p; ++i)
           units.emplace_back(double(i) / p, double(j) / p);
-      const auto points = analysis.section.points(dealii::Quadrature<2>(units, std::vector<double>(n, 1. / n)));
+      const auto points = analysis.section.extrapolated(dealii::Quadrature<2>(units, std::vector<double>(n, 1. / n)));
 
       std::vector<Patch>  patches(points.size() / n);
       std::vector<double> values;

@@ -3,6 +3,7 @@
 #include <samara/cosserat/beamdyn_file.h>
 #include <samara/cosserat/section_file.h>
 #include <samara/cosserat/table_section.h>
+#include <samara/model/remarks.h>
 #include <samara/output/file.h>
 #include <samara/output/table.h>
 #include <samara/output/write_hdf5.h>
@@ -168,7 +169,7 @@ namespace samara
                const bool         pictures)
     {
       Row row{name, curvature, section.at(0, curvature)};
-      if (const auto *const analysed = section.nearest(0))
+      if (const auto *const analysed = section.analysed())
         {
           const auto analysis = analysed->analyse(curvature);
           add_analysis(row, *analysed, *analysis);
@@ -190,6 +191,10 @@ namespace samara
     FileNames             files;
     for (const Section *const section : wanted(model))
       {
+        if (const auto *const teller = dynamic_cast<const HasRemarks *>(section))
+          for (const auto &remark : teller->remarks())
+            if (remark.level == Remark::of_check)
+              log.line(remark.text);
         const auto curvatures = section->curvatures();
         for (std::size_t i = 0; i < std::min(most, curvatures.size()); ++i)
           {

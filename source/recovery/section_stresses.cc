@@ -6,6 +6,8 @@
 #include <samara/output/table.h>
 #include <samara/recovery/section_report.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <tuple>
@@ -43,11 +45,42 @@ namespace samara
 
 
 
+    const std::string change_of_stresses = "change with one degree more";
+
     Table
-    table_with(std::vector<std::string> columns)
+    table_with(std::vector<std::string> columns, const std::vector<std::string> &last)
     {
       columns.insert(columns.end(), columns_of_extremes.begin(), columns_of_extremes.end());
+      columns.insert(columns.end(), last.begin(), last.end());
       return Table(columns);
+    }
+
+
+
+    /** Nothing, if the equations of the finer analysis are lost in round-off. */
+    std::shared_ptr<const SectionStresses>
+    with_one_degree_more(const AnalysedShape &shape, const Vector3 &curvature)
+    {
+      try
+        {
+          const auto analysis = shape.analyse(curvature, 1);
+          return std::make_shared<SectionStresses>(analysis->section, analysis->mesh, analysis->shape.materials);
+        }
+      catch (const std::invalid_argument &)
+        {
+          return nullptr;
+        }
+    }
+
+
+
+    /** Of the largest von Mises stress and of the largest index, relative to the finer ones. */
+    double
+    largest_change(const Extremes &own, const Extremes &finer)
+    {
+      const auto change = [](const double x, const double y) { return y > 0 ? std::abs(x - y) / y : 0.; };
+      return std::max(change(own.von_mises_stress, finer.von_mises_stress),
+                      change(own.indices.largest(), finer.indices.largest()));
     }
 
 
@@ -82,7 +115,7 @@ namespace samara
               layers.push_back({group.empty() ? std::to_string(k + 1) : group, j + 1, ply, {}});
             layer_of_cell.insert(layer_of_cell.end(), patches[k].u.size() - 1, layer);
           }
-      for (const auto &point : analysis.section.points())
+      for (const auto &point : analysis.section.points_with_faces())
         {
           const Ply &ply   = analysis.mesh.ply(point.cell);
           Layer     &layer = layers.at(layer_of_cell.at(point.cell));
@@ -93,33 +126,24 @@ namespace samara
         }
       return layers;
     }
-
-
-
-    /** A place of a beam whose stresses are wanted. */
-    struct Place
-    {
-      std::string   name; ///< "blade at 0.3"
-      std::string   file; ///< the name of its picture
-      Beam::Station there;
-      double        time;
-    };
-
-    Place
-    place_named(const std::string &place, const Context &context)
-    {
-      std::string name, at;
-      const auto  dot    = place.find('.');
-      const bool  has_at = split_at(place, name, at) && name.find('.') == std::string::npos;
-      if (!has_at && dot == std::string::npos)
-        throw std::invalid_argument("a place is written <blade at 0.3> or <blade.root>, not <" + place + ">");
-      const Beam &beam = context.system.model.find<Beam>(has_at ? name : trim(place.substr(0, dot)), "beam");
-      return {place,
-              place,
-              beam.station(context.state, has_at ? "at " + at : trim(place.substr(dot + 1))),
-              context.state.time};
-    }
   } // namespace
+
+
+
+  SectionReport::StressedPlace
+  SectionReport::place_named(const std::string &place, const Context &context)
+  {
+    std::string name, at;
+    const auto  dot    = place.find('.');
+    const bool  has_at = split_at(place, name, at) && name.find('.') == std::string::npos;
+    if (!has_at && dot == std::string::npos)
+      throw std::invalid_argument("a place is written <blade at 0.3> or <blade.root>, not <" + place + ">");
+    const Beam &beam = context.system.model.find<Beam>(has_at ? name : trim(place.substr(0, dot)), "beam");
+    return {place,
+            place,
+            beam.station(context.state, has_at ? "at " + at : trim(place.substr(dot + 1))),
+            context.state.time};
+  }
 
 
 
@@ -173,7 +197,7 @@ namespace samara
   void
   SectionReport::report_stresses(const Context &context)
   {
-    std::vector<Place> wanted;
+    std::vector<StressedPlace> wanted;
     try
       {
         for (const auto &place : places)
@@ -197,34 +221,65 @@ namespace samara
                          " s: " + number_to_text("%.6g", f.index));
       }
 
+    tell_stresses(context, wanted);
+  }
+
+
+
+  void
+  SectionReport::tell_stresses(const Context &context, const std::vector<StressedPlace> &wanted) const
+  {
     Table whole = table_with(
-            {"place", "time [s]", "section", "F1 [N]", "F2 [N]", "F3 [N]", "M1 [N m]", "M2 [N m]", "M3 [N m]"}),
-          plies = table_with({"place", "time [s]", "wall", "layer", "material", "angle [deg]"});
+            {"place", "time [s]", "section", "F1 [N]", "F2 [N]", "F3 [N]", "M1 [N m]", "M2 [N m]", "M3 [N m]"},
+            {change_of_stresses}),
+          plies = table_with({"place", "time [s]", "section", "wall", "layer", "material", "angle [deg]"}, {});
     FileNames files;
-    for (const auto &[name, file, here, time] : wanted)
+    for (const StressedPlace &place : wanted)
       {
-        const auto               analysis = here.section->analyse(here.curvature);
-        std::vector<Table::Cell> row      = {name, time, here.section->name};
+        const Beam::Station                     &here = place.there;
+        std::vector<std::pair<double, Extremes>> of_sections, finer;
+        std::vector<std::string>                 names;
+        std::vector<BeamStresses::Part>          parts;
+        const auto nearest = std::max_element(here.parts.begin(), here.parts.end(), [](const auto &a, const auto &b) {
+          return a.section.weight < b.section.weight;
+        });
+        for (const StressPart &part : here.parts)
+          {
+            const auto    analysis = part.section.shape->analyse(here.curvature);
+            const Vector6 forces   = part.forces * here.linear_forces;
+            Extremes      of_all;
+            for (const auto &layer : layers_of(*analysis, forces, here.helix))
+              {
+                std::vector<Table::Cell> of_ply = {place.name,
+                                                   place.time,
+                                                   part.section.name,
+                                                   layer.wall,
+                                                   std::to_string(layer.number),
+                                                   analysis->shape.materials[layer.ply.material].name,
+                                                   layer.ply.angle * 180 / M_PI};
+                add_extremes(of_ply, layer.extremes);
+                plies.add_row(of_ply);
+                of_all.add(layer.extremes);
+              }
+            names.push_back(part.section.name);
+            of_sections.emplace_back(part.section.weight, of_all);
+            parts.push_back({part, section_stresses_of(*part.section.shape, here.curvature)});
+            if (const auto more = with_one_degree_more(*part.section.shape, here.curvature))
+              finer.emplace_back(part.section.weight, more->extremes(forces, here.helix));
+            if (context.pictures && context.is_shown() && &part == &*nearest)
+              replace_file(context.folder + "/stresses_" + files.next(place.file) + ".vtu",
+                           picture_of_stresses(*analysis, forces, here.helix, here.x, here.D));
+          }
+        const Extremes           of_all = mean_of(of_sections);
+        std::vector<Table::Cell> row    = {place.name, place.time, join(names, ", ")};
         for (int i = 0; i < 6; ++i)
           row.emplace_back(here.forces(i));
-        Extremes of_all;
-        for (const auto &layer : layers_of(*analysis, here.linear_forces, here.helix))
-          {
-            std::vector<Table::Cell> of_ply = {name,
-                                               time,
-                                               layer.wall,
-                                               std::to_string(layer.number),
-                                               analysis->shape.materials[layer.ply.material].name,
-                                               layer.ply.angle * 180 / M_PI};
-            add_extremes(of_ply, layer.extremes);
-            plies.add_row(of_ply);
-            of_all.add(layer.extremes);
-          }
         add_extremes(row, of_all);
+        row.push_back(Table::Cell::optional(
+          finer.size() == of_sections.size() ? largest_change(of_all, mean_of(finer)) : std::nan("")));
         whole.add_row(row);
-        if (context.pictures && context.is_shown())
-          replace_file(context.folder + "/stresses_" + files.next(file) + ".vtu",
-                       picture_of_stresses(*analysis, here.linear_forces, here.helix, here.x, here.D));
+        if (const std::string text = BeamStresses(parts).disagreement(here.linear_forces, here.helix); !text.empty())
+          context.log.warning(parameters.where(), place.name + ": " + text);
       }
     whole.write(context.folder + "/stresses.csv");
     plies.write(context.folder + "/stresses_of_plies.csv");

@@ -383,12 +383,14 @@ namespace samara
   void
   AirfoilMesh::check_strips() const
   {
-    constexpr unsigned int n = 40;
+    // what is left of the radius on the inner face; that cells there have an area the mesh finds out
+    constexpr double       least_left = 1e-3;
+    constexpr unsigned int n          = 400; // in a strip: splines of points turn sharply between them
     for (const Strip &strip : strips)
       for (unsigned int i = 0; i <= n; ++i)
         {
           const double s = strip.a + (strip.b - strip.a) * (i + 0.5) / (n + 1), curvature = outline->curvature(s);
-          if (strip.thickness * curvature > 0.98)
+          if (strip.thickness * curvature > 1 - least_left)
             fail("the skin is " + number_to_text("%.4g", strip.thickness) + " m thick " + at_x(s) +
                    ", and the outline has a radius of " + number_to_text("%.4g", 1 / curvature) +
                    " m there: a skin must be thinner than that",

@@ -1,3 +1,4 @@
+#include <samara/base/composite_rule.h>
 #include <samara/rotation/matrix6.h>
 #include <samara/section/cross_section.h>
 #include <samara/section/elasticity.h>
@@ -562,6 +563,49 @@ namespace samara
       }
     remove_rigid_motions(result);
     return result;
+  }
+
+
+
+  std::vector<CrossSection::StressPoint>
+  CrossSection::extrapolated(const dealii::Quadrature<2> &places) const
+  {
+    // at a corner of nearly 180 degrees, as those of a disc, there are no gradients
+    constexpr double         degenerate = 0.3; // over the mean of the Jacobian of a cell
+    const unsigned int       n_line = mesh.degree + 1, n = n_line * n_line, n_places = places.size();
+    std::vector<StressPoint> result = points(places);
+    const auto               known  = points();
+    std::vector<double>      line;
+    const dealii::QGauss<1>  gauss(n_line);
+    for (const auto &point : gauss.get_points())
+      line.push_back(point[0]);
+    Eigen::MatrixXd values(n_places, n); // of the polynomials of the points of integration
+    for (unsigned int q = 0; q < n_places; ++q)
+      for (unsigned int i = 0; i < n; ++i)
+        values(q, i) = lagrange(line, i % n_line, places.point(q)[0]) * lagrange(line, i / n_line, places.point(q)[1]);
+    for (unsigned int cell = 0; cell < known.size() / n; ++cell)
+      {
+        double area = 0;
+        for (unsigned int i = 0; i < n; ++i)
+          area += known[cell * n + i].weight;
+        for (unsigned int q = 0; q < n_places; ++q)
+          if (StressPoint &there = result[cell * n_places + q]; there.weight < degenerate * area * places.weight(q))
+            {
+              there.strain.setZero();
+              for (unsigned int i = 0; i < n; ++i)
+                there.strain += values(q, i) * known[cell * n + i].strain;
+            }
+      }
+    return result;
+  }
+
+
+
+  std::vector<CrossSection::StressPoint>
+  CrossSection::points_with_faces() const
+  {
+    const unsigned int n = mesh.degree + 2;
+    return extrapolated(dealii::QGaussLobatto<2>(n % 2 == 0 ? n + 1 : n));
   }
 
 

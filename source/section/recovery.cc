@@ -120,7 +120,7 @@ namespace samara
   {
     for (const auto &material : materials)
       strengths.push_back(material.strengths);
-    for (const auto &point : section.points())
+    for (const auto &point : section.points_with_faces())
       points.push_back({elasticity::turn_of_stress(point.axes.transpose()) * point.C * point.strain,
                         elasticity::turn_of_stress(point.axes.transpose()).col(0) * point.helix,
                         mesh.ply(point.cell).material});
@@ -147,6 +147,44 @@ namespace samara
     indices.tsai_wu    = std::max(indices.tsai_wu, others.indices.tsai_wu);
     indices.hashin     = std::max(indices.hashin, others.indices.hashin);
     indices.von_mises  = std::max(indices.von_mises, others.indices.von_mises);
+  }
+
+
+
+  SectionStresses::Extremes
+  mean_of(const std::vector<std::pair<double, SectionStresses::Extremes>> &weighted)
+  {
+    SectionStresses::Extremes result;
+    for (int i = 0; i < 6; ++i)
+      {
+        double modulus = 0, most = 0;
+        for (const auto &[weight, one] : weighted)
+          {
+            const double part = weight * one.stress(i);
+            modulus += std::abs(part);
+            if (std::abs(part) > std::abs(most))
+              most = part;
+          }
+        result.stress(i) = std::copysign(modulus, most);
+      }
+    FailureIndices &indices = result.indices;
+    const auto      mean    = [&](const auto &index_of) {
+      double sum = 0;
+      for (const auto &[weight, one] : weighted)
+        {
+          if (index_of(one.indices) < 0)
+            return -1.;
+          sum += weight * index_of(one.indices);
+        }
+      return sum;
+    };
+    for (const auto &[weight, one] : weighted)
+      result.von_mises_stress += weight * one.von_mises_stress;
+    indices.max_stress = mean([](const FailureIndices &i) { return i.max_stress; });
+    indices.tsai_wu    = mean([](const FailureIndices &i) { return i.tsai_wu; });
+    indices.hashin     = mean([](const FailureIndices &i) { return i.hashin; });
+    indices.von_mises  = mean([](const FailureIndices &i) { return i.von_mises; });
+    return result;
   }
 
 

@@ -8,6 +8,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -93,9 +94,7 @@ namespace samara
     if (cells.empty())
       throw std::invalid_argument("a section without cells");
 
-    dealii::SubCellData       nothing;
-    std::vector<unsigned int> all;
-    dealii::GridTools::delete_duplicated_vertices(places, data, nothing, all, tolerance);
+    join_corners(patches, tolerance, places, data);
     for (unsigned int c = 0; c < cells.size(); ++c)
       {
         auto corners = data[c].vertices;
@@ -104,7 +103,7 @@ namespace samara
           throw std::invalid_argument(name_of(cells[c]) + " has two corners in one place");
       }
     order_consistently(data);
-    triangulation.create_triangulation(places, data, nothing);
+    triangulation.create_triangulation(places, data, {});
 
     const auto unit_points = dealii::FE_Q<2>(degree).get_unit_support_points();
     mapping.initialize(triangulation, [&](const dealii::Triangulation<2>::cell_iterator &cell) {
@@ -118,6 +117,37 @@ namespace samara
       return support;
     });
     check();
+  }
+
+
+
+  void
+  SectionMesh::join_corners(const std::vector<SectionPatch>  &patches,
+                            const double                      tolerance,
+                            std::vector<dealii::Point<2>>    &places,
+                            std::vector<dealii::CellData<2>> &data) const
+  {
+    if (patches.front().corners.empty())
+      {
+        dealii::SubCellData       nothing;
+        std::vector<unsigned int> all;
+        return dealii::GridTools::delete_duplicated_vertices(places, data, nothing, all, tolerance);
+      }
+    std::map<unsigned int, unsigned int> known; // by the number in the file
+    std::vector<dealii::Point<2>>        kept;
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int k = 0; k < 4; ++k)
+        {
+          const SectionPatch &patch = patches[cells[c].patch];
+          AssertDimension(patch.corners.size(), 4);
+          const auto        &uv     = cells[c].parameters[k];
+          const unsigned int number = patch.corners[(uv[0] == patch.u[0] ? 0 : 1) + (uv[1] == patch.v[0] ? 0 : 2)];
+          const auto         first  = known.emplace(number, kept.size());
+          if (first.second)
+            kept.push_back(places[data[c].vertices[k]]);
+          data[c].vertices[k] = first.first->second;
+        }
+    places = kept;
   }
 
 

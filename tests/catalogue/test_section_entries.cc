@@ -372,16 +372,27 @@ TEST_F(Catalogued, SectionsFromOutlinesAndMeshes)
                  {"Nose material", "ply", nose},
                  {"Nose to", "0.12", nose}}}));
 
+  // four cells, with a slit from the middle to the side between two of them
   for (const double width : {0.1, 0.2})
-    files[width < 0.15 ? "narrow.inp" : "wide.inp"] = "*NODE\n1,0,0\n2," + number_to_text(width) + ",0\n3," +
-                                                      number_to_text(width) +
-                                                      ",0.1\n4,0,0.1\n*ELEMENT, TYPE=CPS4, ELSET=all\n1,1,2,3,4\n";
+    {
+      std::string nodes;
+      for (unsigned int i = 0; i < 9; ++i)
+        nodes += std::to_string(i + 1) + "," + number_to_text(width * (i % 3) / 2) + "," +
+                 number_to_text(0.05 * (i / 3)) + "\n";
+      files[width < 0.15 ? "narrow.inp" : "wide.inp"] =
+        "*NODE\n" + nodes + "10," + number_to_text(width) + ",0.05\n" +
+        "*ELEMENT, TYPE=CPS4, ELSET=all\n1,1,2,5,4\n2,2,3,6,5\n3,4,5,8,7\n4,5,10,9,8\n";
+    }
   std::string mesh =
     analysed("    set Type = mesh\n    set Mesh file = " + folder + "/narrow.inp\n    set Groups = all, metal\n");
   mesh.erase(mesh.find("    set Elements = 2\n"), 21);
   check("mesh",
         mesh,
         "Sections/it",
-        joined(common, {{{"Mesh file", folder + "/wide.inp"}, {"Groups", "all, ply, 20, 30"}, {"Length unit", "1.1"}}}),
+        joined(common,
+               {{{"Mesh file", folder + "/wide.inp"},
+                 {"Groups", "all, ply, 20, 30"},
+                 {"Length unit", "1.1"},
+                 {"Merge", "true"}}}),
         {{"Elements", "the mesh has them"}, {"Elements per ply", "the mesh has them"}});
 }

@@ -4,6 +4,7 @@
  */
 
 #include <samara/cosserat/mesh_section.h>
+#include <samara/section/section_constants.h>
 
 #include "../scene.h"
 #include <gtest/gtest.h>
@@ -201,6 +202,56 @@ TEST(MeshSection, LayersFollowACurve)
                 lying   = stiffness_of_mesh(mesh_file(".msh", strip.gmsh(false)) +
                                           "    set Groups = lower, ply, 30, 0; upper, ply, 30, 0\n");
   EXPECT_GT(difference(upright, lying), 0.1);
+}
+
+
+
+namespace
+{
+  /** A ring of radius 1 and thickness 0.1 whose ends, at u = 0 and 1, have nodes of their own at the same places. */
+  const Grid slit_ring{60, 2, false, [](const double u, const double v) {
+                         const double r = 1.05 - 0.1 * v;
+                         return Eigen::Vector2d(r * std::cos(2 * M_PI * u), r * std::sin(2 * M_PI * u));
+                       }};
+} // namespace
+
+
+
+// A ring that is slit: GJ = G 2πR t³/3 (less 0.63 t⁴/3 of the ends), and its shear centre lies 2 R beside the middle,
+// away from the slit (Timoshenko). Closed, its GJ is 2πR³t G, 300 times as much.
+TEST(MeshSection, SlitsStayOpen)
+{
+  const double      G = 100 / 2.4, t = 0.1;
+  const std::string groups = "    set Groups = lower, metal; upper, metal\n";
+  for (const bool triangles : {false, true})
+    {
+      const std::string file = mesh_file(".msh", slit_ring.gmsh(triangles)) + groups;
+      const Matrix6     open = stiffness_of_mesh(file), closed = stiffness_of_mesh(file + "    set Merge = true\n");
+      const SectionConstants of_open(open.inverse(), Matrix6::Zero());
+      const auto             number = [&](const std::string &name) {
+        for (const auto &one : of_open.list())
+          if (one.name == name)
+            return one.number;
+        return std::nan("");
+      };
+      EXPECT_NEAR(number("GJ") / (G * (2 * M_PI * t * t * t / 3 - 0.21 * std::pow(t, 4))), 1, 1e-2) << triangles;
+      EXPECT_NEAR(number("shear centre 2"), -2, 0.02) << triangles;
+      EXPECT_NEAR(number("shear centre 3"), 0, 1e-2) << triangles;
+      EXPECT_NEAR(closed(3, 3) / (G * 2 * M_PI * t), 1, 2e-2) << triangles;
+    }
+  // said by number
+  const Scene scene(mesh_model(mesh_file(".msh", slit_ring.gmsh(false)) + groups));
+  const auto  remarks = dynamic_cast<const HasRemarks &>(scene.input.model.find<Section>("s", "section")).remarks();
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_NE(remarks[0].text.find("3 nodes lie at the places of others and are kept apart"), std::string::npos)
+    << remarks[0].text;
+  // parts that do not hang together say what would join them
+  const std::string apart = complaint_of(mesh_model(
+    mesh_file(".inp",
+              "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n5, 1, 0\n6, 2, 0\n7, 2, 1\n8, 1, 1\n"
+              "*ELEMENT, TYPE=CPS4, ELSET=lower\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=CPS4, ELSET=upper\n2, 5, 6, 7, 8\n") +
+    groups));
+  EXPECT_NE(apart.find("<Merge = true>"), std::string::npos) << apart;
 }
 
 

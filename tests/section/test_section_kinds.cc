@@ -162,6 +162,35 @@ TEST(SectionKinds, RodHasClosedForms)
 
 // An I and a C without couplings: areas and second moments by rectangles, the shear centre of a thin channel by its
 // formula.
+// Said in two ways, by E and by material: where shear factors differ it is told, with those that the analysis has.
+TEST(SectionKinds, ShearFactorsOfTheEnergyAreTold)
+{
+  const std::string by_E        = "    set E = 260\n    set Poisson ratio = 0.3\n    set Density = 1\n",
+                    by_material = "    set Material = nu_03\n    set Elements = 12\n";
+  const auto with_material      = [](std::string text) {
+    const std::string head = "subsection Materials\n";
+    return text.insert(text.find(head) + head.size(),
+                       "  subsection nu_03\n    set Type = isotropic\n    set E = 260\n    set Poisson ratio = 0.3\n"
+                            "    set Density = 1\n  end\n");
+  };
+  for (const std::string shape : {"    set Type = rectangle\n    set Width 2 = 2\n    set Width 3 = 1\n",
+                                  "    set Type = tube\n    set Outer radius = 1\n    set Inner radius = 0.9\n",
+                                  "    set Type = tube\n    set Outer radius = 1\n"})
+    {
+      const Scene   told(model(shape + by_E)), analysed(with_material(model(shape + by_material)));
+      const Matrix6 C    = analysed.input.model.find<Section>("s", "section").at(0, Vector3::Zero()).stiffness;
+      const auto remarks = dynamic_cast<const HasRemarks &>(told.input.model.find<Section>("s", "section")).remarks();
+      ASSERT_EQ(remarks.size(), 1u) << shape;
+      const double GA = C(0, 0) / 2.6;
+      EXPECT_NE(remarks[0].text.find(": " + number_to_text("%.4g", C(1, 1) / GA) + " and " +
+                                     number_to_text("%.4g", C(2, 2) / GA)),
+                std::string::npos)
+        << remarks[0].text << C(1, 1) / GA << " " << C(2, 2) / GA;
+    }
+}
+
+
+
 TEST(SectionKinds, IAndCHaveTheirRectangles)
 {
   const std::string I =

@@ -135,10 +135,7 @@ TEST(Trapeze, StressesOfATwistedStrip)
   Scene scene(cantilever(strip_section + by_material, pulled_and_twisted(0, 40)));
   scene.equilibrium();
   const double kappa = scene.value("bar.at 0.3.curvature 1"), strain = scene.value("bar.at 0.3.strain 1");
-  double       expected = 0;
-  const auto   analysis = scene.input.model.find<AnalysedSection>("s", "section").analyse(Vector3::Zero());
-  for (const auto &point : analysis->section.points())
-    expected = std::max(expected, Young * (strain + point.place.square() * kappa * kappa / 2));
+  const double corner = (chord * chord + depth * depth) / 4, expected = Young * (strain + corner * kappa * kappa / 2);
   EXPECT_GT(expected, 1e7);
   EXPECT_NEAR(scene.value("bar.at 0.3.stress 11"), expected, 1e-5 * expected);
 }

@@ -1,28 +1,11 @@
 #ifndef samara_cosserat_analysed_section_h
 #define samara_cosserat_analysed_section_h
 
-#include <samara/cosserat/section.h>
-#include <samara/section/cross_section.h>
+#include <samara/cosserat/analysed_shape.h>
 #include <samara/section/layup.h>
-#include <samara/section/shapes.h>
-
-#include <map>
 
 namespace samara
 {
-  /** A section with its mesh, warping and stresses. */
-  struct SectionAnalysis
-  {
-    /** @throws std::invalid_argument saying what is wrong with the shape, the materials or the curvature */
-    SectionAnalysis(const SectionShape &shape, unsigned int degree, const Vector3 &curvature);
-
-    const SectionShape shape;
-    const SectionMesh  mesh;
-    const CrossSection section;
-  };
-
-
-
   /**
    * A section of which shape and materials are given, and the stiffness is found by warping analysis, with the initial
    * twist and curvature of the beam that uses it: doc/theory/cross_section.md. What was found is kept, by what the
@@ -54,10 +37,12 @@ namespace samara
     }
 
     const AnalysedSection *
-    nearest(double) const override
+    analysed() const override
     {
       return is_analysed() ? this : nullptr;
     }
+    std::vector<StressedSection>       stressed(double x, double inside) const override;
+    std::unique_ptr<const SectionLoft> loft_to(const Section &other) const override;
 
   protected:
     /** @throws std::invalid_argument if there is no such shape; faulty entries get a complaint before. */
@@ -103,14 +88,11 @@ namespace samara
     double              rotation     = 0;
     std::string         curvature_of = "beam";
 
-    SectionShape shape;
-    double       size = 0; ///< largest distance from the reference line [m]
-    std::string  content;  ///< of all that the analysis depends on but for the curvature, as a key
+    std::shared_ptr<const AnalysedShape> placed; ///< in the axes of the beam; null if it is not analysed
 
     mutable std::vector<Vector3> asked;
 
-    Vector3 rounded(const Vector3 &curvature) const;
-    void    place_shape();
+    void place(SectionShape &shape) const;
   };
 } // namespace samara
 

@@ -2,15 +2,18 @@
 #define samara_cosserat_beam_h
 
 #include <samara/cosserat/beam_mesh.h>
+#include <samara/cosserat/beam_stresses.h>
 #include <samara/cosserat/cosserat.h>
 #include <samara/cosserat/curve.h>
 #include <samara/cosserat/initial_fields.h>
 #include <samara/cosserat/initial_velocity.h>
 #include <samara/cosserat/section.h>
 #include <samara/cosserat/tension_torsion.h>
+#include <samara/model/doubts.h>
 #include <samara/model/drawing.h>
 #include <samara/model/kinks.h>
 #include <samara/model/relative_motion.h>
+#include <samara/model/remarks.h>
 
 #include <algorithm>
 
@@ -28,7 +31,9 @@ namespace samara
                public RelativeMotions,
                public InitialMotion,
                public HasStrainProducts,
-               public HasKinks
+               public HasKinks,
+               public Doubtful,
+               public HasRemarks
   {
   public:
     void add_parameters(Parameters &prm) override;
@@ -47,6 +52,19 @@ namespace samara
     void                     draw(const State &state, Drawing &drawing) const override;
 
     std::string coarse_place(const State &state) const override;
+
+    /** Places of probes where two stations of a table disagree on the stresses. */
+    std::vector<Doubt> doubts(const State &state) const override;
+
+    /** What error_of_sections() means. */
+    std::vector<Remark> remarks() const override;
+
+    /**
+     * How far the compliance that elements have is from that of the section along the beam: the largest relative
+     * difference of ∫F_ii q ds, for section forces that are constant or grow from either end. So much a displacement
+     * by forces at an end is wrong. Zero of a section that has no stations.
+     */
+    double error_of_sections() const;
 
     /** Angles of an element, by which one sees that it is too long (doc/theory/element.md). */
     struct Turn
@@ -93,16 +111,19 @@ namespace samara
     /** What stresses at a place follow from. */
     struct Station
     {
-      const AnalysedSection *section;   ///< there, or at the nearest station of a table
-      Vector3                curvature; ///< initial twist and curvature of the reference line [rad/m]
-      Vector6                forces;    ///< of the section, as probes tell them [N, N m]
+      std::vector<StressPart> parts;     ///< the section there, or the stations beside if they are not of one kind
+      Vector3                 curvature; ///< initial twist and curvature of the reference line [rad/m]
+      Vector6                 forces;    ///< of the section, as probes tell them [N, N m]
       Vector6 linear_forces; ///< without those of helical fibres (Trapeze): stresses of small strains [N, N m]
       double  helix;         ///< K₁²/2 where the section has a Trapeze, else 0 [1/m²]
       Vector3 x;             ///< place of the reference line [m]
       Matrix3 D;             ///< axes of the section
     };
-    /** At a named point or "at 0.3". @throws std::invalid_argument if there is none, or no section that was analysed */
-    Station station(const State &state, const std::string &point) const;
+    /**
+     * At a named point or "at 0.3", where sections jump on the side on which the relative abscissa @p inside lies.
+     * @throws std::invalid_argument if there is no such point, or no section that was analysed
+     */
+    Station station(const State &state, const std::string &point, std::optional<double> inside = {}) const;
 
     /** The section at a relative abscissa. */
     struct SectionThere
@@ -178,24 +199,38 @@ namespace samara
     std::vector<Trapeze>            trapezes;        ///< one a material; those that are not there have zeros
     std::unique_ptr<TensionTorsion> tension_torsion; ///< null: none of them is there
 
+    /** ∫F_ii q ds of the diagonal of the compliance, a column each q: of the section, and of the elements' points. */
+    struct SectionSums
+    {
+      Eigen::Matrix<double, 6, 3> exact     = Eigen::Matrix<double, 6, 3>::Zero(),
+                                  of_points = Eigen::Matrix<double, 6, 3>::Zero();
+    };
+    SectionSums             section_sums;
+    static constexpr double much_error_of_sections = 1e-3; ///< there elements are moved, and a run warns
+
     static constexpr double least_jump_of_twist = 1e-6; ///< over 2e-9 of the length, where it is no slope [rad]
 
     /** d₁ at the nodes. */
     std::vector<Vector3> tangents(const State &state) const;
 
-    std::string               make_curve(); ///< returns what is wrong with the entries
-    bool                      find_curve();
-    std::vector<double>       find_breaks();
-    std::vector<double>       element_ends(const std::vector<double> &breaks) const;
-    bool                      take_mesh(const std::vector<double> &breaks);
-    void                      make_cells();
-    void                      make_nodes_and_elements();
-    bool                      find_kinks();
-    std::vector<double>       kinks_inside(const Cell &cell) const;
-    Vector3                   initial_curvature(const Cell &cell, double s) const;
-    SectionValues             section_at(const Cell &cell, double s) const;
-    std::vector<Matrix6>      stiffnesses_of(const Cell &cell) const;
-    std::vector<Matrix6>      inertias_of(const Cell &cell) const;
+    std::string          make_curve(); ///< returns what is wrong with the entries
+    bool                 find_curve();
+    std::vector<double>  find_breaks();
+    std::vector<double>  element_ends(const std::vector<double> &breaks) const;
+    std::vector<double>  moved_to_kinks(std::vector<double> ends, const std::vector<double> &breaks) const;
+    bool                 take_mesh(const std::vector<double> &breaks);
+    void                 make_cells();
+    void                 make_nodes_and_elements();
+    bool                 find_kinks();
+    std::vector<double>  kinks_inside(const Cell &cell) const;
+    Vector3              initial_curvature(const Cell &cell, double s) const;
+    SectionValues        section_at(const Cell &cell, double s) const;
+    std::vector<Matrix6> stiffnesses_of(const Cell &cell, const ElementTable<1> &of_degree) const;
+    std::vector<Matrix6> inertias_of(const Cell &cell) const;
+    void add_to_sums(const Cell &cell, const ElementTable<1> &of_degree, const std::vector<Matrix6> &stiffnesses);
+
+    /** error_of_sections() of cells that may still be changed. */
+    double                    error_of_cells();
     Material                  material_of(const Matrix6 &stiffness, const Trapeze &trapeze) const;
     std::vector<Trapeze>      trapezes_of(const Cell &cell, const std::vector<Matrix6> &stiffnesses) const;
     Matrix3                   triad_at(double s, double inside) const;
@@ -206,9 +241,12 @@ namespace samara
     std::optional<double> abscissa_of(const std::string &point) const;
     int                   node_at(double s) const;
 
-    /** The section at an arc length of which stresses can be found, and its curvature. @throws std::invalid_argument */
-    std::pair<const AnalysedSection *, Vector3> analysed_at(double s) const;
+    /** What stresses at an arc length follow from, and the curvature there. @throws std::invalid_argument */
+    std::pair<std::vector<StressPart>, Vector3> stressed_at(double s, std::optional<double> inside = {}) const;
     std::optional<Probe> stress_probe(const std::string &path, const std::string &quantity, double s) const;
+
+    /** Places that probes ask for stresses, by relative abscissa. */
+    mutable std::map<double, std::shared_ptr<const BeamStresses>> probed;
 
     /** "beam <name> from s to s", relative abscissae. */
     std::string range_of(const Cell &cell) const;

@@ -10,7 +10,10 @@
 
 namespace samara
 {
-  /** Straight quadrilaterals of a file, as they are given, and triangles, whose last two corners are one. */
+  /**
+   * Straight quadrilaterals of a file, as they are given, and triangles, whose last two corners are one. Cells hang
+   * together by the vertices that the file gives them: two vertices at one place are a slit.
+   */
   struct ImportedMesh
   {
     std::vector<Vector3>                     vertices;       ///< [m]
@@ -28,6 +31,18 @@ namespace samara
 
     /** "the points <a>, no curves, and the surfaces <b>, <c>", or that the file names nothing. */
     std::string groups() const;
+
+    /** Vertices of cells that lie where another one with a smaller number does, to a millionth of the shortest side. */
+    unsigned int n_coincident() const;
+
+    /** Let vertices at one place be one, the first of them, and return how many are left out so. */
+    unsigned int merge();
+
+    /**
+     * Merge them if @p wanted. Returns "in slit.msh 3 nodes lie at the places of others and are kept apart, as at a
+     * slit; <Merge = true> joins them", or that they are joined; "" if there are none.
+     */
+    std::string take_coincident(bool wanted, const std::string &file);
   };
 
   /**

@@ -3,6 +3,7 @@
 
 #include <samara/cosserat/analysed_section.h>
 #include <samara/cosserat/imported_mesh.h>
+#include <samara/model/remarks.h>
 
 namespace samara
 {
@@ -34,15 +35,20 @@ namespace samara
    * A section of straight quadrilaterals and triangles of a file. Where there are triangles all cells are divided, a
    * triangle into three and a quadrilateral into four.
    */
-  class MeshSection : public AnalysedSection
+  class MeshSection : public AnalysedSection, public HasRemarks
   {
   public:
     void add_parameters(Parameters &prm) override;
 
+    /** How many nodes of the file lie at the places of others, and what becomes of them. */
+    std::vector<Remark> remarks() const override;
+
   private:
     std::string                file;
     std::vector<MeshGroupText> groups;
-    double                     scale = 1;
+    double                     scale  = 1;
+    bool                       merges = false;
+    std::string                of_coincident; ///< ImportedMesh::take_coincident()
 
     SectionShape make_shape(Model &model) override;
 

@@ -4,6 +4,8 @@
 #include <samara/model/model.h>
 #include <samara/section/trapeze.h>
 
+#include <memory>
+
 namespace samara
 {
   /**
@@ -44,6 +46,21 @@ namespace samara
 
 
   class AnalysedSection;
+  class AnalysedShape;
+  class SectionLoft;
+
+
+
+  /** What stresses at a place of a beam are found with. */
+  struct StressedSection
+  {
+    std::string                          name;            ///< of the section, "root", or "root to tip"
+    std::shared_ptr<const AnalysedShape> shape;           ///< never null
+    bool                                 is_there = true; ///< the section of the place itself, not that of a station
+    double                               weight   = 1;    ///< of its stresses; of all those at a place one in sum
+  };
+
+
 
   /** A named cross-section that beams refer to. It adds nothing to the system by itself. */
   class Section : public Item
@@ -79,12 +96,28 @@ namespace samara
       return at(x, Vector3::Zero()).outline;
     }
 
-    /** The section at @p x of which stresses can be found, or that of the nearest station; null if there is none. */
+    /** This, if its stresses can be found; null if not, and of what varies along a beam. */
     virtual const AnalysedSection *
-    nearest(double /*x*/) const
+    analysed() const
     {
       return nullptr;
     }
+
+    /**
+     * What stresses at @p x are found with, at a jump on the side on which @p inside lies: the section there, or both
+     * stations beside, weighted, where they are not of one kind. Empty if a beam has no stresses there.
+     */
+    virtual std::vector<StressedSection>
+    stressed(double /*x*/, double /*inside*/) const
+    {
+      return {};
+    }
+
+    /**
+     * The sections between this one and @p other, if their shapes are of one kind; null if they are not, and where
+     * there are no shapes: then matrices are linear.
+     */
+    virtual std::unique_ptr<const SectionLoft> loft_to(const Section &other) const;
 
     /** Relative abscissae at which the values have kinks, where elements should end. */
     virtual std::vector<double>

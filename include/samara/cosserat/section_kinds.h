@@ -2,6 +2,7 @@
 #define samara_cosserat_section_kinds_h
 
 #include <samara/cosserat/analysed_section.h>
+#include <samara/model/remarks.h>
 
 namespace samara
 {
@@ -9,14 +10,19 @@ namespace samara
    * A shape that has a closed form for an isotropic material given by E, ν and density, and is analysed if a material
    * or a layup is named instead.
    */
-  class ClosedFormSection : public AnalysedSection
+  class ClosedFormSection : public AnalysedSection, public HasRemarks
   {
   public:
+    /** That an analysis has other shear factors, and which, where that makes a difference. */
+    std::vector<Remark> remarks() const override;
+
     void                         add_parameters(Parameters &prm) override;
     void                         initialize(Model &model) override;
     SectionValues                at(double x, const Vector3 &curvature) const override;
     std::vector<Eigen::Vector2d> outline(double x) const override;
     bool                         is_analysed() const override;
+
+    std::unique_ptr<const SectionLoft> loft_to(const Section &other) const override;
 
   protected:
     double      E = 0, nu = 0.3, density = 0, shear_factor;
@@ -28,6 +34,15 @@ namespace samara
 
     /** What concerns G, shear factors and density is done by the caller of this. */
     virtual SectionValues closed_form() const = 0;
+
+    /** Shear factors 2 and 3 of the energy of the warping in Saint-Venant's flexure, as the analysis has them. */
+    virtual std::array<double, 2> shear_factors_of_energy() const = 0;
+
+    /** closed_form() between this and @p other of the same kind, lengths and material linear; null if there is none. */
+    virtual std::unique_ptr<const SectionLoft> loft_in_closed_form(const ClosedFormSection &other) const = 0;
+
+    /** Material, factors and effects of this, in part those of @p other. */
+    void mix(const ClosedFormSection &a, const ClosedFormSection &b, double w);
 
   private:
     mutable std::vector<Eigen::Vector2d> drawn; ///< the outline, once it has been asked for: a beam does at each sample
@@ -48,8 +63,10 @@ namespace samara
   private:
     double width_2 = 0, width_3 = 0;
 
-    SectionValues closed_form() const override;
-    SectionShape  make_shape(Model &model) override;
+    SectionValues                      closed_form() const override;
+    std::array<double, 2>              shear_factors_of_energy() const override;
+    std::unique_ptr<const SectionLoft> loft_in_closed_form(const ClosedFormSection &other) const override;
+    SectionShape                       make_shape(Model &model) override;
   };
 
 
@@ -64,9 +81,11 @@ namespace samara
   private:
     double outer = 0, inner = 0;
 
-    void          check(Model &model) const override;
-    SectionValues closed_form() const override;
-    SectionShape  make_shape(Model &model) override;
+    void                               check(Model &model) const override;
+    SectionValues                      closed_form() const override;
+    std::array<double, 2>              shear_factors_of_energy() const override;
+    std::unique_ptr<const SectionLoft> loft_in_closed_form(const ClosedFormSection &other) const override;
+    SectionShape                       make_shape(Model &model) override;
   };
 
 

@@ -2,13 +2,14 @@
 #define samara_cosserat_section_stations_h
 
 #include <samara/cosserat/property_table.h>
-#include <samara/cosserat/section.h>
+#include <samara/cosserat/section_loft.h>
 
 namespace samara
 {
   /**
-   * What a table says along a beam of a certain length, between stations at relative abscissae: stiffness and inertia
-   * are linear as matrices. Two stations at the same abscissa make a jump.
+   * What a table says along a beam of a certain length, between stations at relative abscissae: the shape is linear
+   * where both stations are of one kind (Section::loft_to), elsewhere stiffness and inertia are, as matrices. Two
+   * stations at the same abscissa make a jump.
    */
   class SectionStations : public Section
   {
@@ -34,7 +35,7 @@ namespace samara
     SectionValues                at_side(double x, double inside, const Vector3 &curvature) const override;
     bool                         depends_on_curvature() const override;
     std::vector<Eigen::Vector2d> outline(double x) const override;
-    const AnalysedSection       *nearest(double x) const override;
+    std::vector<StressedSection> stressed(double x, double inside) const override;
     std::vector<double>          kinks() const override;
     bool                         has_twist() const override;
     double                       twist(double x, double inside) const override;
@@ -44,7 +45,16 @@ namespace samara
     std::string fault(const std::string &what) const;
 
   private:
-    std::vector<Station> stations;
+    struct Between
+    {
+      std::unique_ptr<const SectionLoft> loft; ///< null: they are not of one kind
+    };
+
+    std::vector<Station>                    stations;
+    mutable std::map<unsigned int, Between> made; ///< by the station before
+
+    /** The sections between a station and the next one, if they are of one kind. */
+    const SectionLoft *between(unsigned int station) const;
 
     /** The station before @p x and the weight of the one behind it; at a jump on the side of @p inside. */
     std::pair<unsigned int, double> piece(double x, double inside) const;

@@ -8,6 +8,7 @@
 #include <samara/cosserat/shell_mesh.h>
 #include <samara/model/doubts.h>
 #include <samara/model/relative_motion.h>
+#include <samara/model/remarks.h>
 #include <samara/model/surface_curve.h>
 #include <samara/model/surface_load.h>
 #include <samara/section/extremes_by_name.h>
@@ -38,13 +39,21 @@ namespace samara
    *
    * Source: doc/theory/shell.md.
    */
-  class Shell : public Cosserat<2>, public SurfaceBody, public HasCurves, public RelativeMotions, public Doubtful
+  class Shell : public Cosserat<2>,
+                public SurfaceBody,
+                public HasCurves,
+                public RelativeMotions,
+                public Doubtful,
+                public HasRemarks
   {
   public:
     void add_parameters(Parameters &prm) override;
-    void be_placed(const Placement &placement) override;
-    void initialize(Model &model) override;
-    void connect(Layout &layout) override;
+
+    /** How many nodes of a mesh file lie at the places of others, and what becomes of them. */
+    std::vector<Remark> remarks() const override;
+    void                be_placed(const Placement &placement) override;
+    void                initialize(Model &model) override;
+    void                connect(Layout &layout) override;
 
     /** Those of the entries "Frames" and "Rigid edges"; "point NAME" of a mesh file; "at u v" on the first patch or
      * "at x y z", where a node is. */
@@ -143,6 +152,7 @@ namespace samara
     ShellElements                               elements_entry;
     std::vector<PatchMesh>                      mesh_entries;
     bool                                        merges = true;
+    std::string                                 of_coincident; ///< ImportedMesh::take_coincident()
     std::string                                 grid, grid_arguments, mesh_file;
     bool                                        is_curved   = true;
     unsigned int                                refinements = 0;

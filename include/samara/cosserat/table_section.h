@@ -26,7 +26,7 @@ namespace samara
     SectionValues                at(double x, const Vector3 &curvature) const override;
     bool                         depends_on_curvature() const override;
     std::vector<Eigen::Vector2d> outline(double x) const override;
-    const AnalysedSection       *nearest(double x) const override;
+    std::vector<StressedSection> stressed(double x, double inside) const override;
     std::vector<double>          kinks() const override;
     /** @} */
 

@@ -8,8 +8,7 @@ namespace samara
 {
   /**
    * Where along a beam, and when, its sections are nearest to failure: an index of section/recovery.h is looked at in
-   * each state that look() is given, at the ends and in the middle of all elements. On a table of sections the section
-   * is that of the nearest station.
+   * each state that look() is given, at the ends and in the middle of all elements, at a jump on both sides.
    */
   class LargestStress
   {
@@ -40,8 +39,8 @@ namespace samara
   private:
     struct Place
     {
-      double                                 x;
-      std::shared_ptr<const SectionStresses> stresses;
+      double                              x, inside;
+      std::shared_ptr<const BeamStresses> stresses;
     };
     std::vector<Place> places;
     std::string        criterion;

@@ -45,6 +45,17 @@ namespace samara
     void                         write_beamdyn_files(const Context &context) const;
     void                         look(const State &state);
     void                         report_stresses(const Context &context);
+
+    /** A place of a beam whose stresses are wanted. */
+    struct StressedPlace
+    {
+      std::string   name; ///< "blade at 0.3"
+      std::string   file; ///< the name of its picture
+      Beam::Station there;
+      double        time;
+    };
+    static StressedPlace place_named(const std::string &place, const Context &context);
+    void                 tell_stresses(const Context &context, const std::vector<StressedPlace> &wanted) const;
   };
 
 

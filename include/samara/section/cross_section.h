@@ -67,6 +67,12 @@ namespace samara
      */
     std::vector<StressPoint> points(const dealii::Quadrature<2> &quadrature) const;
 
+    /** The same; where a cell is degenerate strains are the polynomials through those of its points of integration. */
+    std::vector<StressPoint> extrapolated(const dealii::Quadrature<2> &places) const;
+
+    /** Those of Gauss and Lobatto, faces and middles of cells among them; extrapolated. */
+    std::vector<StressPoint> points_with_faces() const;
+
     /** Those of integration. */
     std::vector<StressPoint> points() const;
 

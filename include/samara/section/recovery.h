@@ -28,7 +28,7 @@ namespace samara
 
 
 
-  /** Stresses of a section in the axes of its materials at its points of integration, from section forces. */
+  /** Stresses of a section in the axes of its materials, on the faces of its cells too, from section forces. */
   class SectionStresses
   {
   public:
@@ -61,6 +61,12 @@ namespace samara
     std::vector<Point>     points;
     std::vector<Strengths> strengths;
   };
+
+  /**
+   * The mean of what is largest in several sections, with weights of sum one: of moduli, with the sign of the one that
+   * counts most. An index that one of them does not know is not known.
+   */
+  SectionStresses::Extremes mean_of(const std::vector<std::pair<double, SectionStresses::Extremes>> &weighted);
 } // namespace samara
 
 #endif

@@ -36,6 +36,11 @@ namespace samara
     std::string name = "", group = "";
     /** The tangent of the layers at a place, where it is not that of u. */
     std::function<Eigen::Vector2d(const dealii::Point<2> &place)> tangent = {};
+    /**
+     * Of a patch of a single cell the numbers of its corners, at (u, v) line by line: patches that have them hang
+     * together where these are the same, others where their corners are at one place. All patches of a mesh, or none.
+     */
+    std::vector<unsigned int> corners = {};
   };
 
 
@@ -88,6 +93,11 @@ namespace samara
 
     /** Parameters of the corners of a cell, line by line, with a positive area; returns their places. */
     static std::array<dealii::Point<2>, 4> set_corners(const SectionPatch &patch, Cell &cell);
+    /** Let corners with one number of patches be one, or corners at one place. */
+    void join_corners(const std::vector<SectionPatch>  &patches,
+                      double                            tolerance,
+                      std::vector<dealii::Point<2>>    &places,
+                      std::vector<dealii::CellData<2>> &data) const;
     /** Let lines have one direction in all cells, and parameters follow. */
     void order_consistently(std::vector<dealii::CellData<2>> &data);
   };
