@@ -216,7 +216,7 @@ namespace samara
       return Vector3(1, power(s / L), power(1 - s / L));
     };
     const auto compliance = [&](const double xi) {
-      return Matrix6(section_at(cell, cell.start + xi * h).stiffness.inverse());
+      return inverse6(section_at(cell, cell.start + xi * h).stiffness);
     };
     auto breaks = kinks_inside(cell);
     if (breaks.empty())
@@ -224,7 +224,7 @@ namespace samara
     for (const auto &[xi, weight] : section_rule(breaks, compliance))
       section_sums.exact += h * weight * compliance(xi).diagonal() * tests(cell.start + xi * h).transpose();
     for (unsigned int g = 0; g < of_degree.n_points; ++g)
-      section_sums.of_points += h * of_degree.weights[g] * stiffnesses[g].inverse().diagonal() *
+      section_sums.of_points += h * of_degree.weights[g] * inverse6(stiffnesses[g]).diagonal() *
                                 tests(cell.start + of_degree.points[g][0] * h).transpose();
   }
 

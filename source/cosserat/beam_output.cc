@@ -3,6 +3,7 @@
 #include <samara/base/text.h>
 #include <samara/cosserat/beam.h>
 #include <samara/model/frame_probe.h>
+#include <samara/rotation/matrix6.h>
 #include <samara/section/extremes_by_name.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -131,7 +132,7 @@ namespace samara
         parts.push_back({one});
         if (!one.is_there)
           parts.back().forces =
-            one.shape->values(curvature).stiffness * section->at_side(x, side, curvature).stiffness.inverse();
+            one.shape->values(curvature).stiffness * inverse6(section->at_side(x, side, curvature).stiffness);
       }
     return {parts, curvature};
   }
