@@ -6,7 +6,6 @@
 
 #include <samara/analysis/dynamic.h>
 
-#include "../debug.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 #include <samara/cosserat/beam.h>
 #include <samara/cosserat/shell.h>
 
-#include "../debug.h"
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -55,8 +54,6 @@ TEST(Folds, OfAStripAreThoseOfABeam)
 
 TEST(Folds, PinchedCylinderIsRefusedWhereCellsAreLarger)
 {
-  if (is_debug)
-    return;
   const auto support = [](const std::string &name, const std::string &edge, const std::string &fixed) {
     return " subsection " + name + "\n set Type = support\n set Along = c." + edge + "\n set Fixed = " + fixed +
            "\n end\n";
