@@ -157,6 +157,7 @@ namespace samara
         hub                      = model.frame_at(given, model.position(given), triad_about(e3, e1));
         azimuth_zero             = triad_about(e3, e1).col(0);
         axis_zero                = e3.normalized();
+        centre_zero              = model.position(given);
         corrections.has_tip_loss = tip_loss == "Prandtl";
         corrections.least_speed  = 1e-7 * air->speed_of_sound; // keeps quotients smooth where air is at rest
       }

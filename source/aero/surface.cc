@@ -148,7 +148,10 @@ namespace samara
         model->complaints.add(parameters.where(where), problem.what());
       }
     if (find_airfoils() && find_body() && model->complaints.count() == before)
-      add_stations();
+      {
+        add_stations();
+        find_places();
+      }
     if (inflow != nullptr)
       {
         if (model->complaints.count() == before)

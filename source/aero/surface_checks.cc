@@ -39,10 +39,9 @@ namespace samara
 
 
 
-  std::vector<Surface::Place>
-  Surface::places() const
+  void
+  Surface::find_places()
   {
-    std::vector<Place> result;
     for (const auto &element : elements)
       for (const auto &station : element.stations)
         {
@@ -50,9 +49,8 @@ namespace samara
           for (unsigned int a = 0; a < station.N.size(); ++a)
             place.x +=
               station.N[a] * (model->position(element.frames[a]) + model->triad(element.frames[a]) * station.quarter);
-          result.push_back(place);
+          places.push_back(place);
         }
-    return result;
   }
 
 
@@ -80,9 +78,8 @@ namespace samara
   void
   Surface::find_doubts()
   {
-    const auto here = places();
-    add_doubt_of_copies(here);
-    add_doubt_of_twins(here);
+    add_doubt_of_copies();
+    add_doubt_of_twins();
     if (!is_told_of_another("power"))
       add_doubt_of_power();
     if (!is_told_of_another("lags"))
@@ -99,7 +96,7 @@ namespace samara
 
   /** A surface before this one on the same line: a copy that was not moved. */
   void
-  Surface::add_doubt_of_copies(const std::vector<Place> &places_here)
+  Surface::add_doubt_of_copies()
   {
     constexpr double same = 0.01; // of a chord
     for (const auto &item : model->items)
@@ -109,9 +106,9 @@ namespace samara
         const auto *const other = dynamic_cast<const Surface *>(item.get());
         if (other == nullptr || other->air != air || other->is_faulty)
           continue;
-        const auto line    = other->places();
-        double     overlap = 0;
-        for (const auto &place : places_here)
+        const auto &line    = other->places;
+        double      overlap = 0;
+        for (const auto &place : places)
           for (unsigned int i = 0; i < line.size(); ++i)
             if (distance_from_line(place.x, line[i].x, line[std::min<std::size_t>(i + 1, line.size() - 1)].x) <
                 same * std::min(place.chord, line[i].chord))
@@ -131,7 +128,7 @@ namespace samara
 
   /** Surfaces like this one, as far from the axis of an inflow, that live in it while this one does not. */
   void
-  Surface::add_doubt_of_twins(const std::vector<Place> &places_here)
+  Surface::add_doubt_of_twins()
   {
     constexpr double same = 1e-3; // of a radius, of a chord
     if (inflow != nullptr)
@@ -144,16 +141,16 @@ namespace samara
         if (other == nullptr || other->inflow == nullptr || other->is_faulty ||
             (of_twins != nullptr && other->inflow != of_twins))
           continue;
-        const auto    there = other->places();
-        const Vector3 hub   = model->position(other->inflow->hub);
-        const Matrix3 H     = model->triad(other->inflow->hub);
+        const auto   &there = other->places;
+        const Vector3 hub = other->inflow->centre_zero, axis = other->inflow->axis_zero;
         const double  R     = other->inflow->radius;
-        bool          alike = there.size() == places_here.size();
+        bool          alike = there.size() == places.size();
         for (unsigned int i = 0; alike && i < there.size(); ++i)
           {
-            const Vector3 a = H.transpose() * (places_here[i].x - hub), b = H.transpose() * (there[i].x - hub);
-            alike = std::abs(a.head<2>().norm() - b.head<2>().norm()) < same * R && std::abs(a(2) - b(2)) < same * R &&
-                    std::abs(places_here[i].chord - there[i].chord) < same * there[i].chord;
+            const Vector3 a = places[i].x - hub, b = there[i].x - hub;
+            alike = std::abs(axis.cross(a).norm() - axis.cross(b).norm()) < same * R &&
+                    std::abs(axis.dot(a) - axis.dot(b)) < same * R &&
+                    std::abs(places[i].chord - there[i].chord) < same * there[i].chord;
           }
         if (!alike)
           continue;

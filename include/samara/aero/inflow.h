@@ -132,6 +132,7 @@ namespace samara
 
     /** Direction of azimuth zero and the thrust axis in the reference configuration. */
     Vector3 azimuth_zero = Vector3::UnitX(), axis_zero = Vector3::UnitZ();
+    Vector3 centre_zero  = Vector3::Zero(); ///< of the hub, in the reference configuration
 
     DiskCorrections corrections;
 

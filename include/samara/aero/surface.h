@@ -184,7 +184,7 @@ namespace samara
       Vector3 x;
       double  chord, weight;
     };
-    std::vector<Place> places() const;
+    std::vector<Place> places; ///< of all stations, as frames tell them before they are connected
 
     /** The loads of a surface in the state of a point; see air_loads(). */
     AirLoads air_loads_at(const Point<double> &point, const Vector3 &centre, const Vector3 &carried) const;
@@ -198,8 +198,9 @@ namespace samara
     bool     is_told_of_another(const std::string &about) const;
     void     add_doubt_of_power();
     void     add_doubt_of_lags();
-    void     add_doubt_of_copies(const std::vector<Place> &places);
-    void     add_doubt_of_twins(const std::vector<Place> &places);
+    void     find_places();
+    void     add_doubt_of_copies();
+    void     add_doubt_of_twins();
     void     add_doubt_of_ground(const State &state, std::vector<Doubt> &doubts) const;
 
     /** Angles of attack between which a section is not stalled, at Mach numbers 0, 0.1, ...; found when asked for. */
