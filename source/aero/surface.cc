@@ -148,10 +148,7 @@ namespace samara
         model->complaints.add(parameters.where(where), problem.what());
       }
     if (find_airfoils() && find_body() && model->complaints.count() == before)
-      {
-        add_stations();
-        find_places();
-      }
+      add_stations();
     if (inflow != nullptr)
       {
         if (model->complaints.count() == before)
@@ -382,6 +379,7 @@ namespace samara
                                   elements.end(),
                                   [this](const Element &e) { return e.stations.empty() && !has_virtual_mass; }),
                    elements.end());
+    find_places();
   }
 
 
