@@ -51,8 +51,9 @@ namespace
     return modes.found;
   }
 
+  /** @p error: of round-off, the machine's over the square of the thickness, which is what bending is beside membrane stiffness. */
   void
-  expect_modes_of_first_order(const std::string &text, const double shift)
+  expect_modes_of_first_order(const std::string &text, const double shift, const double error)
   {
     const UndampedMotion plate(text, shift);
     ASSERT_TRUE(plate.op.is_undamped());
@@ -61,7 +62,7 @@ namespace
     for (unsigned int i = 0; i < modes.size(); ++i)
       {
         EXPECT_NEAR(modes[i].frequency(), others[i].frequency(), 1e-9 * others[i].frequency()) << i;
-        EXPECT_LT(modes[i].error, 1e-9) << i;
+        EXPECT_LT(modes[i].error, error) << i;
         EXPECT_EQ(modes[i].is_free(), others[i].is_free()) << i;
       }
   }
@@ -94,8 +95,9 @@ TEST(UndampedModes, AreThoseOfTheFirstOrderForm)
 {
   expect_modes_of_first_order(undamped_plate(" set Patches = u, v, 0.1*u*(1-u)\n set Thickness = 1e-4\n",
                                              simply_supported),
-                              1.);
-  expect_modes_of_first_order(undamped_plate(" set Patches = u, 0.9*v, 0.1*u*(1-u)\n set Thickness = 1e-2\n"), 10.);
+                              1.,
+                              1e-8);
+  expect_modes_of_first_order(undamped_plate(" set Patches = u, 0.9*v, 0.1*u*(1-u)\n set Thickness = 1e-2\n"), 10., 1e-9);
 }
 
 
