@@ -168,24 +168,35 @@ namespace samara
           for (auto &station : element.stations)
             add_states(station, element);
         where = "Inflow";
-        if (auto *const flow = dynamic_cast<ExternalInflow *>(inflow))
-          {
-            external = flow;
-            for (const auto &element : elements)
-              for (const auto &station : element.stations)
-                flow->add_station(on_disk(station, element), station.weight);
-          }
-        if (auto *const flow = dynamic_cast<AnnularInflow *>(inflow))
-          {
-            annular = flow;
-            for (auto &element : elements)
-              for (auto &station : element.stations)
-                add_flow(station, element, *flow);
-          }
+        join_inflow();
       }
     catch (const std::invalid_argument &problem)
       {
         model->complaints.add(parameters.where(where), problem.what());
+        return;
+      }
+    find_doubts();
+  }
+
+
+
+  /** Inflows of others, and annular ones, know each station by its place. */
+  void
+  Surface::join_inflow()
+  {
+    if (auto *const flow = dynamic_cast<ExternalInflow *>(inflow))
+      {
+        external = flow;
+        for (const auto &element : elements)
+          for (const auto &station : element.stations)
+            flow->add_station(on_disk(station, element), station.weight);
+      }
+    if (auto *const flow = dynamic_cast<AnnularInflow *>(inflow))
+      {
+        annular = flow;
+        for (auto &element : elements)
+          for (auto &station : element.stations)
+            add_flow(station, element, *flow);
       }
   }
 
@@ -627,7 +638,7 @@ namespace samara
           }
         layout.couple(element.block, frames, {}, {}, states);
       }
-    find_doubts();
+    add_doubt_of_twins(); // which may stand behind it
     loads.surface = rates.surface = this;
     layout.add(*this, loads);
     if (states_of(unsteady) > 0 || annular != nullptr || (inflow != nullptr && !inflow->states.empty()))

@@ -79,7 +79,6 @@ namespace samara
   Surface::find_doubts()
   {
     add_doubt_of_copies();
-    add_doubt_of_twins();
     if (!is_told_of_another("power"))
       add_doubt_of_power();
     if (!is_told_of_another("lags"))

@@ -38,8 +38,8 @@ TEST(Solvability, LongStepsTakeTheExactMatrix)
 
 
 
-// The stiff stop. A step of the family keeps the energy through contact, and dissipation takes a tenth. Generalised α takes
-// more with ρ∞ = 0, and with ρ∞ = 0.5 it makes energy: its contact force has no exact work.
+// The stiff stop. A step of the family keeps the energy through contact, and dissipation takes a tenth. Generalised α makes
+// energy with one step and loses it with another, as its contact force has no exact work.
 TEST(StopImpact, Energy)
 {
   const auto lost =
@@ -56,11 +56,10 @@ TEST(StopImpact, Energy)
   EXPECT_NEAR(lost(family(1, 1)), 0, 1e-7);
   EXPECT_NEAR(lost(family(2, 1)), 0, 1e-7);
   EXPECT_NEAR(lost(family(2, 1), "1e-3", "0.84"), 0, 1e-7); // with a contact that is over within a step
-  const double decaying = lost(family(2, 0)), alpha = lost(rival("generalised alpha", 0.5)),
-               most = lost(rival("generalised alpha", 0));
-  EXPECT_GT(decaying, 0.02);
-  EXPECT_LT(alpha, -5e-3);
-  EXPECT_GT(most, decaying);
+  EXPECT_GT(lost(family(2, 0)), 0.02);
+  EXPECT_LT(lost(rival("generalised alpha", 0.5)), -5e-3);
+  EXPECT_LT(lost(rival("generalised alpha", 0)), -5e-3);
+  EXPECT_GT(lost(rival("generalised alpha", 0), "2e-3"), 0.05);
 }
 
 

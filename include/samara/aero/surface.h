@@ -189,12 +189,13 @@ namespace samara
     /** The loads of a surface in the state of a point; see air_loads(). */
     AirLoads air_loads_at(const Point<double> &point, const Vector3 &centre, const Vector3 &carried) const;
     void     add_states(Station &station, Element &element);
+    void     join_inflow();
     void     add_flow(Station &station, Element &element, AnnularInflow &flow);
     void     check_disk() const;
     Vector3  on_disk(const Station &station, const Element &element) const;
     void     find_virtual_mass(Element &element);
     bool     lump_virtual_mass(Element &element, bool piecewise) const;
-    void     find_doubts();
+    void     find_doubts(); ///< before frames are connected
     bool     is_told_of_another(const std::string &about) const;
     void     add_doubt_of_power();
     void     add_doubt_of_lags();
