@@ -514,55 +514,138 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Determinant of the Jacobian of a mapping, by differences to the inside of the cell: at a corner of 180 degrees,
+     * as discs have them, or of a little more, where deal.II refuses to look. */
+    double
+    determinant_at(const dealii::Mapping<2>                             &mapping,
+                   const dealii::Triangulation<2>::cell_iterator &cell,
+                   const dealii::Point<2>                               &unit)
+    {
+      constexpr double       step = 1e-6; // half of the digits
+      const dealii::Point<2> here = mapping.transform_unit_to_real_cell(cell, unit);
+      dealii::Tensor<1, 2>   columns[2];
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          dealii::Point<2> next = unit;
+          const double     h    = unit[d] > 0.5 ? -step : step;
+          next[d] += h;
+          columns[d] = (mapping.transform_unit_to_real_cell(cell, next) - here) / h;
+        }
+      return columns[0][0] * columns[1][1] - columns[0][1] * columns[1][0];
+    }
+
+
+
+    bool
+    is_on_an_edge(const dealii::Point<2> &unit)
+    {
+      return unit[0] == 0 || unit[0] == 1 || unit[1] == 0 || unit[1] == 1;
+    }
+
+
+
+    /** Numbers of places of a quadrature at which a cell is so distorted that there are no gradients. */
+    std::vector<unsigned int>
+    distorted_places(const dealii::Mapping<2>                             &mapping,
+                     const dealii::Triangulation<2>::cell_iterator &cell,
+                     const dealii::Quadrature<2>                          &places)
+    {
+      constexpr double          least = 1e-3; // of the area
+      std::vector<unsigned int> result;
+      for (unsigned int q = 0; q < places.size(); ++q)
+        if (is_on_an_edge(places.point(q)) &&
+            !(determinant_at(mapping, cell, places.point(q)) > least * cell->measure()))
+          result.push_back(q);
+      return result;
+    }
+
+
+
+    /** The same places but for some, in place of which the middle of the cell stands. */
+    dealii::Quadrature<2>
+    with_middles(const dealii::Quadrature<2> &places, const std::vector<unsigned int> &some)
+    {
+      std::vector<dealii::Point<2>> points = places.get_points();
+      for (const auto q : some)
+        points[q] = {0.5, 0.5};
+      return dealii::Quadrature<2>(points, places.get_weights());
+    }
+  } // namespace
+
+
+
   std::vector<CrossSection::StressPoint>
   CrossSection::points(const dealii::Quadrature<2> &quadrature) const
   {
-    dealii::FEValues<2>                          values(mesh.mapping,
-                               fe,
-                               quadrature,
-                               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
-                                 dealii::update_JxW_values | dealii::update_jacobians);
+    std::vector<StressPoint> result;
+    const auto flags = dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
+                       dealii::update_JxW_values | dealii::update_jacobians;
+    dealii::FEValues<2> values(mesh.mapping, fe, quadrature, flags);
+    for (const auto &cell : dofs.active_cell_iterators())
+      {
+        const auto distorted = distorted_places(mesh.mapping, cell, quadrature);
+        if (distorted.empty())
+          {
+            add_points(values, cell, result);
+            continue;
+          }
+        dealii::FEValues<2> elsewhere(mesh.mapping, fe, with_middles(quadrature, distorted), flags);
+        add_points(elsewhere, cell, result);
+        for (const auto q : distorted)
+          {
+            StressPoint &point = result[result.size() - quadrature.size() + q];
+            point.place        = mesh.mapping.transform_unit_to_real_cell(cell, quadrature.point(q));
+            point.weight       = 0;
+          }
+      }
+    remove_rigid_motions(result);
+    return result;
+  }
+
+
+
+  void
+  CrossSection::add_points(dealii::FEValues<2>                               &values,
+                           const dealii::DoFHandler<2>::active_cell_iterator &cell,
+                           std::vector<StressPoint>                          &result) const
+  {
     const Columns                                XT = X * T;
     const unsigned int                           n  = fe.n_dofs_per_cell();
     Operators                                    at(n);
     Columns                                      X_cell(n, 6), XT_cell(n, 6);
     std::vector<dealii::types::global_dof_index> numbers(n);
-    std::vector<StressPoint>                     result;
     const Eigen::Vector2d                        of_shear = shear_centre(compliance);
     const Matrix6                                forces   = strains_at(-centre).transpose(); // about the centre
-    for (const auto &cell : dofs.active_cell_iterators())
+    values.reinit(cell);
+    cell->get_dof_indices(numbers);
+    for (unsigned int i = 0; i < n; ++i)
       {
-        values.reinit(cell);
-        cell->get_dof_indices(numbers);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            X_cell.row(i)  = X.row(numbers[i]);
-            XT_cell.row(i) = XT.row(numbers[i]);
-          }
-        const unsigned int index = cell->active_cell_index();
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
-          {
-            StressPoint point;
-            point.cell   = index;
-            point.place  = values.quadrature_point(q);
-            point.weight = values.JxW(q);
-            point.axes   = mesh.material_axes(index, point.place, jacobian(values, q));
-            point.C      = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
-            point.helix  = (Eigen::Vector2d(point.place[0], point.place[1]) - of_shear).squaredNorm() /
-                          symmetric_solution(point.C, Vector6::Unit(0))(0);
-            const double g = root_g(k, point.place);
-            at.fill(values, q, k, g);
-            const auto Z = shift_by(point.place - centre);
-            point.strain = (S_times(Z) * Y / g + at.B * X_cell - at.SN * XT_cell / g) * forces;
-            point.warping.setZero();
-            for (unsigned int i = 0; i < n; ++i)
-              point.warping.row(fe.system_to_component_index(i).first) += values.shape_value(i, q) * X_cell.row(i);
-            point.warping = (point.warping * forces).eval();
-            result.push_back(point);
-          }
+        X_cell.row(i)  = X.row(numbers[i]);
+        XT_cell.row(i) = XT.row(numbers[i]);
       }
-    remove_rigid_motions(result);
-    return result;
+    const unsigned int index = cell->active_cell_index();
+    for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+      {
+        StressPoint point;
+        point.cell   = index;
+        point.place  = values.quadrature_point(q);
+        point.weight = values.JxW(q);
+        point.axes   = mesh.material_axes(index, point.place, jacobian(values, q));
+        point.C      = elasticity::turned(materials.at(mesh.ply(index).material).stiffness, point.axes);
+        point.helix  = (Eigen::Vector2d(point.place[0], point.place[1]) - of_shear).squaredNorm() /
+                      symmetric_solution(point.C, Vector6::Unit(0))(0);
+        const double g = root_g(k, point.place);
+        at.fill(values, q, k, g);
+        const auto Z = shift_by(point.place - centre);
+        point.strain = (S_times(Z) * Y / g + at.B * X_cell - at.SN * XT_cell / g) * forces;
+        point.warping.setZero();
+        for (unsigned int i = 0; i < n; ++i)
+          point.warping.row(fe.system_to_component_index(i).first) += values.shape_value(i, q) * X_cell.row(i);
+        point.warping = (point.warping * forces).eval();
+        result.push_back(point);
+      }
   }
 
 
@@ -592,8 +675,12 @@ namespace samara
           if (StressPoint &there = result[cell * n_places + q]; there.weight < degenerate * area * places.weight(q))
             {
               there.strain.setZero();
+              there.warping.setZero();
               for (unsigned int i = 0; i < n; ++i)
-                there.strain += values(q, i) * known[cell * n + i].strain;
+                {
+                  there.strain += values(q, i) * known[cell * n + i].strain;
+                  there.warping += values(q, i) * known[cell * n + i].warping;
+                }
             }
       }
     return result;

@@ -224,7 +224,7 @@ TEST_F(Catalogued, Surfaces)
          {"Line", "0.1, 0, 0; 2, 0, 0.4", {on_body, line}},
          {"Range", "0.2, 1.5"},
          {"Breaks", "0.7"},
-         {"Stations", "3"},
+         {"Stations", "9"},
          {"Chord", "0.31"},
          {"Quarter chord", "0.1"},
          {"Twist", "0.1"},

@@ -20,6 +20,7 @@ using namespace samara;
 namespace
 {
   const std::string mass = "prm/examples/trim/shaken_mass.prm", rotor = "prm/rotorcraft/flapping_rotor.prm";
+  const std::string with_way = "tests/trim/along_a_way.prm"; ///< the same with constants of continuations
 
   const TrimAnalysis &
   trimmed(Scene &scene)
@@ -391,10 +392,10 @@ namespace
 TEST(Trim, Continuation)
 {
   const auto alone = saturated("15*way mm");
-  Scene      scene(mass, alone);
+  Scene      scene(with_way, alone);
   EXPECT_NE(failure_of(scene), "");
 
-  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + mass, alone);
+  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + with_way, alone);
   scene.context.state = scene.system.reference();
   const auto &trim    = trimmed(scene);
   EXPECT_NEAR(trim.report.controls[0], std::atanh(200 * 0.015 / 4), 1e-6);
@@ -407,8 +408,8 @@ TEST(Trim, Continuation)
 TEST(Trim, ContinuationStops)
 {
   const auto overrides = saturated("40*way mm");
-  Scene      scene(mass, overrides);
-  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + mass, overrides);
+  Scene      scene(with_way, overrides);
+  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + with_way, overrides);
   const std::string text  = failure_of(scene);
   const auto        stops = text.find("stops at way = ");
   ASSERT_NE(stops, std::string::npos) << text;
@@ -427,8 +428,8 @@ TEST(Trim, ContinuationNamesALimitPoint)
   auto overrides = saturated("40*way mm");
   overrides[1]   = "States/bias/Value = 0.1 N";
   overrides[2]   = "Joints/slide/displacement/Force = 8 N*(bias/(1 N))/(1 + (bias/(1 N))^2)";
-  Scene scene(mass, overrides);
-  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + mass, overrides);
+  Scene scene(with_way, overrides);
+  let_trim_continue(scene.input, SAMARA_SOURCE_DIR "/" + with_way, overrides);
   const std::string text = failure_of(scene), before = "limit point, which would be at about way = ";
   const auto        point = text.find(before);
   ASSERT_NE(point, std::string::npos) << text;
@@ -442,7 +443,7 @@ TEST(Trim, RefusalsOfContinuation)
   const auto complaint = [](const std::string &entry) {
     try
       {
-        Scene scene(mass, {"Constants/none = 0", entry});
+        Scene scene(with_way, {entry});
       }
     catch (const InputError &error)
       {

@@ -6,6 +6,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <Eigen/SparseCore>
 
@@ -121,6 +122,9 @@ namespace samara
     Matrix6 compliance_about_centre();
     void    set_stiffness(const Matrix6 &F);
     void    forget_integrals();
+    void    add_points(dealii::FEValues<2>                               &values,
+                       const dealii::DoFHandler<2>::active_cell_iterator &cell,
+                       std::vector<StressPoint>                          &result) const;
     Columns times(const SectionMatrix &matrix, const Columns &x, bool transposed = false) const;
   };
 } // namespace samara
