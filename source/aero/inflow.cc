@@ -246,12 +246,12 @@ namespace samara
   void
   Inflow::add_doubt_of_ground(const State &state, std::vector<Doubt> &doubts) const
   {
-    const double part = part_below_ground(state);
+    const double part = part_below_ground(state), z = hub.position(state.q.data())(2);
     if (part > 0)
       doubts.push_back({"ground",
                         number_to_text("%.3g", 100 * part) + " % of the disk of <" + name +
                           "> are on or below the ground, which is at z = " + number_to_text("%.3g", air->ground) +
-                          " m: its hub is at z = " + number_to_text("%.3g", hub.position(state.q.data())(2)) +
+                          " m: its hub is at z = " + number_to_text("%.3g", std::abs(z) < 1e-9 * radius ? 0. : z) + // not its round-off
                           " m. A wind with <Shear exponent> is none there. <Ground> of <" + air->name +
                           "> says where the ground is"});
   }
