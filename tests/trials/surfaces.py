@@ -284,6 +284,8 @@ def spoilt_mesh(seed):
     ending = chance.choice((".msh", ".inp"))
     lines = mesh_text(chance, ending)
     for _ in range(chance.choice((0, 1, 1, 2, 3))):
+        if not lines:
+            break  # cut off at its first line
         k = chance.randrange(len(lines))
         words = re.findall(r"[^ ,]+", lines[k])
         if not words:
