@@ -387,6 +387,8 @@ namespace samara
         for (unsigned int a = 0; a < n_nodes; ++a)
           kernel::add_to_node(force, t.N(k, a), t.dN(k, a), forces[a]);
       }
+    if (point.reciprocal != nullptr)
+      gather_lanes(batch, point.reciprocal, nodes);
     Number_in_lanes result[6 * (N > 0 ? N : most_nodes)];
     for (unsigned int a = 0; a < n_nodes; ++a)
       Eigen::Map<Vec6<Number_in_lanes>>{result + 6 *a} = kernel::node_forces(nodes[a].D, forces[a]);
@@ -437,6 +439,8 @@ namespace samara
         for (unsigned int a = 0; a < n_nodes; ++a)
           kernel::add_to_node(force, t.N(k, a), t.dN(k, a), forces[a]);
       }
+    if (point.reciprocal != nullptr)
+      gather_lanes(batch, point.reciprocal, nodes);
     FourDoubles result[6 * (N > 0 ? N : most_nodes)];
     for (unsigned int a = 0; a < n_nodes; ++a)
       Eigen::Map<Vec6<FourDoubles>>{result + 6 *a} = kernel::node_forces(nodes[a].D, forces[a]);

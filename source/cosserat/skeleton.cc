@@ -62,13 +62,13 @@ namespace samara
 
   template <typename Number>
   Eigen::Matrix<Number, 12, 1>
-  Strut::gradient(const Number *q) const
+  Strut::gradient(const Number *q, const Number *q_of_forces) const
   {
-    // δΔ = D_B u_B − D_A u_A
+    // δΔ = D_B u_B − D_A u_A; as a force it is seen in reciprocal axes
     const Vec3<Number>           gap = frame_b.position(q) - frame_a.position(q);
     Eigen::Matrix<Number, 12, 1> B   = Eigen::Matrix<Number, 12, 1>::Zero();
-    B.template segment<3>(0)         = -(frame_a.triad(q).transpose() * gap) / (length * length);
-    B.template segment<3>(6)         = frame_b.triad(q).transpose() * gap / (length * length);
+    B.template segment<3>(0)         = -(frame_a.triad(q_of_forces).transpose() * gap) / (length * length);
+    B.template segment<3>(6)         = frame_b.triad(q_of_forces).transpose() * gap / (length * length);
     return B;
   }
 
@@ -89,7 +89,7 @@ namespace samara
   {
     Eigen::Matrix<double, 12, 1> y;
     y << frame_a.twist(point.y), frame_b.twist(point.y);
-    rates[0] = gradient(point.q).dot(y);
+    rates[0] = gradient(point.q, point.q).dot(y);
   }
 
 
@@ -115,7 +115,8 @@ namespace samara
   void
   Strut::residual_at(const Point<Number> &point, Number *r) const
   {
-    Eigen::Matrix<Number, Eigen::Dynamic, 1> local = gradient(point.q) * point.stress[first_strain];
+    Eigen::Matrix<Number, Eigen::Dynamic, 1> local =
+      gradient(point.q, point.q_of_forces()) * point.stress[first_strain];
     block.add(local, r);
   }
 
@@ -125,7 +126,7 @@ namespace samara
   Strut::tangent(const Point<double> &point, SparseMatrix &K) const
   {
     // Bᵀ C B, and the change of B at the stress that the point has
-    const auto      B     = gradient(point.q);
+    const auto      B     = gradient(point.q, point.q);
     Eigen::MatrixXd local = EA * length * B * B.transpose();
 
     const Matrix3 A = frame_a.triad(point.q), D = frame_b.triad(point.q);
@@ -145,7 +146,7 @@ namespace samara
   void
   Strut::damping(const Point<double> &point, SparseMatrix &C) const
   {
-    const auto      B     = gradient(point.q);
+    const auto      B     = gradient(point.q, point.q);
     Eigen::MatrixXd local = EA * length * relaxation_time * B * B.transpose();
     block.add(local, C);
   }

@@ -71,8 +71,8 @@ namespace samara
         m += lambda[first_turn] * n;
       const Vec3<Number> none = Vec3<Number>::Zero(), m_a = pair.in_a(Vec3<Number>(-cross(from_a, f) - m)),
                          m_b = pair.in_b(Vec3<Number>(cross(from_b, f) + m));
-      pair.a.add_force(pair.q, Vec3<Number>(-f), none, at_a);
-      pair.b.add_force(pair.q, f, none, at_b);
+      pair.a.add_force(pair.q_of_forces, Vec3<Number>(-f), none, at_a);
+      pair.b.add_force(pair.q_of_forces, f, none, at_b);
       for (unsigned int i = 0; i < 3; ++i)
         {
           at_a[3 + i] += m_a(i);
@@ -123,7 +123,7 @@ namespace samara
     {
       // A measure u of the distance is an unknown, by a row f − u (− another) = 0, or (f + Σ w v² − u²)/(2 u_0) = 0
       // where it is a root, which keeps rows quadratic; a rate that is resisted is one, too, by b·y − u̇ = 0.
-      const PairValues<Number> pair   = values(point.q);
+      const PairValues<Number> pair   = values(point.q, point.q_of_forces());
       const Block             &block  = contact.own_block;
       const Number *const      lambda = point.multipliers + contact.first_multiplier;
       PairForces<Number>       forces;
@@ -164,9 +164,9 @@ namespace samara
 
     template <typename Number>
     PairValues<Number>
-    values(const Number *q) const
+    values(const Number *q, const Number *q_of_forces) const
     {
-      return {contact.frame_a, contact.frame_b, q, contact.surface == Surface::ellipsoid};
+      return {contact.frame_a, contact.frame_b, q, q_of_forces, contact.surface == Surface::ellipsoid};
     }
 
     /** The unknowns that measure, themselves. */
@@ -216,7 +216,7 @@ namespace samara
   void
   BodyContact::Constraints::tangent(const Point<double> &point, SparseMatrix &K) const
   {
-    const PairValues<double> pair   = values(point.q);
+    const PairValues<double> pair   = values(point.q, point.q);
     const Block             &block  = contact.own_block;
     const double *const      lambda = point.multipliers + contact.first_multiplier;
     PairTangent              twists(pair);
@@ -325,7 +325,7 @@ namespace samara
   void
   BodyContact::Constraints::rates(const Point<double> &point, double *rates) const
   {
-    const PairValues<double> pair = values(point.q);
+    const PairValues<double> pair = values(point.q, point.q);
     const PairRates          change(pair, point.y);
     const double *const      coordinate_rates = point.rates + contact.coordinate;
     double *const            g                = rates + contact.first_multiplier;
@@ -359,7 +359,7 @@ namespace samara
   void
   BodyContact::Constraints::second_rates(const Point<double> &point, double *rates) const
   {
-    const PairValues<double> pair = values(point.q);
+    const PairValues<double> pair = values(point.q, point.q);
     const PairRates          change(pair, point.y);
     const PairSecondRates    second(pair, change, point.y, contact.surface == Surface::ellipsoid);
     const double *const      u_rates = point.rates + contact.coordinate;

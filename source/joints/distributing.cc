@@ -165,11 +165,12 @@ namespace samara
     const Number *const lambdas = point.multipliers + first_multiplier;
     const Vec3<Number>  lambda(lambdas[0], lambdas[1], lambdas[2]);
     const Mat3<Number>  M = pairing(lambdas), E = b.triad(point.q), s = moments(point.q);
+    const Mat3<Number>  E_of_forces = b.triad(point.q_of_forces());
     Vec3<Number>        gap = -b.position(point.q);
     Local               local;
     for (const auto &node : nodes)
       {
-        const Mat3<Number> D = node.frame.triad(point.q);
+        const Mat3<Number> D = node.frame.triad(point.q_of_forces());
         gap += node.weight * node.frame.position(point.q);
         local.setZero(18);
         const Vec3<Number> force     = node.weight * (lambda + E * (M * node.place));
@@ -178,8 +179,8 @@ namespace samara
         node.block.add(local, r);
       }
     local.setZero(12);
-    local.template segment<3>(0) = -E.transpose() * lambda;
-    local.template segment<3>(3) = moment_of<Number>(E.transpose() * s * M.transpose());
+    local.template segment<3>(0) = -E_of_forces.transpose() * lambda;
+    local.template segment<3>(3) = moment_of<Number>(E_of_forces.transpose() * s * M.transpose());
     local.template segment<3>(6) = gap;
     for (int i = 0; i < 3; ++i)
       {

@@ -136,8 +136,8 @@ namespace samara
     for (unsigned int k = 0; k < 3; ++k)
       f(k) = E(k, 0) * stress[0] + E(k, 1) * stress[1] + E(k, 2) * stress[2];
     const Vec3<Number> none = Vec3<Number>::Zero();
-    frame_a.add_force(point.q, Vec3<Number>(-f), none, r + block.row(0));
-    frame_b.add_force(point.q, f, none, r + block.row(6));
+    frame_a.add_force(point.q_of_forces(), Vec3<Number>(-f), none, r + block.row(0));
+    frame_b.add_force(point.q_of_forces(), f, none, r + block.row(6));
   }
 
 

@@ -190,7 +190,7 @@ namespace samara
   void
   FlexibleJoint::residual_at(const Point<Number> &point, Number *r) const
   {
-    const PairValues<Number> pair(frame_a, frame_b, point.q);
+    const PairValues<Number> pair(frame_a, frame_b, point.q, point.q_of_forces());
     const Number *const      stress = point.stress + first_strain;
     PairForces<Number>       forces;
     for_each_function([&](const unsigned int i, const double factor, const PairFunction &function) {

@@ -69,9 +69,15 @@ namespace samara
     if (is_held || !check_ends(*model, *this, frame_a, frame_b, "<" + body_a + "> and <" + body_b + ">"))
       return;
     used.clear();
+    // two rows that hold an axis of A along one of B leave a turn about both
+    const auto turns_held = [](const Locked &l) { return l.function.kind == PairFunction::cosine; };
+    const bool has_hinge  = std::count_if(locked.begin(), locked.end(), turns_held) == 2;
     for (auto &motion : free)
-      if (motion.coordinate >= 0)
-        used.push_back(&motion);
+      {
+        motion.is_on_both = motion.is_angle() && has_hinge;
+        if (motion.coordinate >= 0)
+          used.push_back(&motion);
+      }
     number_rows(layout);
     add_stops(layout);
     if (!rows.empty())
@@ -237,7 +243,7 @@ namespace samara
   void
   Joint::Constraints::evaluate(const Point<Number> &point, Number *r) const
   {
-    const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
+    const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, point.q_of_forces(), joint.with_axes_of_b);
     PairForces<Number>       forces;
     const Number *const      lambda = point.multipliers + joint.first_multiplier;
     Number *const            g      = r + joint.first_row;
@@ -259,13 +265,7 @@ namespace samara
         const Number     &coordinate = point.coordinates[m.coordinate];
         g[row] += m.measure(pair, coordinate);
         if constexpr (with_forces)
-          {
-            const auto of = m.derivatives(pair, coordinate);
-            r[block.row(12 + i)] += lambda[row] * of.slope;
-            forces.add(m.first, pair, lambda[row] * of.first);
-            if (m.is_angle())
-              forces.add(m.second, pair, lambda[row] * of.second);
-          }
+          r[block.row(12 + i)] += m.add_forces(pair, coordinate, lambda[row], forces);
       }
     for (unsigned int i = 0; i < used.size(); ++i)
       if (used[i]->is_prescribed)
@@ -441,29 +441,26 @@ namespace samara
   void
   Joint::Constraints::rates(const Point<double> &point, double *rates) const
   {
-    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
+    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, point.q_of_forces(), joint.with_axes_of_b);
     const PairRates          change(pair, point.y);
     const auto              &used = joint.used;
     double                  *g    = rates + joint.first_multiplier;
     for (const auto &l : joint.locked)
       *g++ = l.function.rate(pair, change) - (l.less ? l.less->rate(pair, change) : 0.);
     for (const auto *m : used)
-      {
-        const auto of = m->derivatives(pair, point.coordinates[m->coordinate]);
-        *g            = of.slope * point.rates[m->coordinate] + of.first * m->first.rate(pair, change);
-        if (m->is_angle())
-          *g += of.second * m->second.rate(pair, change);
-        ++g;
-      }
+      *g++ = m->rate(pair, change, point.coordinates[m->coordinate], point.rates[m->coordinate]);
     for (const auto *m : used)
       if (m->is_prescribed)
         *g++ = point.rates[m->coordinate] - m->prescribed_rate(point);
     if (joint.is_screw)
       *g++ = point.rates[used[0]->coordinate] - joint.pitch * point.rates[used[1]->coordinate];
+    if (joint.no_slip.empty())
+      return;
+    const PairValues<double> moving(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
     for (const auto &s : joint.no_slip)
       {
         Vector12 b = Vector12::Zero();
-        s.velocity.add_coefficients(pair, 1., b);
+        s.velocity.add_coefficients(moving, 1., b);
         *g++ = b.head<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * joint.frame_a.node)) +
                b.tail<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * joint.frame_b.node));
       }

@@ -20,7 +20,7 @@ namespace samara
     residual_at(const Point<Number> &point, Number *r) const
     {
       // rows E_iᴬ·Δ − c_i(σ); the equation of σ, −Σ λ_i t_i: no force along the curve
-      const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, false);
+      const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, point.q_of_forces(), false);
       PairForces<Number>       forces;
       const Number *const      lambda = point.multipliers + joint.first_multiplier;
       const Number             sigma  = point.coordinates[joint.coordinate] + joint.start;

@@ -46,10 +46,9 @@ namespace samara
       add_forces(const Number *lambda, Number *at_a, Number *at_b) const
       {
         const Vec3<Number> f = force(lambda), m = moment(lambda), none = Vec3<Number>::Zero(),
-                           m_a = pair.a.in_node(pair.q, Vec3<Number>(-cross(pair.gap, f) - m)),
-                           m_b = pair.b.in_node(pair.q, m);
-        pair.a.add_force(pair.q, Vec3<Number>(-f), none, at_a);
-        pair.b.add_force(pair.q, f, none, at_b);
+                           m_a = pair.in_a(Vec3<Number>(-cross(pair.gap, f) - m)), m_b = pair.in_b(m);
+        pair.a.add_force(pair.q_of_forces, Vec3<Number>(-f), none, at_a);
+        pair.b.add_force(pair.q_of_forces, f, none, at_b);
         for (unsigned int i = 0; i < 3; ++i)
           {
             at_a[3 + i] += m_a(i);
@@ -122,7 +121,7 @@ namespace samara
     {
       // rows of tilt, height and angle, and equations of c and s: doc/theory/joints.md, rolling disc; rows of
       // velocities have no residual
-      const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q);
+      const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, point.q_of_forces());
       const auto               at     = disc_at(pair, point);
       const Number *const      lambda = point.multipliers + joint.first_multiplier;
       const Block             &block  = joint.own_block;

@@ -85,14 +85,14 @@ namespace samara
         local(s + 1) = sigma - joint.parked(joint.has_left_at_end(std::real(sigma)));
         return joint.blocks[0].add(local, r);
       }
-    const SlidingValues<Number> values(rail, joint.frame_b, S, point.q);
+    const SlidingValues<Number> values(rail, joint.frame_b, S, point);
     const auto                  f = forces(lambda, sigma);
     for (const Rail::Weights<Number> &part : values.weights)
       {
         const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
         const unsigned int        b = 6 * frames.size(), first = b + 7;
         local.setZero(first + joint.n_rows);
-        f.add_to_rail(values, part, frames, point.q, local);
+        f.add_to_rail(values, part, frames, local);
         if (&part == values.weights.begin())
           {
             local.template segment<7>(b)     = f.of_b_and_s(values);
@@ -172,7 +172,7 @@ namespace samara
     const double sigma = point.coordinates[joint.coordinate()];
     if (has_left(point))
       return add_tangent_of_parked(K);
-    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point);
     const auto                  f = forces(point.multipliers + joint.first_multiplier, sigma);
 
     thread_local Eigen::MatrixXd local;
@@ -190,7 +190,7 @@ namespace samara
             std::array<double, 6> one = {};
             one[i]                    = 1;
             const auto gradient       = forces(one.data(), sigma);
-            gradient.add_to_rail(values, part, frames, point.q, local.col(first + i));
+            gradient.add_to_rail(values, part, frames, local.col(first + i));
             if (is_first)
               local.col(first + i).segment<7>(b) += gradient.of_b_and_s(values);
           }
@@ -231,7 +231,7 @@ namespace samara
         rates[joint.first_multiplier] = v;
         return;
       }
-    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point);
     const SlidingRates          rate(values, rail, joint.frame_b, v, point);
     const Vector6               twist_b = joint.frame_b.twist(point.y);
     double *const               g       = rates + joint.first_multiplier;
@@ -262,7 +262,7 @@ namespace samara
     if (has_left(point))
       return;
     const double                sigma = point.coordinates[joint.coordinate()], v = point.rates[joint.coordinate()];
-    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+    const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point);
     const SlidingRates          rate(values, rail, joint.frame_b, v, point);
     const SlidingSecondRates    second(values, rail, joint.frame_b, v, point);
     const Vector6               y = joint.frame_b.twist(point.y);

@@ -61,14 +61,14 @@ namespace samara
             local(u + i) = -lambda[i];
           return blocks[0].add(local, r);
         }
-      const SlidingValues<Number> values(rail, joint.frame_b, abscissa(point), point.q);
+      const SlidingValues<Number> values(rail, joint.frame_b, abscissa(point), point);
       const auto                  f = forces(values, lambda);
       for (const Rail::Weights<Number> &part : values.weights)
         {
           const std::vector<Frame> &frames = rail.pieces()[part.piece].frames;
           const unsigned int        b      = 6 * frames.size();
           local.setZero(b + 7 + 2 * n);
-          f.add_to_rail(values, part, frames, point.q, local);
+          f.add_to_rail(values, part, frames, local);
           if (&part == values.weights.begin())
             {
               local.template segment<7>(b) = f.of_b_and_s(values);
@@ -90,7 +90,7 @@ namespace samara
           add_rates_of_u(u, local);
           return blocks[0].add(local, K);
         }
-      const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+      const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point);
       const auto                  f = forces(values, point.multipliers + multiplier);
       for (const Rail::Weights<double> &part : values.weights)
         {
@@ -110,7 +110,7 @@ namespace samara
               one[i]                    = 1;
               const auto gradient       = forces(values, one.data());
               auto       column         = local.col(u + n + i);
-              gradient.add_to_rail(values, part, frames, point.q, column);
+              gradient.add_to_rail(values, part, frames, column);
               if (is_first)
                 column.segment<7>(b) += gradient.of_b_and_s(values);
             }
@@ -127,7 +127,7 @@ namespace samara
         rates[multiplier + i] = -point.rates[coordinate + i];
       if (has_left(point))
         return;
-      const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+      const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point);
       const SlidingRates          rate(values, rail, joint.frame_b, point.rates[joint.coordinate()], point);
       const Matrix3               M = values.cosines(0);
       for (unsigned int i = 0; i < n; ++i)
@@ -143,7 +143,7 @@ namespace samara
       if (has_left(point))
         return;
       // Ȧ : Ṁ = −½ r (Ĝ_i Ṁ) : Ṁ vanishes
-      const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point.q);
+      const SlidingValues<double> values(rail, joint.frame_b, abscissa(point), point);
       const SlidingSecondRates    second(values, rail, joint.frame_b, point.rates[joint.coordinate()], point);
       const Matrix3               M = values.cosines(0);
       for (unsigned int i = 0; i < n; ++i)
@@ -188,7 +188,7 @@ namespace samara
     forces(const SlidingValues<Number> &values, const Number *lambda) const
     {
       SlidingForces<Number> result;
-      result.A[0] = left_factor(lambda) * values.cosines(0);
+      result.A[0] = left_factor(lambda) * (values.E_of_forces.transpose() * values.at.d[0]);
       return result;
     }
 
@@ -218,7 +218,7 @@ namespace samara
             SlidingForces<double> one;
             one.A[0](j, k) = 1;
             auto column    = slopes.col(3 * j + k);
-            one.add_to_rail(values, part, frames, point.q, column);
+            one.add_to_rail(values, part, frames, column);
             column.segment<7>(b) += one.of_b_and_s(values);
           }
       Eigen::MatrixXd change = Eigen::MatrixXd::Zero(b + 7, b + 7);

@@ -261,7 +261,7 @@ namespace samara
   {
     for (const auto &node : nodes)
       {
-        const PairValues<Number> pair(node.ground, node.frame, point.q);
+        const PairValues<Number> pair(node.ground, node.frame, point.q, point.q_of_forces());
         PairForces<Number>       forces;
         for (unsigned int i = 0; i < node.functions.size(); ++i)
           {

@@ -33,7 +33,7 @@ namespace samara
       Vec3<Number>        moment;
       for (int i = 0; i < 3; ++i)
         moment(i) = A(i, 0) * lambda[0] + A(i, 1) * lambda[1] + A(i, 2) * lambda[2];
-      const Vec3<Number> on_a = a.in_node(point.q, moment), on_b = b.in_node(point.q, moment);
+      const Vec3<Number> on_a = a.in_node(point.q_of_forces(), moment), on_b = b.in_node(point.q_of_forces(), moment);
       for (int i = 0; i < 3; ++i)
         {
           r[block.row(3 + i)] -= on_a(i);

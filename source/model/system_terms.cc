@@ -78,8 +78,26 @@ namespace samara
   void
   System::add_terms(const Point<Number> &point, Number *const r) const
   {
+    add_bonds(point, r);
+    add_loads_and_states(point, r);
+  }
+
+
+
+  template <typename Number>
+  void
+  System::add_bonds(const Point<Number> &point, Number *const r) const
+  {
     add_residuals(deformations, point, r);
     add_residuals(layout.constraints, point, r);
+  }
+
+
+
+  template <typename Number>
+  void
+  System::add_loads_and_states(const Point<Number> &point, Number *const r) const
+  {
     add_residuals(layout.forces, point, r);
     add_residuals(layout.state_equations, point, r);
   }
@@ -87,13 +105,11 @@ namespace samara
 
 
   void
-  System::add_terms_and_strain_rates(const Point<double> &point, double *const r, double *const rates) const
+  System::add_bonds_and_strain_rates(const Point<double> &point, double *const r, double *const rates) const
   {
     for (const auto *d : deformations)
       d->strain_rates_and_residual(point, rates + d->first_strain, r);
     add_residuals(layout.constraints, point, r);
-    add_residuals(layout.forces, point, r);
-    add_residuals(layout.state_equations, point, r);
   }
 
 
@@ -246,6 +262,44 @@ namespace samara
       if (is_in(*d, part))
         energy += d->strain_energy(e + d->first_strain);
     return energy;
+  }
+
+
+
+  void
+  System::subtract_powers(const double *const              stress,
+                          const double *const              rates,
+                          const std::vector<unsigned int> &set_of_strain,
+                          double *const                    powers) const
+  {
+    for (const auto *d : layout.deformations)
+      if (d->n_strains() > 0)
+        powers[set_of_strain[d->first_strain]] -= d->power(stress + d->first_strain, rates + d->first_strain);
+  }
+
+
+
+  std::vector<unsigned int>
+  System::rows_of_strains(const State &state) const
+  {
+    // stresses without any order: what they do does not cancel everywhere
+    std::vector<unsigned int> result(layout.n_strains, size());
+    std::vector<double>       stress(layout.n_strains), r(size() + 6);
+    for (unsigned int i = 0; i < stress.size(); ++i)
+      stress[i] = std::sin(1. + 3. * i);
+    Point<double> point = state.point();
+    point.stress        = stress.data();
+    for (const auto *d : layout.deformations)
+      {
+        std::fill(r.begin(), r.end(), 0.);
+        d->residual(point, r.data());
+        const auto largest = std::max_element(r.begin(), r.end() - 6, [](const double a, const double b) {
+          return std::abs(a) < std::abs(b);
+        });
+        if (largest != r.end() - 6 && *largest != 0)
+          std::fill_n(result.begin() + d->first_strain, d->n_strains(), largest - r.begin());
+      }
+    return result;
   }
 
 
@@ -462,4 +516,8 @@ namespace samara
   System::stresses(const std::complex<double> *, const std::complex<double> *, std::complex<double> *) const;
   template void System::add_terms(const Point<double> &, double *) const;
   template void System::add_terms(const Point<std::complex<double>> &, std::complex<double> *) const;
+  template void System::add_bonds(const Point<double> &, double *) const;
+  template void System::add_bonds(const Point<std::complex<double>> &, std::complex<double> *) const;
+  template void System::add_loads_and_states(const Point<double> &, double *) const;
+  template void System::add_loads_and_states(const Point<std::complex<double>> &, std::complex<double> *) const;
 } // namespace samara

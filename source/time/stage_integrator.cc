@@ -219,11 +219,26 @@ namespace samara
     if (first_strain < 0)
       first_strain = energy.strain;
     moved_energy = std::max({moved_energy, energy.kinetic, std::abs(energy.strain - first_strain)});
+    start_rotation(state, h);
     start_stops(state);
     start_springs(state);
     if (!contacts.is_empty())
       contacts.start(state, h);
     predict(state, h);
+  }
+
+
+
+  void
+  StageIntegrator::start_rotation(const State &state, const double h)
+  {
+    // what is less than the iteration leaves open is not worth its cost; what does not turn at all stays as it is
+    constexpr double part_of_tolerance = 1e-3;
+    turns                              = StageRotation::counts(tableau.s, h, state.y, part_of_tolerance * tolerance);
+    if (turns && !rotation)
+      rotation = std::make_unique<StageRotation>(system, state);
+    for (Stage &stage : stages)
+      stage.reciprocal.resize(turns ? state.q.size() : 0);
   }
 
 

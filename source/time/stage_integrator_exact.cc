@@ -62,7 +62,7 @@ namespace samara
   {
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        Point<double> point = stages[k].point();
+        Point<double> point = stages[k].point_of_matrices();
         point.multipliers   = no_multipliers.data();
         stage_strains[k]->renew(point);
       }

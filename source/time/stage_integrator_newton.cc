@@ -259,7 +259,7 @@ namespace samara
     d_exact.resize(tableau.s);
     for (unsigned int k = 0; k < tableau.s; ++k)
       {
-        points.push_back(stages[k].point());
+        points.push_back(stages[k].point_of_matrices());
         d_exact[k] = stages[k].residual;
       }
     exact->assemble(points, h, is_active);

@@ -226,6 +226,8 @@ namespace samara
                 for (int i = 0; i < 3; ++i)
                   x(i) += Lane(h * tableau.a(k, l)) * velocity[l](i);
               store(nodes, x, D[k], stages[k].q);
+              if (turns)
+                store(nodes, x, reciprocal_axes(D[k]), stages[k].reciprocal);
             }
           store(nodes, x_final, D_final, final_q);
         }
@@ -243,6 +245,8 @@ namespace samara
       {
         stage.q.resize(state.q.size());
         std::copy_n(state.q.begin(), 12, stage.q.begin()); // the ground
+        if (turns)
+          std::copy_n(state.q.begin(), 12, stage.reciprocal.begin());
         stage.coordinates = state.coordinates;
       }
     final_q.resize(state.q.size());
@@ -364,6 +368,7 @@ namespace samara
 
     Point<double> end = stages[0].point();
     end.q             = final_q.data();
+    end.reciprocal    = nullptr;
     end.coordinates   = final_coordinates.data();
     final_states      = state.states;
     for (unsigned int k = 0; k < s; ++k)
@@ -518,7 +523,10 @@ namespace samara
       {
         stage.residual.assign(system.size() + 6, 0.);
         stage.strain_rates.resize(system.layout.n_strains);
-        system.add_terms_and_strain_rates(stage.point(), stage.residual.data(), stage.strain_rates.data());
+        system.add_bonds_and_strain_rates(stage.point(), stage.residual.data(), stage.strain_rates.data());
+        if (turns)
+          find_powers(stage);
+        system.add_loads_and_states(stage.point(), stage.residual.data());
       }
     find_products(products, tableau, h, e_start, stages);
     find_excesses(h);
@@ -544,5 +552,33 @@ namespace samara
     if (!contacts.is_empty())
       evaluate_contacts(h);
     evaluate_constraints(state, h);
+    if (turns)
+      take_work_back();
+  }
+
+
+
+  void
+  StageIntegrator::find_powers(Stage &stage)
+  {
+    stage.powers.assign(rotation->n_sets(), 0.);
+    rotation->add_powers_of_rows(stage.y.data(), stage.rates.data(), stage.residual.data(), stage.powers.data());
+    rotation->subtract_powers_of_strains(stage.stress.data(), stage.strain_rates.data(), stage.powers.data());
+  }
+
+
+
+  void
+  StageIntegrator::take_work_back()
+  {
+    for (Stage &stage : stages)
+      {
+        time_rates.resize(system.layout.n_multipliers);
+        system.constraint_time_rates(stage.point(), time_rates.data());
+        rotation->subtract_powers_of_constraints(
+          stage.multipliers.data(), stage.constraint_rates.data(), time_rates.data(), stage.powers.data());
+        rotation->take_back(
+          stage.q.data(), stage.reciprocal.data(), stage.y.data(), stage.powers.data(), stage.residual.data());
+      }
   }
 } // namespace samara

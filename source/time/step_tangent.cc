@@ -88,6 +88,7 @@ namespace samara
     , end_states(start.states)
     , mean_rates(integrator.mean_rates)
     , is_active(integrator.is_active)
+    , turns(integrator.turns)
   {
     const unsigned int s = tableau.s, n_nodes = system.layout.n_nodes;
     for (unsigned int k = 0; k < s; ++k)
@@ -117,7 +118,10 @@ namespace samara
     change.start_strain.assign(system.layout.n_strains, 0.);
     // a step that converged as predicted leaves those of the last correction but one
     for (auto &stage : stages)
-      system.strain_rates(stage.point(), stage.strain_rates.data());
+      {
+        system.strain_rates(stage.point(), stage.strain_rates.data());
+        system.constraint_rates(stage.point(), stage.constraint_rates.data());
+      }
     StageIntegrator::find_products(integrator.products, tableau, h, strains, stages);
     for (unsigned int k = 0; k < s; ++k)
       {
@@ -303,7 +307,7 @@ namespace samara
     moved(at_end ? end_coordinates : stage.coordinates,
           (at_end ? change.end_coordinates : change.coordinates[k]).data(),
           moved_coordinates);
-    Point<double> point = stage.point();
+    Point<double> point = stage.point_of_matrices();
     point.q             = moved_q.data();
     point.coordinates   = moved_coordinates.data();
     if (at_end)
@@ -327,8 +331,16 @@ namespace samara
     point.rates       = moved_rates.data();
     point.states      = moved_states.data();
     point.state_rates = moved_state_rates.data();
-    result.assign(layout.n_multipliers, 0.);
+    if (turns)
+      {
+        StageRotation::set_reciprocal(moved_q.data(), layout.n_nodes, moved_reciprocal);
+        point.reciprocal = moved_reciprocal.data();
+      }
+    // behind them what is prescribed of them, whose power is none of the bodies'
+    result.assign((turns ? 2 : 1) * layout.n_multipliers, 0.);
     system.constraint_rates(point, result.data());
+    if (turns)
+      system.constraint_time_rates(point, result.data() + layout.n_multipliers);
   }
 
 
@@ -353,13 +365,14 @@ namespace samara
     for (unsigned int i = 0; !at_end && i < n_velocities; ++i)
       speed = std::max(speed, std::abs(X[k * system.size() + i]));
     motion = std::max(motion, 1e-3 * h * speed);
-    result.assign(layout.n_multipliers, 0.);
+    const unsigned int n_values = (turns && !at_end ? 2 : 1) * layout.n_multipliers;
+    result.assign(n_values, 0.);
     if (!(motion > 0))
       return;
 
     // central differences of sixth order, (3/4, −3/20, 1/60), with two steps that must agree
     static const std::array<double, 3> weights = {{0.75, -0.15, 1. / 60}};
-    Vector                             values, finer(layout.n_multipliers, 0.);
+    Vector                             values, finer(n_values, 0.);
     for (const bool is_finer : {false, true})
       {
         if (is_finer && !checks)
@@ -375,7 +388,7 @@ namespace samara
     // what cancels is judged by what it is made of
     const double of_terms = at_end ? motion : speed + motion * largest(stages[k].y), length = integrator.length;
     double       error = 0;
-    for (unsigned int i = 0; i < result.size(); ++i)
+    for (unsigned int i = 0; i < layout.n_multipliers; ++i)
       if (is_active[i])
         error = std::max(error, std::abs(finer[i] - result[i]));
     if (error > agreement * std::max(largest(result), of_terms * (1 + length + length * length)))
@@ -413,9 +426,45 @@ namespace samara
     point.held        = false;
     point.stops       = stage.stops;
     z_residual.assign(system.size() + 6, Complex());
-    system.add_terms(point, z_residual.data());
+    if (turns)
+      {
+        StageRotation::set_reciprocal(z_q.data(), layout.n_nodes, z_reciprocal);
+        point.reciprocal = z_reciprocal.data();
+      }
+    system.add_bonds(point, z_residual.data());
+    if (turns)
+      take_work_back(k, X, point);
+    system.add_loads_and_states(point, z_residual.data());
     for (int i = 0; i < layout.of_multiplier(0); ++i)
       r[i] += z_residual[i].imag() / epsilon;
+  }
+
+
+
+  void
+  StepTangent::take_work_back(const unsigned int k, const double *X, const Point<Complex> &point)
+  {
+    const StageRotation &rotation   = *integrator.rotation;
+    const Stage         &stage      = stages[k];
+    const unsigned int   n          = system.layout.n_multipliers;
+    const double *const  rates      = change.constraint_rates[k].data();
+    const double *const  multiplier = X + k * system.size() + system.layout.of_multiplier(0);
+    z_powers.assign(rotation.n_sets(), Complex());
+    rotation.add_powers_of_rows(point.y, point.rates, z_residual.data(), z_powers.data());
+    // what is subtracted is bilinear
+    Vector values(rotation.n_sets(), 0.), changes(rotation.n_sets(), 0.), time_rates(n, 0.);
+    system.constraint_time_rates(stage.point(), time_rates.data());
+    rotation.subtract_powers_of_strains(stage.stress.data(), stage.strain_rates.data(), values.data());
+    rotation.subtract_powers_of_strains(change.stress[k].data(), stage.strain_rates.data(), changes.data());
+    rotation.subtract_powers_of_strains(stage.stress.data(), change.strain_rates[k].data(), changes.data());
+    rotation.subtract_powers_of_constraints(
+      stage.multipliers.data(), stage.constraint_rates.data(), time_rates.data(), values.data());
+    rotation.subtract_powers_of_constraints(
+      multiplier, stage.constraint_rates.data(), time_rates.data(), changes.data());
+    rotation.subtract_powers_of_constraints(stage.multipliers.data(), rates, rates + n, changes.data());
+    for (unsigned int set = 0; set < values.size(); ++set)
+      z_powers[set] += Complex(values[set], epsilon * changes[set]);
+    rotation.take_back(point.q, point.reciprocal, point.y, z_powers.data(), z_residual.data());
   }
 
 
@@ -488,9 +537,9 @@ namespace samara
     find_stresses(x, X);
     for (unsigned int k = 0; k < s; ++k)
       {
+        differentiate_constraints(k, X, change.constraint_rates[k], checks);
         add_terms(k, X, &result[k * n]);
         add_inertia(k, x, X, &result[k * n]);
-        differentiate_constraints(k, X, change.constraint_rates[k], checks);
       }
     differentiate_constraints(s, X, change.gaps, checks);
     add_corrections(X, result);

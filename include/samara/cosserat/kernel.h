@@ -89,7 +89,10 @@ namespace samara
 
 
 
-    /** Force and moment on a node in its own frame, (Dᵀ f, 2 axial(Dᵀ F)), from forces conjugate to x and directors. */
+    /**
+     * Force and moment on a node in its own frame, (Dᵀ f, 2 axial(Dᵀ F)), from forces conjugate to x and directors; with
+     * the reciprocal directors for D where triads are not orthonormal.
+     */
     template <typename Number>
     Vec6<Number>
     node_forces(const Mat3<Number> &D, const NodeValues<Number> &forces_on)

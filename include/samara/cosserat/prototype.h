@@ -134,9 +134,15 @@ namespace samara
     template <typename Number>
     std::vector<Number> strains_at_nodes(unsigned int i, const Nodes<Number> &nodes) const;
 
-    /** Nodes moved by as many unknown twists of theirs, x + D u, D (I + θ~). */
+    /** Nodes moved by as many unknown twists of theirs, x + E u, D + E θ~, in their own axes E = D or those @p axes. */
     template <typename Number>
-    static Nodes<Differential<Number, N>> varied(const Nodes<Number> &nodes);
+    static Nodes<Differential<Number, N>> varied(const Nodes<Number> &nodes, const Nodes<Number> &axes);
+    template <typename Number>
+    static Nodes<Differential<Number, N>>
+    varied(const Nodes<Number> &nodes)
+    {
+      return varied(nodes, nodes);
+    }
 
     template <typename Number>
     void all_strains(const Point<Number> &point, Number *e) const;

@@ -85,27 +85,27 @@ namespace samara
   template <typename Number>
   typename Prototype<Derived, Base, degree_of_elements>::template Nodes<
     Differential<Number, Prototype<Derived, Base, degree_of_elements>::N>>
-  Prototype<Derived, Base, degree_of_elements>::varied(const Nodes<Number> &nodes)
+  Prototype<Derived, Base, degree_of_elements>::varied(const Nodes<Number> &nodes, const Nodes<Number> &axes)
   {
     using Varied = Differential<Number, N>;
     Nodes<Varied> result;
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         // each entry depends on three of the twists: its derivatives are written at once
-        const Mat3<Number> &D = nodes[a].D;
+        const Mat3<Number> &D = nodes[a].D, &E = axes[a].D;
         for (int i = 0; i < 3; ++i)
           {
             Varied x(N, nodes[a].x(i));
             for (int k = 0; k < 3; ++k)
-              x.fastAccessDx(6 * a + k) = D(i, k);
+              x.fastAccessDx(6 * a + k) = E(i, k);
             result[a].x(i) = x;
-            // column j of D θ~ is d_k θ_l − d_l θ_k for (j, k, l) cyclic
+            // column j of E θ~ is e_k θ_l − e_l θ_k for (j, k, l) cyclic
             for (int j = 0; j < 3; ++j)
               {
                 const int k = (j + 1) % 3, l = (j + 2) % 3;
                 Varied    d(N, D(i, j));
-                d.fastAccessDx(6 * a + 3 + l) = D(i, k);
-                d.fastAccessDx(6 * a + 3 + k) = -D(i, l);
+                d.fastAccessDx(6 * a + 3 + l) = E(i, k);
+                d.fastAccessDx(6 * a + 3 + k) = -E(i, l);
                 result[a].D(i, j)             = d;
               }
           }
@@ -186,7 +186,8 @@ namespace samara
     for (unsigned int i = 0; i < this->n_elements(); ++i)
       {
         const unsigned int first = this->elements[i].first_point;
-        const auto         e     = strains_at_nodes<Differential<Number, N>>(i, varied(nodes_of(i, point.q)));
+        const auto         e     = strains_at_nodes<Differential<Number, N>>(
+          i, varied(nodes_of(i, point.q), nodes_of(i, point.q_of_forces())));
         local.setZero();
         for (unsigned int k = 0; k < e.size(); ++k)
           {

@@ -61,7 +61,7 @@ namespace samara
 
     /** B, the derivative of e with respect to the twists (u_A, θ_A, u_B, θ_B) of the two frames in their own axes. */
     template <typename Number>
-    Eigen::Matrix<Number, 12, 1> gradient(const Number *q) const;
+    Eigen::Matrix<Number, 12, 1> gradient(const Number *q, const Number *q_of_forces) const;
   };
 
   // instantiated where the templates of the classes are defined

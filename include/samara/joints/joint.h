@@ -30,7 +30,8 @@ namespace samara
     PairFunction first, second;
     double       reference = 0; ///< of a length: its value in the reference configuration, where the coordinate is zero
     unsigned int axis      = 2; ///< joint axis along or about which the force or moment of this motion acts
-    bool         is_on_b   = false; ///< whether that is an axis of B, not of A
+    bool         is_on_b   = false;  ///< whether that is an axis of B, not of A
+    bool         is_on_both = false; ///< of an angle: whether it is an axis of both, as of a hinge
 
     // entries
     double          spring = 0, rest = 0, damper = 0;
@@ -114,6 +115,21 @@ namespace samara
     template <typename Number>
     Derivatives<Number> derivatives(const PairValues<Number> &pair, const Number &coordinate) const;
 
+    /**
+     * Add the forces of the multiplier @p lambda of this constraint to those of the pair; returns its force along the
+     * coordinate. In reciprocal axes an angle is no function of places: its moment acts about its axis, and θ̇ is the
+     * angular velocity of B against A about it.
+     */
+    template <typename Number>
+    Number add_forces(const PairValues<Number> &pair,
+                      const Number             &coordinate,
+                      const Number             &lambda,
+                      PairForces<Number>       &forces) const;
+
+    /** The rate of the constraint while the pair moves with @p change and the coordinate with @p coordinate_rate. */
+    double
+    rate(const PairValues<double> &pair, const PairRates &change, double coordinate, double coordinate_rate) const;
+
     /** The angle between −π and π at which the two frames are. */
     template <typename Number>
     Number
@@ -121,6 +137,22 @@ namespace samara
     {
       return angle_of(first.value(pair), second.value(pair));
     }
+
+    /** Of an angle, the axis in the axes of A and of B: constant in what carries it. @{ */
+    template <typename Number>
+    Vec3<Number>
+    axis_on_a(const PairValues<Number> &pair) const
+    {
+      return is_on_b && !is_on_both ? Vec3<Number>(pair.on_a.col(axis)) : Vec3<Number>(Vec3<Number>::Unit(axis));
+    }
+    template <typename Number>
+    Vec3<Number>
+    axis_on_b(const PairValues<Number> &pair) const
+    {
+      return is_on_b || is_on_both ? Vec3<Number>(Vec3<Number>::Unit(axis)) :
+                                     Vec3<Number>(pair.on_b.row(axis).transpose());
+    }
+    /** @} */
 
     void add_parameters(Parameters &prm);
 
@@ -160,6 +192,45 @@ namespace samara
     // of −atan2(s, c); triads of stages are not orthonormal: c² + s² is not one
     const Number c = first.value(pair), s = second.value(pair), square = c * c + s * s, fourth = square * square;
     return {1, 0, s / square, -c / square, -2. * s * c / fourth, (c * c - s * s) / fourth, 2. * s * c / fourth};
+  }
+
+
+
+  template <typename Number>
+  Number
+  FreeMotion::add_forces(const PairValues<Number> &pair,
+                         const Number             &coordinate,
+                         const Number             &lambda,
+                         PairForces<Number>       &forces) const
+  {
+    if (is_angle() && pair.is_reciprocal())
+      {
+        forces.moment_a += lambda * axis_on_a(pair);
+        forces.moment_b -= lambda * axis_on_b(pair);
+        return lambda;
+      }
+    const auto of = derivatives(pair, coordinate);
+    forces.add(first, pair, lambda * of.first);
+    if (is_angle())
+      forces.add(second, pair, lambda * of.second);
+    return lambda * of.slope;
+  }
+
+
+
+  inline double
+  FreeMotion::rate(const PairValues<double> &pair,
+                   const PairRates          &change,
+                   const double              coordinate,
+                   const double              coordinate_rate) const
+  {
+    if (is_angle() && pair.is_reciprocal())
+      return coordinate_rate + axis_on_a(pair).dot(change.spin_a) - axis_on_b(pair).dot(change.spin_b);
+    const auto of     = derivatives(pair, coordinate);
+    double     result = of.slope * coordinate_rate + of.first * first.rate(pair, change);
+    if (is_angle())
+      result += of.second * second.rate(pair, change);
+    return result;
   }
 
 

@@ -31,41 +31,81 @@ namespace samara
     Vec3<Number>  gaps;    ///< AᵀΔ
     Mat3<Number>  cosines; ///< AᵀB, not set where the axes of B are not wanted
 
+    /** @name What forces see, in the reciprocal axes A⁻ᵀ, B⁻ᵀ; set only where these are not A and B @{ */
+    const Number *q_of_forces; ///< see Point::q_of_forces()
+    Vec3<Number>  gaps_on_a;   ///< A⁻¹Δ
+    Mat3<Number>  on_a, on_b;  ///< A⁻¹B, AᵀB⁻ᵀ
+    /** @} */
+
     PairValues(const Frame &a, const Frame &b, const Number *q, const bool with_axes_of_b = true)
+      : PairValues(a, b, q, q, with_axes_of_b)
+    {}
+
+    PairValues(const Frame  &a,
+               const Frame  &b,
+               const Number *q,
+               const Number *q_of_forces,
+               const bool    with_axes_of_b = true)
       : a(a)
       , b(b)
       , q(q)
       , gap(b.position(q) - a.position(q))
       , A(a.triad(q))
       , gaps(in_axes_of_a(gap))
+      , q_of_forces(q_of_forces)
     {
+      if (is_reciprocal())
+        gaps_on_a = in_axes(a.triad(q_of_forces), gap);
       if (!with_axes_of_b)
         return;
       const Mat3<Number> B = b.triad(q);
-      for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i)
-          cosines(i, j) = A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j);
+      set_cosines(A, B, cosines);
+      if (!is_reciprocal())
+        return;
+      set_cosines(a.triad(q_of_forces), B, on_a);
+      set_cosines(A, b.triad(q_of_forces), on_b);
     }
 
-    /** D_Aᵀ v, D_Bᵀ v: a vector of inertial components in the axes of the nodes. */
+    bool
+    is_reciprocal() const
+    {
+      return q_of_forces != q;
+    }
+
+    /** A vector of inertial components in the axes of the nodes, or in those where forces take them. */
     Vec3<Number>
     in_a(const Vec3<Number> &v) const
     {
-      return a.in_node(q, v);
+      return a.in_node(q_of_forces, v);
     }
     Vec3<Number>
     in_b(const Vec3<Number> &v) const
     {
-      return b.in_node(q, v);
+      return b.in_node(q_of_forces, v);
     }
 
     /** Aᵀ v */
     Vec3<Number>
     in_axes_of_a(const Vec3<Number> &v) const
     {
+      return in_axes(A, v);
+    }
+
+  private:
+    static Vec3<Number>
+    in_axes(const Mat3<Number> &A, const Vec3<Number> &v)
+    {
       return {A(0, 0) * v(0) + A(1, 0) * v(1) + A(2, 0) * v(2),
               A(0, 1) * v(0) + A(1, 1) * v(1) + A(2, 1) * v(2),
               A(0, 2) * v(0) + A(1, 2) * v(1) + A(2, 2) * v(2)};
+    }
+
+    static void
+    set_cosines(const Mat3<Number> &A, const Mat3<Number> &B, Mat3<Number> &cosines)
+    {
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i)
+          cosines(i, j) = A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j);
     }
   };
 
@@ -194,11 +234,13 @@ namespace samara
           case PairFunction::cosine:
             {
               // e_i × AᵀE_jᴮ and e_j × BᵀE_iᴬ
-              const unsigned int i1 = next_axis(i), i2 = next_axis(i1), j1 = next_axis(j), j2 = next_axis(j1);
-              moment_a(i1) -= factor * p.cosines(i2, j);
-              moment_a(i2) += factor * p.cosines(i1, j);
-              moment_b(j1) -= factor * p.cosines(i, j2);
-              moment_b(j2) += factor * p.cosines(i, j1);
+              const unsigned int  i1 = next_axis(i), i2 = next_axis(i1), j1 = next_axis(j), j2 = next_axis(j1);
+              const Mat3<Number> &on_a = p.is_reciprocal() ? p.on_a : p.cosines,
+                                 &on_b = p.is_reciprocal() ? p.on_b : p.cosines;
+              moment_a(i1) -= factor * on_a(i2, j);
+              moment_a(i2) += factor * on_a(i1, j);
+              moment_b(j1) -= factor * on_b(i, j2);
+              moment_b(j2) += factor * on_b(i, j1);
               break;
             }
           default:
@@ -220,9 +262,10 @@ namespace samara
     void
     add_to_nodes(const PairValues<Number> &p, Number *at_a, Number *at_b) const
     {
-      const Vec3<Number> f = on_b(p);
-      p.a.add_force(p.q, Vec3<Number>(-f), Vec3<Number>(moment_a + cross(gaps, p.gaps)), at_a);
-      p.b.add_force(p.q, f, moment_b, at_b);
+      const Vec3<Number>  f    = on_b(p);
+      const Vec3<Number> &seen = p.is_reciprocal() ? p.gaps_on_a : p.gaps;
+      p.a.add_force(p.q_of_forces, Vec3<Number>(-f), Vec3<Number>(moment_a + cross(gaps, seen)), at_a);
+      p.b.add_force(p.q_of_forces, f, moment_b, at_b);
     }
   };
 
@@ -289,7 +332,8 @@ namespace samara
     if (kind == cosine)
       {
         // the moments in the axes of the frames are those that the nodes feel
-        const Vec3<Number> B_j = p.cosines.col(j), A_i = p.cosines.row(i).transpose();
+        const Vec3<Number> B_j = (p.is_reciprocal() ? p.on_a : p.cosines).col(j),
+                           A_i = (p.is_reciprocal() ? p.on_b : p.cosines).row(i).transpose();
         g.template segment<3>(3) += factor * (p.a.rotation * cross(Vector3::Unit(i), B_j));
         g.template segment<3>(9) += factor * (p.b.rotation * cross(Vector3::Unit(j), A_i));
         return;
@@ -301,7 +345,8 @@ namespace samara
     g.template segment<3>(6) += u_b;
     g.template segment<3>(9) += cross(p.b.arm, u_b);
     if (kind == gap)
-      g.template segment<3>(3) += factor * (p.a.rotation * cross(Vector3::Unit(i), p.gaps));
+      g.template segment<3>(3) +=
+        factor * (p.a.rotation * cross(Vector3::Unit(i), p.is_reciprocal() ? p.gaps_on_a : p.gaps));
   }
 
 
@@ -323,7 +368,7 @@ namespace samara
       }
     else
       {
-        const Vec3<Number> c = factor * (p.a.rotation * p.cosines.col(i));
+        const Vec3<Number> c = factor * (p.a.rotation * (p.is_reciprocal() ? p.on_a : p.cosines).col(i));
         b.template segment<3>(0) -= c;
         b.template segment<3>(3) += cross(c, p.in_a(p.gap)) - cross(p.a.arm, c);
         b.template segment<3>(6) += factor * p.b.rotation.col(i);

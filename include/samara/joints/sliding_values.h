@@ -30,12 +30,16 @@ namespace samara
     RailPlace<Number>        at;
     Vec3<Number>             x_b;
     Mat3<Number>             E;
+    const Number            *q_of_forces; ///< see Point::q_of_forces()
+    Mat3<Number>             E_of_forces;
 
-    SlidingValues(const Rail &rail, const Frame &b, const Number &S, const Number *q)
+    SlidingValues(const Rail &rail, const Frame &b, const Number &S, const Point<Number> &point)
       : weights(rail.weights(S))
-      , at(rail.place(weights, q))
-      , x_b(b.position(q))
-      , E(b.triad(q))
+      , at(rail.place(weights, point.q))
+      , x_b(b.position(point.q))
+      , E(b.triad(point.q))
+      , q_of_forces(point.q_of_forces())
+      , E_of_forces(b.triad(q_of_forces))
     {}
 
     /** Σ of E_i·d_k, of the derivative @p n of d by S. */
@@ -59,13 +63,12 @@ namespace samara
     add_to_rail(const SlidingValues<Number> &values,
                 const Rail::Weights<Number> &part,
                 const std::vector<Frame>    &frames,
-                const Number                *q,
                 Vector                     &&r) const
     {
       const Mat3<Number> EA = values.E * A[0];
       for (unsigned int a = 0; a < frames.size(); ++a)
         {
-          const Mat3<Number> to_frame = frames[a].triad(q).transpose();
+          const Mat3<Number> to_frame = frames[a].triad(values.q_of_forces).transpose();
           r.template segment<3>(6 * a) -= part.of[0][a] * (to_frame * force);
           r.template segment<3>(6 * a + 3) += part.of[0][a] * moment_of<Number>(to_frame * EA);
         }
@@ -76,7 +79,8 @@ namespace samara
     of_b_and_s(const SlidingValues<Number> &values) const
     {
       Eigen::Matrix<Number, 7, 1> r;
-      r << values.E.transpose() * force, moment_of<Number>(values.cosines(0) * A[0].transpose()),
+      r << values.E_of_forces.transpose() * force,
+        moment_of<Number>(values.E_of_forces.transpose() * values.at.d[0] * A[0].transpose()),
         product<Number>(A[0], values.cosines(1)) + product<Number>(A[1], values.cosines(0)) -
           force.cwiseProduct(values.at.x[1]).sum();
       return r;

@@ -42,6 +42,19 @@ namespace samara
     bool          material = true; ///< whether tangent() and damping() hold what strain_rows() says: BᵀCB, BᵀC_dB
 
     const PairBristles *bristles = nullptr; ///< of groups of contacts, where they are known
+
+    /**
+     * 12 a node like q: the reciprocal directors D⁻ᵀ where triads are not orthonormal, as in stages of steps that turn;
+     * what is x in q has no meaning. Null: directors are their own reciprocals.
+     */
+    const Number *reciprocal = nullptr;
+
+    /** In whose triads forces take their components that are linear in the directors (doc/theory/steady_rotation.md). */
+    const Number *
+    q_of_forces() const
+    {
+      return reciprocal != nullptr ? reciprocal : q;
+    }
   };
 
 

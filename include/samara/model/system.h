@@ -59,8 +59,14 @@ namespace samara
     /** All of them: Bᵀσ + Gᵀλ − f, g. */
     template <typename Number>
     void add_terms(const Point<Number> &point, Number *r) const;
-    /** The same, and the rates of the strains. */
-    void add_terms_and_strain_rates(const Point<double> &point, double *r, double *rates) const;
+    /** Its two parts: Bᵀσ + Gᵀλ and g, what holds bodies together; and −f of loads, with −g of states. @{ */
+    template <typename Number>
+    void add_bonds(const Point<Number> &point, Number *r) const;
+    template <typename Number>
+    void add_loads_and_states(const Point<Number> &point, Number *r) const;
+    /** @} */
+    /** add_bonds(), and the rates of the strains. */
+    void add_bonds_and_strain_rates(const Point<double> &point, double *r, double *rates) const;
     /** −f of the loads, or only of those without potential. */
     void add_loads(const Point<double> &point, double *r, bool with_potential = true) const;
     /** −f of load @p i of n_loads(). */
@@ -88,6 +94,13 @@ namespace samara
 
     /** ½ eᵀ C e [J] */
     double strain_energy(const double *e, Part part = Part::all) const;
+    /** Subtract σᵀ ė of each deformation from the power [W] of the set of its strains. */
+    void subtract_powers(const double                    *stress,
+                         const double                    *rates,
+                         const std::vector<unsigned int> &set_of_strain,
+                         double                          *powers) const;
+    /** Of each strain an unknown on which its deformation acts; that of the ground if there is no other. */
+    std::vector<unsigned int> rows_of_strains(const State &state) const;
     /** Σ |σᵀ ė| over all deformations [W]. */
     double sum_of_powers(const double *stress, const double *rates) const;
     /** Power of the viscous stresses at these rates of strains [W]. */

@@ -53,6 +53,31 @@ namespace samara
     return C;
   }
 
+  /**
+   * A⁻ᵀ: the axes reciprocal to the columns of @p A, d² × d³/det A and so on, written out as above. Those of a rotation
+   * are its columns.
+   */
+  template <typename Number>
+  Mat3<Number>
+  reciprocal_axes(const Mat3<Number> &A)
+  {
+    Mat3<Number> result;
+    for (int j = 0; j < 3; ++j)
+      {
+        const int k = (j + 1) % 3, l = (j + 2) % 3;
+        for (int i = 0; i < 3; ++i)
+          {
+            const int m = (i + 1) % 3, n = (i + 2) % 3;
+            result(i, j) = A(m, k) * A(n, l) - A(n, k) * A(m, l);
+          }
+      }
+    const Number factor = Number(1) / (A(0, 0) * result(0, 0) + A(1, 0) * result(1, 0) + A(2, 0) * result(2, 0));
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        result(i, j) *= factor;
+    return result;
+  }
+
   /** The matrix a~ with a~ b = a × b. */
   template <typename A>
   Mat3<typename A::Scalar>

@@ -11,6 +11,7 @@
 #include <samara/time/stage_bristles.h>
 #include <samara/time/stage_contacts.h>
 #include <samara/time/stage_history.h>
+#include <samara/time/stage_rotation.h>
 #include <samara/time/stage_stops.h>
 #include <samara/time/tableau.h>
 #include <samara/time/wider_pattern.h>
@@ -124,16 +125,40 @@ namespace samara
       std::vector<double> excess; ///< what the configuration's stress has more than it
       std::vector<double> strain_rates, residual, constraint_rates;
       std::vector<double> factors; ///< of strain products, as the stages integrate them
+      std::vector<double> reciprocal; ///< triads of forces in steps that turn, else empty; see StageRotation
+      std::vector<double> powers;     ///< of its sets: of the forces in them [W]
       double              time;
       bool                stops = false; ///< these act in all stages at once
 
       Point<double>
       point() const
       {
-        return point_of(*this, time, 1., false, stops);
+        Point<double> point = point_of(*this, time, 1., false, stops);
+        if (!reciprocal.empty())
+          point.reciprocal = reciprocal.data();
+        return point;
+      }
+
+      /** Of what does not ask for forces, but for their derivatives with directors as they are. */
+      Point<double>
+      point_of_matrices() const
+      {
+        Point<double> result = point();
+        result.reciprocal    = nullptr;
+        return result;
       }
     };
     std::vector<Stage> stages;
+
+    std::unique_ptr<StageRotation> rotation; ///< made by the first step that turns
+    bool                           turns = false; ///< whether this one does
+
+    /** Whether the step turns, and what that needs. */
+    void start_rotation(const State &state, double h);
+    /** Powers of the rows of a stage that hold bodies together, less those of the strains. */
+    void find_powers(Stage &stage);
+    /** Take the work of the reciprocal triads back in all stages. */
+    void take_work_back();
 
     const std::vector<StrainProduct> products = strain_products(system.model); ///< strains that are not quadratic
 

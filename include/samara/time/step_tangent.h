@@ -67,6 +67,7 @@ namespace samara
     std::vector<Stage>  stages; ///< with the stresses of their configurations
     Vector              end_q, end_coordinates, end_states, mean_rates;
     std::vector<bool>   is_active;
+    const bool          turns;     ///< whether forces are seen in reciprocal triads, see StageRotation
     std::vector<Vector> q_rates;  ///< q̇ at the stages, 12 a node
     std::vector<double> inverses; ///< of the matrices of each node's stage triads, (3s)² a node
     Vector              scale;    ///< of the unknowns of the stages, for the norm of GMRES
@@ -81,8 +82,8 @@ namespace samara
 
     // work space
     std::vector<std::complex<double>> z_q, z_coordinates, z_y, z_rates, z_states, z_state_rates, z_multipliers,
-      z_stress, z_strain, z_strain_2, z_residual;
-    Vector e, moved_q, moved_coordinates, moved_y, moved_rates, moved_states, moved_state_rates;
+      z_stress, z_strain, z_strain_2, z_residual, z_reciprocal, z_powers;
+    Vector e, moved_q, moved_reciprocal, moved_coordinates, moved_y, moved_rates, moved_states, moved_state_rates;
 
     /**
      * R_x x + J X: the change of the residuals of all stages, in the order of the layout; @p x null: zero. If @p
@@ -100,6 +101,8 @@ namespace samara
     /** Values of what differentiate_constraints() differentiates, @p step along the direction. */
     void constraints_at(unsigned int k, const double *X, double step, Vector &result);
     void add_terms(unsigned int k, const double *X, double *r);
+    /** The same of what StageRotation takes back, from the residual at @p point that holds the bonds alone. */
+    void take_work_back(unsigned int k, const double *X, const Point<std::complex<double>> &point);
     void add_inertia(unsigned int k, const double *x, const double *X, double *r) const;
     void add_corrections(const double *X, Vector &result) const;
     /** What keeps the energy of nonlinear springs; their forces are among the terms. */
