@@ -52,6 +52,17 @@ namespace samara
     /** The residual, or only those of its rows that hold constraints. */
     template <bool with_forces, typename Number>
     void evaluate(const Point<Number> &point, Number *r) const;
+    template <bool with_forces, typename Number>
+    void add_rows_on_b(const Point<Number> &point, Number *r) const;
+    /** Of the rows on B, @p value of their functions; those of the joint start at @p rows. */
+    template <typename Value>
+    void
+    set_rows_on_b(double *rows, const Value &value) const
+    {
+      for (unsigned int row = 0; row < joint.locked.size(); ++row)
+        if (joint.is_row_on_b(joint.locked[row]))
+          rows[row] = value(joint.locked[row].function);
+    }
     template <typename Number>
     void add_no_slip_forces(const PairValues<Number> &pair, const Number *lambda, Number *r) const;
   };
@@ -78,6 +89,9 @@ namespace samara
         if (motion.coordinate >= 0)
           used.push_back(&motion);
       }
+    const auto place_held = [](const Locked &l) { return l.function.kind == PairFunction::gap; };
+    rows_on_b =
+      frame_a.node == 0 && bearing_length == 0 && std::count_if(locked.begin(), locked.end(), place_held) == 3;
     number_rows(layout);
     add_stops(layout);
     if (!rows.empty())
@@ -251,12 +265,17 @@ namespace samara
     const Block             &block  = joint.block;
     unsigned int             row    = 0;
 
+    if (joint.rows_on_b)
+      add_rows_on_b<with_forces>(point, r);
     for (const auto &l : joint.locked)
       {
-        g[row] += l.measure(pair) - l.value;
-        if constexpr (with_forces)
-          if (lambda[row] != Number(0)) // most of a joint's rows may be left out
-            l.add_forces(pair, lambda[row], forces);
+        if (!joint.is_row_on_b(l))
+          {
+            g[row] += l.measure(pair) - l.value;
+            if constexpr (with_forces)
+              if (lambda[row] != Number(0)) // most of a joint's rows may be left out
+                l.add_forces(pair, lambda[row], forces);
+          }
         ++row;
       }
     for (unsigned int i = 0; i < used.size(); ++i, ++row)
@@ -295,6 +314,26 @@ namespace samara
 
 
 
+  template <bool with_forces, typename Number>
+  void
+  Joint::Constraints::add_rows_on_b(const Point<Number> &point, Number *r) const
+  {
+    const PairValues<Number> seen   = joint.seen_from_b(point);
+    const Number *const      lambda = point.multipliers + joint.first_multiplier;
+    PairForces<Number>       forces;
+    for (unsigned int row = 0; row < joint.locked.size(); ++row)
+      if (const Locked &l = joint.locked[row]; joint.is_row_on_b(l))
+        {
+          r[joint.first_row + row] -= l.measure(seen);
+          if constexpr (with_forces)
+            l.add_forces(seen, Number(-lambda[row]), forces);
+        }
+    if constexpr (with_forces)
+      forces.add_to_nodes(seen, r + joint.block.row(6), r + joint.block.row(0));
+  }
+
+
+
   template <typename Number>
   void
   Joint::Constraints::add_no_slip_forces(const PairValues<Number> &pair, const Number *lambda, Number *r) const
@@ -320,7 +359,9 @@ namespace samara
       , point(point)
       , K(K)
       , pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b)
+      , seen_from_b(joint.frame_b, joint.frame_a, point.q, false)
       , twists(pair)
+      , twists_from_b(seen_from_b)
       , lambda(point.multipliers + joint.first_multiplier)
       , row(12 + joint.used.size())
     {}
@@ -354,6 +395,12 @@ namespace samara
       if (std::all_of(first, first + joint.rows.size(), [](const double l) { return l == 0.; }))
         return;
       twists.add_to(H);
+      if (joint.rows_on_b)
+        {
+          Matrix12 from_b = Matrix12::Zero();
+          twists_from_b.add_to(from_b);
+          H += exchanged(exchanged(from_b).transpose()).transpose();
+        }
       joint.block.add_twists(H, K);
     }
 
@@ -361,8 +408,8 @@ namespace samara
     const Joint             &joint;
     const Point<double>     &point;
     SparseMatrix            &K;
-    const PairValues<double> pair;
-    PairTangent              twists;
+    const PairValues<double> pair, seen_from_b;
+    PairTangent              twists, twists_from_b;
     Matrix12                 H = Matrix12::Zero();
     const double            *lambda; ///< of the row that is being added
     unsigned int             row;
@@ -382,9 +429,25 @@ namespace samara
       joint.block.add_entry(row, i, value, K);
     }
 
+    /** Rows of the twists of B and A in the order of A and B. */
+    template <typename Matrix>
+    static Eigen::Matrix<double, 12, Matrix::ColsAtCompileTime>
+    exchanged(const Matrix &of_b_and_a)
+    {
+      Eigen::Matrix<double, 12, Matrix::ColsAtCompileTime> result;
+      result << of_b_and_a.template bottomRows<6>(), of_b_and_a.template topRows<6>();
+      return result;
+    }
+
     void
     add_locked(const Locked &l)
     {
+      if (joint.is_row_on_b(l))
+        {
+          twists_from_b.add(l.function, -*lambda);
+          joint.block.add_border(row, Vector12(-exchanged(gradient(l.function, seen_from_b))), K);
+          return next_row();
+        }
       Vector12 g = gradient(l.function, pair);
       if (l.less)
         {
@@ -445,8 +508,18 @@ namespace samara
     const PairRates          change(pair, point.y);
     const auto              &used = joint.used;
     double                  *g    = rates + joint.first_multiplier;
+    if (joint.rows_on_b)
+      {
+        const PairValues<double> seen = joint.seen_from_b(point);
+        const PairRates          change_of_seen(seen, point.y);
+        set_rows_on_b(g, [&](const PairFunction &gap) { return -gap.rate(seen, change_of_seen); });
+      }
     for (const auto &l : joint.locked)
-      *g++ = l.function.rate(pair, change) - (l.less ? l.less->rate(pair, change) : 0.);
+      {
+        if (!joint.is_row_on_b(l))
+          *g = l.function.rate(pair, change) - (l.less ? l.less->rate(pair, change) : 0.);
+        ++g;
+      }
     for (const auto *m : used)
       *g++ = m->rate(pair, change, point.coordinates[m->coordinate], point.rates[m->coordinate]);
     for (const auto *m : used)
@@ -486,8 +559,20 @@ namespace samara
     const PairRates          change(pair, point.y);
     const PairSecondRates    second(pair, change, point.y, joint.with_axes_of_b);
     double                  *g = rates + joint.first_multiplier;
+    if (joint.rows_on_b)
+      {
+        const PairValues<double> seen = joint.seen_from_b(point);
+        const PairRates          change_of_seen(seen, point.y);
+        const PairSecondRates    second_of_seen(seen, change_of_seen, point.y, false);
+        set_rows_on_b(g,
+                      [&](const PairFunction &gap) { return -gap.second_rate(seen, change_of_seen, second_of_seen); });
+      }
     for (const auto &l : joint.locked)
-      *g++ = l.function.second_rate(pair, change, second) - (l.less ? l.less->second_rate(pair, change, second) : 0.);
+      {
+        if (!joint.is_row_on_b(l))
+          *g = l.function.second_rate(pair, change, second) - (l.less ? l.less->second_rate(pair, change, second) : 0.);
+        ++g;
+      }
     for (const auto *m : joint.used)
       {
         const auto   of   = m->derivatives(pair, point.coordinates[m->coordinate]);

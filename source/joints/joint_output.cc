@@ -64,15 +64,27 @@ namespace samara
         };
     const auto is_rotation = [](const Locked &l) { return l.function.kind == PairFunction::cosine; };
     for (unsigned int i = 0; i < locked.size(); ++i)
-      if ((locked[i].axis == axis || locked[i].less) && locked[i].function.kind == (is_moment ? PairFunction::cosine : PairFunction::gap))
+      if ((locked[i].axis == axis || locked[i].less) &&
+          locked[i].function.kind == (is_moment ? PairFunction::cosine : PairFunction::gap))
         {
+          if (is_row_on_b(locked[i]))
+            return [this, axis](const State &state) {
+              // they are in the axes of B
+              const Matrix3 A = frame_a.triad(state.q.data()), B = frame_b.triad(state.q.data());
+              double        force = 0;
+              for (unsigned int k = 0; k < locked.size(); ++k)
+                if (is_row_on_b(locked[k]))
+                  force += locked[k].sign * state.multipliers[first_multiplier + k] *
+                           A.col(axis).dot(B.col(locked[k].function.i));
+              return force;
+            };
           if (!is_moment || (!locked[i].less && std::count_if(locked.begin(), locked.end(), is_rotation) == 1))
             return [this, i](const State &state) { return locked[i].sign * state.multipliers[first_multiplier + i]; };
           // all moments of locked rotations together, seen in the axes of A
           return [this, axis, is_rotation](const State &state) {
             const Matrix3 A = frame_a.triad(state.q.data()), B = frame_b.triad(state.q.data());
             Vector3       moment = Vector3::Zero();
-            const auto add = [&](const PairFunction &f, const double factor) {
+            const auto    add    = [&](const PairFunction &f, const double factor) {
               moment += factor * A.col(f.i).cross(B.col(f.j));
             };
             for (unsigned int k = 0; k < locked.size(); ++k)

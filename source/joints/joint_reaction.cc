@@ -122,17 +122,17 @@ namespace samara
       if (!is_moment || (!is_sum && std::count_if(locked.begin(), locked.end(), is_rotation) == 1))
         {
           for (unsigned int i = 0; i < locked.size(); ++i)
-            if (locked[i].axis == axis && is_rotation(locked[i]) == is_moment)
+            if (!is_moment && joint.is_row_on_b(locked[i])) // in the axes of B
+              summands.push_back({i, locked[i].sign, true, {PairFunction::cosine, axis, locked[i].function.i}});
+            else if (locked[i].axis == axis && is_rotation(locked[i]) == is_moment)
               summands.push_back({i, locked[i].sign});
           return;
         }
       // Σ λ E_axisᴬ·(E_iᴬ × E_jᴮ), and E_axis × E_i is an axis of A again
       const auto add = [&](const unsigned int row, const PairFunction &f, const double factor) {
         if (f.i != axis)
-          summands.push_back({row,
-                              next_axis(axis) == f.i ? factor : -factor,
-                              true,
-                              {PairFunction::cosine, 3 - f.i - axis, f.j}});
+          summands.push_back(
+            {row, next_axis(axis) == f.i ? factor : -factor, true, {PairFunction::cosine, 3 - f.i - axis, f.j}});
       };
       for (unsigned int k = 0; k < locked.size(); ++k)
         if (is_rotation(locked[k]))

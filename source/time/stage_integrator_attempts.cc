@@ -43,6 +43,11 @@ namespace samara
      * shrink slowly. */
     constexpr double size_of_round_off = 1e-9, size_of_slowness = 1e-8;
 
+    /** Corrections of an attempt before those that are remembered for its acceleration; what converges fast needs none.
+     * Where it is accelerated, attempts may shrink more slowly before they are given up. */
+    constexpr unsigned int plain_corrections = 2;
+    constexpr double       patience          = 1.6;
+
     /** Iterations that a slow attempt may still need: about what another factorisation costs. */
     constexpr double most_iterations_to_come = iterations_of_a_factorization;
 
@@ -147,6 +152,7 @@ namespace samara
   {
     unsigned int n = 0, n_stagnant = 0; ///< corrections, and the last of them without progress
     double       last = 0, last_rate = 0, worse_rate = 0, rate_of_two = 0, smallest = 1e300;
+    double       plain_rate = 0; ///< the last one before it was accelerated: what is left may shrink no faster
     double       work_left = 0, rate_of_work = 1;
 
     /** All corrections to come, at this rate. */
@@ -196,7 +202,7 @@ namespace samara
   bool
   StageIntegrator::converges_unseen(const Progress &progress, const State &state, const double h)
   {
-    const double rate = std::max({progress.worse_rate, progress.rate_of_work, least_rate});
+    const double rate = std::max({progress.worse_rate, progress.rate_of_work, progress.plain_rate, least_rate});
     return can_predict() && rate < sure_rate && progress.to_come(rate) < tolerance &&
            progress.work_left * rate < share_of_energy * tolerance * energy_that_counts() &&
            confirm_without_forces(state, h);
@@ -208,7 +214,8 @@ namespace samara
   StageIntegrator::judge_residuals(Progress &progress, const double h) const
   {
     // linear convergence: what is still missing is about last · rate/(1 − rate); at round-off it no longer shrinks
-    const double rate         = std::min(progress.n > 1 ? progress.last_rate : first_rate, largest_rate);
+    const double rate =
+      std::min(progress.n > 1 ? std::max(progress.last_rate, progress.plain_rate) : first_rate, largest_rate);
     const auto [error, bound] = energy_error(h);
     // where all bodies are held there is no energy, and no error of it
     if (progress.to_come(rate) < tolerance && error <= share_of_energy * tolerance * energy_that_counts() &&
@@ -230,9 +237,47 @@ namespace samara
 
 
   bool
+  StageIntegrator::can_accelerate() const
+  {
+    return !is_exact && devices.empty() && contacts.is_empty();
+  }
+
+
+
+  std::vector<StageAcceleration::Part>
+  StageIntegrator::iterated_parts()
+  {
+    std::vector<StageAcceleration::Part> parts;
+    const auto add = [&](std::vector<double> &values, const unsigned int first, const bool counts) {
+      parts.push_back({values.data() + first, static_cast<unsigned int>(values.size() - first), counts});
+    };
+    for (Stage &stage : stages)
+      {
+        add(stage.y, 6, true);
+        add(stage.rates, 0, true);
+        add(stage.states, 0, false);
+        add(stage.multipliers, 0, false);
+        add(stage.stress, 0, false);
+      }
+    if (acceleration_weights.empty())
+      for (unsigned int k = 0; k < tableau.s; ++k)
+        {
+          for (unsigned int i = 6; i < stages[k].y.size(); ++i)
+            acceleration_weights.push_back(i % 6 < 3 ? 1 / length : 1.);
+          for (unsigned int i = 0; i < system.layout.n_coordinates; ++i)
+            acceleration_weights.push_back(1 / system.layout.scale_of(system.layout.of_coordinate(i), length));
+        }
+    return parts;
+  }
+
+
+
+  bool
   StageIntegrator::iterate(const State &state, const double h, const double slow, StepResult &result)
   {
     Progress   progress;
+    const bool may_accelerate = can_accelerate();
+    acceleration.begin();
     const auto moves_too_far = [&]() {
       for (const Stage &stage : stages)
         for (unsigned int i = 6; i < stage.y.size(); ++i)
@@ -261,6 +306,12 @@ namespace samara
         if (progress.n > 0)
           if (const Verdict verdict = judge_residuals(progress, h); verdict != Verdict::open)
             return verdict == Verdict::converged;
+        std::vector<StageAcceleration::Part> parts;
+        if (may_accelerate && progress.n >= plain_corrections)
+          {
+            parts = iterated_parts();
+            acceleration.keep(parts);
+          }
         const double size = is_exact ? solve_exactly(h) : solve(h);
         ++result.iterations;
         result.last_correction = size;
@@ -276,8 +327,12 @@ namespace samara
         is_astray = is_astray || (size > near && moves_too_far());
         correct_stresses();
         progress.add(size);
-        if (progress.is_too_slow(slow, tolerance))
+        if (progress.n == plain_corrections + 1)
+          progress.plain_rate = may_accelerate ? progress.last_rate : 0.;
+        if (progress.is_too_slow(may_accelerate ? std::min(patience * slow, slow_with_last_factors) : slow, tolerance))
           return false;
+        if (!parts.empty())
+          acceleration.accelerate(parts, acceleration_weights);
       }
     name_largest_force();
     return false;

@@ -436,6 +436,24 @@ namespace samara
     Frame        frame_a, frame_b;
     unsigned int first_multiplier = 0;
 
+    /**
+     * Whether the rows of the place are in the axes of B, E_iᴮ·Δ: where A is the ground they turn with B then, and what
+     * they transmit in steady rotation is constant. What is told of it stays in the axes of A.
+     */
+    bool rows_on_b = false;
+    bool
+    is_row_on_b(const Locked &l) const
+    {
+      return rows_on_b && l.function.kind == PairFunction::gap;
+    }
+    /** The pair seen from B, for these rows: E_iᴮ·Δ is less the gap i of it. */
+    template <typename Number>
+    PairValues<Number>
+    seen_from_b(const Point<Number> &point) const
+    {
+      return {frame_b, frame_a, point.q, point.q_of_forces(), false};
+    }
+
     Model *model = nullptr;
 
     /** @name For kinds with rows of their own, in whose connect() @{ */

@@ -8,6 +8,7 @@
 #include <samara/time/four_nodes.h>
 #include <samara/time/integrator.h>
 #include <samara/time/projection.h>
+#include <samara/time/stage_acceleration.h>
 #include <samara/time/stage_bristles.h>
 #include <samara/time/stage_contacts.h>
 #include <samara/time/stage_history.h>
@@ -261,6 +262,13 @@ namespace samara
     /** With the factors there are; gives up if corrections shrink by less than the factor @p slow. */
     bool iterate(const State &state, double h, double slow, StepResult &result);
     void judge_factors(unsigned int iterations);
+    /** Whether the iteration may be accelerated: what stops, rubs or touches changes sides, which a combination of
+     * iterations does not know. */
+    bool can_accelerate() const;
+    /** All that is iterated. */
+    std::vector<StageAcceleration::Part> iterated_parts();
+    StageAcceleration                    acceleration;
+    std::vector<double>                  acceleration_weights; ///< of velocities, as they are measured
     /** @} */
     void predict(const State &state, double h);
     void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates, std::vector<double> &states) const;
