@@ -117,8 +117,8 @@ namespace samara
 
     /**
      * Add the forces of the multiplier @p lambda of this constraint to those of the pair; returns its force along the
-     * coordinate. In reciprocal axes an angle is no function of places: its moment acts about its axis, and θ̇ is the
-     * angular velocity of B against A about it.
+     * coordinate. In reciprocal axes the moment of an angle acts about its axis, and is no gradient of its rate: what
+     * work it does too much is taken back with that of the other forces (StageRotation).
      */
     template <typename Number>
     Number add_forces(const PairValues<Number> &pair,
@@ -225,7 +225,10 @@ namespace samara
                    const double              coordinate_rate) const
   {
     if (is_angle() && pair.is_reciprocal())
-      return coordinate_rate + axis_on_a(pair).dot(change.spin_a) - axis_on_b(pair).dot(change.spin_b);
+      // steps integrate cosines exactly; with those of the coordinate the angle follows them to first order about
+      // steady rotation, which it would not with those of the stage, that are shorter
+      return coordinate_rate + std::sin(coordinate) * first.rate(pair, change) -
+             std::cos(coordinate) * second.rate(pair, change);
     const auto of     = derivatives(pair, coordinate);
     double     result = of.slope * coordinate_rate + of.first * first.rate(pair, change);
     if (is_angle())
