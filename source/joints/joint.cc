@@ -18,6 +18,23 @@ namespace samara
 
 
 
+  double
+  FreeMotion::rate(const PairValues<double> &pair,
+                   const PairRates          &change,
+                   const double              coordinate,
+                   const double              coordinate_rate) const
+  {
+    if (is_angle() && pair.is_reciprocal())
+      return coordinate_rate + axis_on_a(pair).dot(change.spin_a) - axis_on_b(pair).dot(change.spin_b);
+    const auto of     = derivatives(pair, coordinate);
+    double     result = of.slope * coordinate_rate + of.first * first.rate(pair, change);
+    if (is_angle())
+      result += of.second * second.rate(pair, change);
+    return result;
+  }
+
+
+
   /** The constraints of a joint. */
   class Joint::Constraints : public Evaluated<Joint::Constraints, Constraint>
   {

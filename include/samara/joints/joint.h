@@ -117,8 +117,8 @@ namespace samara
 
     /**
      * Add the forces of the multiplier @p lambda of this constraint to those of the pair; returns its force along the
-     * coordinate. In reciprocal axes the moment of an angle acts about its axis, and is no gradient of its rate: what
-     * work it does too much is taken back with that of the other forces (StageRotation).
+     * coordinate. In reciprocal axes an angle is no function of places: its moment acts about its axis, and θ̇ is the
+     * angular velocity of B against A about it.
      */
     template <typename Number>
     Number add_forces(const PairValues<Number> &pair,
@@ -214,26 +214,6 @@ namespace samara
     if (is_angle())
       forces.add(second, pair, lambda * of.second);
     return lambda * of.slope;
-  }
-
-
-
-  inline double
-  FreeMotion::rate(const PairValues<double> &pair,
-                   const PairRates          &change,
-                   const double              coordinate,
-                   const double              coordinate_rate) const
-  {
-    if (is_angle() && pair.is_reciprocal())
-      // steps integrate cosines exactly; with those of the coordinate the angle follows them to first order about
-      // steady rotation, which it would not with those of the stage, that are shorter
-      return coordinate_rate + std::sin(coordinate) * first.rate(pair, change) -
-             std::cos(coordinate) * second.rate(pair, change);
-    const auto of     = derivatives(pair, coordinate);
-    double     result = of.slope * coordinate_rate + of.first * first.rate(pair, change);
-    if (is_angle())
-      result += of.second * second.rate(pair, change);
-    return result;
   }
 
 
