@@ -25,7 +25,8 @@ namespace samara
                    const double              coordinate_rate) const
   {
     if (is_angle() && pair.is_reciprocal())
-      return coordinate_rate + axis_on_a(pair).dot(change.spin_a) - axis_on_b(pair).dot(change.spin_b);
+      return is_on_both ? coordinate_rate + change.spin_a(axis) - change.spin_b(axis) :
+                          rate(pair.for_angles(), change, coordinate, coordinate_rate);
     const auto of     = derivatives(pair, coordinate);
     double     result = of.slope * coordinate_rate + of.first * first.rate(pair, change);
     if (is_angle())

@@ -138,22 +138,6 @@ namespace samara
       return angle_of(first.value(pair), second.value(pair));
     }
 
-    /** Of an angle, the axis in the axes of A and of B: constant in what carries it. @{ */
-    template <typename Number>
-    Vec3<Number>
-    axis_on_a(const PairValues<Number> &pair) const
-    {
-      return is_on_b && !is_on_both ? Vec3<Number>(pair.on_a.col(axis)) : Vec3<Number>(Vec3<Number>::Unit(axis));
-    }
-    template <typename Number>
-    Vec3<Number>
-    axis_on_b(const PairValues<Number> &pair) const
-    {
-      return is_on_b || is_on_both ? Vec3<Number>(Vec3<Number>::Unit(axis)) :
-                                     Vec3<Number>(pair.on_b.row(axis).transpose());
-    }
-    /** @} */
-
     void add_parameters(Parameters &prm);
 
     /**
@@ -205,8 +189,10 @@ namespace samara
   {
     if (is_angle() && pair.is_reciprocal())
       {
-        forces.moment_a += lambda * axis_on_a(pair);
-        forces.moment_b -= lambda * axis_on_b(pair);
+        if (!is_on_both)
+          return add_forces(pair.for_angles(), coordinate, lambda, forces);
+        forces.moment_a(axis) += lambda;
+        forces.moment_b(axis) -= lambda;
         return lambda;
       }
     const auto of = derivatives(pair, coordinate);

@@ -72,6 +72,19 @@ namespace samara
       return q_of_forces != q;
     }
 
+    /**
+     * The same with A⁻¹B in place of AᵀB: angles that are about no axis of both bodies are taken from it, their rates
+     * and their moments. These are constant where both turn steadily with one another.
+     */
+    PairValues
+    for_angles() const
+    {
+      PairValues result  = *this;
+      result.cosines     = on_a;
+      result.q_of_forces = q;
+      return result;
+    }
+
     /** A vector of inertial components in the axes of the nodes, or in those where forces take them. */
     Vec3<Number>
     in_a(const Vec3<Number> &v) const
