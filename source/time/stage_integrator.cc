@@ -26,6 +26,18 @@ namespace samara
 
 
 
+    /** Whether a law of the state switches by comparisons or the like. */
+    bool
+    has_switches(const System &system)
+    {
+      const State         state = system.reference();
+      std::vector<double> pieces;
+      system.pieces(state.point(), pieces);
+      return !pieces.empty();
+    }
+
+
+
     /** renormalised() of the triads of all nodes, four at once. */
     void
     renormalise(std::vector<double> &q)
@@ -117,6 +129,7 @@ namespace samara
     , contacts(system, this->tableau)
     , air(system)
     , counted(counted_states(system.model))
+    , switches(has_switches(system))
   {
     const Layout      &layout = system.layout;
     const unsigned int n      = system.size();

@@ -239,7 +239,7 @@ namespace samara
   bool
   StageIntegrator::can_accelerate() const
   {
-    return !is_exact && devices.empty() && contacts.is_empty();
+    return !is_exact && devices.empty() && contacts.is_empty() && !switches;
   }
 
 

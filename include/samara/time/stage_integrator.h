@@ -262,8 +262,8 @@ namespace samara
     /** With the factors there are; gives up if corrections shrink by less than the factor @p slow. */
     bool iterate(const State &state, double h, double slow, StepResult &result);
     void judge_factors(unsigned int iterations);
-    /** Whether the iteration may be accelerated: what stops, rubs or touches changes sides, which a combination of
-     * iterations does not know. */
+    /** Whether the iteration may be accelerated: what stops, rubs, touches or switches changes sides, which a combination
+     * of iterations does not know. */
     bool can_accelerate() const;
     /** All that is iterated. */
     std::vector<StageAcceleration::Part> iterated_parts();
@@ -531,6 +531,7 @@ namespace samara
     /** @name What a step says about its error (stage_integrator_error.cc) @{ */
     std::vector<double>              load_defect, load_sum;
     const std::vector<CountedStates> counted;     ///< groups of states of first order
+    const bool                       switches;    ///< whether laws have pieces, see Term::pieces()
     std::vector<double>              state_modes; ///< of those states 1/(2(2s−1)) Σ b_k p_k ż_k, zero of others
     /** Find state_modes, and how much they are of the states over the step; relative. */
     double find_state_modes(const State &state, double h);
