@@ -307,7 +307,7 @@ namespace
                   "set Body A = a.hinge\n set Body B = b.centre\n set Rotational damping = 0.5, 0.5, 0.5\n"));
 
   void
-  expect_recovery(const Tableau &tableau, const double step = 0.2)
+  expect_recovery(const Tableau &tableau, const double step = 0.4)
   {
     const Scene         scene(braked);
     const System       &system = scene.system;
