@@ -24,9 +24,8 @@ namespace samara
                    const double              coordinate,
                    const double              coordinate_rate) const
   {
-    if (is_angle() && pair.is_reciprocal())
-      return is_on_both ? coordinate_rate + change.spin_a(axis) - change.spin_b(axis) :
-                          rate(pair.for_angles(), change, coordinate, coordinate_rate);
+    if (is_angle() && is_on_both && pair.is_reciprocal())
+      return coordinate_rate + change.spin_a(axis) - change.spin_b(axis);
     const auto of     = derivatives(pair, coordinate);
     double     result = of.slope * coordinate_rate + of.first * first.rate(pair, change);
     if (is_angle())

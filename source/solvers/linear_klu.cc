@@ -68,8 +68,8 @@ namespace samara
 
 
 
-    /** Where a matrix is worse conditioned than the one of its pivots, they are kept if solutions are as exact as this.
-     * A matrix below the other bound may be singular, which new pivots tell. */
+    /** Where a matrix is conditioned otherwise than the one of its pivots, they are kept if solutions are as exact as
+     * this. A matrix below the other bound may be singular, which new pivots tell. */
     constexpr double error_of_old_pivots = 1e-13, rcond_of_old_pivots = 1e-14;
 
 
@@ -147,9 +147,9 @@ namespace samara
       serves(const Number *values)
       {
         const double rcond = factors.reciprocal_condition();
-        if (rcond >= 1e-3 * reference_rcond)
+        if (rcond >= 1e-3 * reference_rcond && rcond <= 1e3 * reference_rcond)
           return true;
-        // by itself, or by pivots that do not suit it any more
+        // worse by itself, or by pivots that do not suit it any more; those of a matrix that had gone astray never did
         if (!(rcond > rcond_of_old_pivots) || !(backward_error(pattern, values, factors) < error_of_old_pivots))
           return false;
         reference_rcond = rcond;

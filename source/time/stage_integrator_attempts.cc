@@ -57,6 +57,18 @@ namespace samara
     /** Steps to come that begin with the exact matrix, where contacts in groups stick and slip. */
     constexpr unsigned int steps_with_exact_matrix = 20;
     /** @} */
+
+    /** Whether a body would move so far in the step @p h that the iteration has gone astray. */
+    template <typename Stage>
+    bool
+    moves_too_far(const std::vector<Stage> &stages, const double h, const double length)
+    {
+      for (const Stage &stage : stages)
+        for (unsigned int i = 6; i < stage.y.size(); ++i)
+          if (!(h * std::abs(stage.y[i]) < lost * (i % 6 < 3 ? length : 1.)))
+            return true;
+      return false;
+    }
   } // namespace
 
 
@@ -278,14 +290,7 @@ namespace samara
     Progress   progress;
     const bool may_accelerate = can_accelerate();
     acceleration.begin();
-    const auto moves_too_far = [&]() {
-      for (const Stage &stage : stages)
-        for (unsigned int i = 6; i < stage.y.size(); ++i)
-          if (!(h * std::abs(stage.y[i]) < lost * (i % 6 < 3 ? length : 1.)))
-            return true;
-      return false;
-    };
-    bool       is_astray          = moves_too_far(); // an attempt may begin with what another one left
+    bool       is_astray          = moves_too_far(stages, h, length); // an attempt may begin with what another one left
     const auto name_largest_force = [&]() {
       double largest = 0;
       for (unsigned int i = 0; i < static_cast<unsigned int>(system.layout.of_multiplier(0)); ++i)
@@ -324,7 +329,7 @@ namespace samara
               name_largest_force();
             return false;
           }
-        is_astray = is_astray || (size > near && moves_too_far());
+        is_astray = is_astray || (size > near && moves_too_far(stages, h, length));
         correct_stresses();
         progress.add(size);
         if (progress.n == plain_corrections + 1)

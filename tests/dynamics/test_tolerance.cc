@@ -152,7 +152,7 @@ TEST(Tolerance, Elbow)
     {"elbow", {"first.end.position z", "second.end.position z"}, {"Dynamic/End time = 10"}, 14.1, 0.0125},
     {{3, 1}, {3, 0.5}, {2, 0}},
     {1e-2, 1e-3, 1e-4},
-    0.005,
+    0.003,
     10);
 }
 

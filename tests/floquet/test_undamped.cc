@@ -116,7 +116,7 @@ TEST(Undamped, IsCalledNeitherStableNorUnstable)
       floquet.run(scene.context);
       const std::string said = scene.stream.str();
       EXPECT_NE(said.find("neither stable nor unstable to first order"), std::string::npos) << said;
-      ASSERT_GE(floquet.modes.size(), 6u) << said;
+      ASSERT_GE(floquet.modes.size(), 5u) << said; // half of the columns: the yaw is free, in a pair of ones
       // what is told covers what there is
       for (const auto &mode : floquet.modes)
         EXPECT_LE(std::abs(std::abs(mode.multiplier) - 1), std::max(1e-6, mode.error)) << speed << said;

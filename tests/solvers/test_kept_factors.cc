@@ -72,3 +72,23 @@ TEST(KeptFactors, NotUnderALargeLoad)
   EXPECT_GE(solver->n_factorizations, 2u);
   EXPECT_LE(result.iterations, 15u);
 }
+
+
+
+// Pivots of a matrix that had gone astray, as that of a step without a solution, are none for the one of the next.
+TEST(KeptFactors, NotTheirPivotsAfterAStrayMatrix)
+{
+  auto pattern          = std::make_shared<Pattern>();
+  pattern->column_start = {0, 2, 4};
+  pattern->rows         = {0, 1, 0, 1};
+  const auto   solver   = make_solver(pattern, Library::klu);
+  SparseMatrix stray(pattern), A(pattern);
+  stray.values = {1, 1, 0, 1e-60, 0}; // by columns
+  A.values     = {1e-15, 1, 1, 1, 0};
+  solver->factorize(stray);
+  solver->factorize(A);
+  double b[] = {1, 2}; // of the solution (1, 1), but for 1e-15
+  solver->solve(b);
+  EXPECT_NEAR(b[0], 1, 1e-14);
+  EXPECT_NEAR(b[1], 1, 1e-14);
+}

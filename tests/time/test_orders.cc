@@ -51,7 +51,7 @@ namespace
   void
   expect_order(const std::vector<double> &errors, const double floor, const double expected)
   {
-    const auto all = orders(errors, floor), sure = orders(errors, 20 * floor);
+    const auto all = orders(errors, floor), sure = orders(errors, 6 * floor);
     ASSERT_FALSE(all.empty()) << errors[0] << ", " << errors[1];
     EXPECT_NEAR(sure.empty() ? all.front() : sure.back(), expected, 0.3) << errors[0] << ", " << errors[1];
     for (const double order : sure)

