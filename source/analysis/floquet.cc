@@ -319,7 +319,7 @@ namespace samara
       }
     if (!context.sweep.empty())
       add_to_speeds(context, T);
-    if (context.pictures && context.is_shown() && !context.folder.empty())
+    if ((context.pictures || context.page != nullptr) && context.is_shown() && !context.folder.empty())
       for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
         animate(context, map, k);
   }

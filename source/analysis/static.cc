@@ -6,6 +6,7 @@
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/text.h>
+#include <samara/report/report_page.h>
 #include <samara/solvers/anderson.h>
 #include <samara/solvers/equilibrate.h>
 #include <samara/solvers/kept_inertia.h>
@@ -396,8 +397,19 @@ namespace samara
     if (history)
       history->add(values_of(context, reported, state.factor));
     // of a sweep one at each speed
-    if (pictures && (context.sweep.empty() || progress == 1.))
-      pictures->add(context.system.draw(state), context.sweep.empty() ? progress : context.speeds[0]);
+    if (!(context.sweep.empty() || progress == 1.))
+      return;
+    if (context.page == nullptr && !pictures)
+      return;
+    const double at      = context.sweep.empty() ? progress : context.speeds[0];
+    Drawing      drawing = context.system.draw(reported);
+    if (context.page != nullptr)
+      {
+        context.page->add("static", at, drawing);
+        context.page->watch("static, load factor " + short_text(state.factor));
+      }
+    if (pictures)
+      pictures->add(std::move(drawing), at);
   }
 
 
