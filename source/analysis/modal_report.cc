@@ -178,9 +178,11 @@ namespace samara
                  modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.,
                  context.folder,
                  "mode_" + std::to_string(k + 1));
-    // the speed that is shown keeps its room
-    for (unsigned int k = 0; k < n && context.page != nullptr && context.page->has_room_for(is_shown ? 1 : n + 1); ++k)
+    // on the page all modes; those of the speed that is shown keep their room
+    for (unsigned int k = 0; k < modes.size() && context.page != nullptr; ++k)
       {
+        if (!context.page->has_room_for(is_shown ? 1 : modes.size() + 1))
+          continue;
         ReportPage::Shape what;
         what.name    = "mode_" + std::to_string(k + 1) + (is_shown ? "" : " at " + context.name_of_speed() + " rad/s");
         what.number  = k + 1;

@@ -242,14 +242,13 @@ namespace samara
 
 
 
-    /** The page of the report, or none. @p reference: the model as it is drawn. */
+    /** The page of the report, or none. @p system: null if there is nothing that moves. */
     std::unique_ptr<ReportPage>
-    make_page(const Options     &options,
-              const Input       &input,
-              const Model       &model,
-              Drawing          &&reference,
-              const std::string &folder,
-              const Log         &log)
+    make_page(const Options      &options,
+              const Input        &input,
+              const System *const system,
+              const std::string  &folder,
+              const Log          &log)
     {
       keep_earlier_data(folder, options.restart && input.report);
       if (!input.report)
@@ -259,7 +258,8 @@ namespace samara
       settings.n_pictures = input.report_pictures;
       settings.watch      = input.watch || options.watch;
       settings.goes_on    = options.restart;
-      return std::make_unique<ReportPage>(settings, model, std::move(reference), log);
+      Drawing reference = system != nullptr ? system->draw(system->reference()) : Drawing();
+      return std::make_unique<ReportPage>(settings, input.model, std::move(reference), log);
     }
 
 
@@ -279,7 +279,7 @@ namespace samara
       const std::string folder = folder_of_results(options);
       const FolderLock  lock   = prepare_folder(folder);
       write_used(input, folder);
-      const auto page = make_page(options, input, input.model, Drawing(), folder, log);
+      const auto page = make_page(options, input, nullptr, folder, log);
       for (const auto &analysis : input.analyses)
         {
           if (auto *const sections = dynamic_cast<SectionReport *>(analysis.get()))
@@ -499,6 +499,21 @@ namespace samara
       write_report(folders, file);
       log.line("Report: " + file);
     }
+    /** What is written and told when all analyses are done; it has taken from @p start to now. */
+    void
+    conclude(const Options                               &options,
+             const Input                                 &input,
+             const Context                               &context,
+             const std::chrono::steady_clock::time_point &start,
+             const std::clock_t                           processor_start)
+    {
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
+      run_verification_studies(options, input, context.folder, run, context.log);
+      context.log.line("done in " + short_text(seconds) + " s; results are in " + context.folder);
+      if (context.page != nullptr)
+        context.page->write("done", "");
+    }
   } // namespace
 
 
@@ -551,7 +566,7 @@ namespace samara
     if (input.assembled)
       input.assembled->write(folder + "/assembly.csv");
     tell(options, input, system, counts, log);
-    const auto page = make_page(options, input, system.model, system.draw(system.reference()), folder, log);
+    const auto page = make_page(options, input, &system, folder, log);
     if (input.pictures && input.has_analysis("static") && !options.restart)
       draw_free(system, counts, folder, log, page.get());
     counts.shapes = {}; // as long as the model is large, each of them
@@ -562,12 +577,7 @@ namespace samara
     context.used       = input.used();
     context.page       = page.get();
     analyse_and_show(input, counts, context);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
-    run_verification_studies(options, input, folder, run, log);
-    log.line("done in " + short_text(seconds) + " s; results are in " + folder);
-    if (page != nullptr)
-      page->write("done", "");
+    conclude(options, input, context, start, processor_start);
   }
 
 

@@ -187,12 +187,14 @@ namespace samara
 
 
   bool
-  ReportPage::has_room_for(const std::size_t n_shapes) const
+  ReportPage::has_room_for(const std::size_t n_shapes)
   {
     std::size_t n = 0;
     for (const StillShape &shape : shapes)
       n += shape.parts.size();
-    return bytes_of_number * (n + 12. * reference.samples.size() * n_shapes) <= most_of_shapes;
+    const bool has_room = bytes_of_number * (n + 12. * reference.samples.size() * n_shapes) <= most_of_shapes;
+    n_left_out += has_room ? 0 : 1;
+    return has_room;
   }
 
 
@@ -308,6 +310,8 @@ namespace samara
                       ",\"parts\":" + stream.add_packed(one.parts, one.parts.size() / 12, 12) + "}");
     for (std::size_t i = 0; i < shows.size(); ++i)
       text += (i > 0 ? "," : "") + shows[i];
+    if (n_left_out > 0)
+      notes.push_back(std::to_string(n_left_out) + " modes are not drawn, so that the page stays small");
     text += "],\"notes\":[";
     for (std::size_t i = 0; i < notes.size(); ++i)
       text += (i > 0 ? "," : "") + json_text(notes[i]);

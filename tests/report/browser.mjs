@@ -1,4 +1,5 @@
 // Pages of reports in a real browser:  node browser.mjs NODE_MODULES CHROMIUM PICTURES PAGE...
+//     node browser.mjs NODE_MODULES CHROMIUM PICTURES --follow PAGE      a page of a run that goes on, until it has more rows
 // Prints what was found of each page as JSON; tests/contrib/test_report judges it.
 import { createRequire } from 'node:module';
 import { basename, dirname, resolve } from 'node:path';
@@ -117,6 +118,29 @@ const contrast = page => page.evaluate(() => {
   return pairs.map(([a, b]) => { const x = luminance(css(a)), y = luminance(css(b)); return [a, b, +((Math.max(x, y) + 0.05) / (Math.min(x, y) + 0.05)).toFixed(2)]; });
 });
 
+/** A page that loads itself again: what the reader chose stays. */
+async function follow(file) {
+  const page = await browser.newPage(), said = [], rows = [];
+  let loads = 0;
+  page.on('console', m => ['error', 'warning'].includes(m.type()) && !/GPU stall|swiftshader/i.test(m.text()) && said.push(m.text()));
+  page.on('pageerror', e => said.push('uncaught: ' + e.message));
+  page.on('load', () => ++loads);
+  await page.goto(pathToFileURL(resolve(file)).href);
+  await page.waitForFunction(() => window.page?.ready);
+  await page.evaluate(() => { window.page.open('energy'); window.page.theme(true); window.page.view.azimuth = 1.25; });
+  const count = () => page.waitForFunction(() => window.page?.ready && window.page.result.tables.dynamic.rows, null, { timeout: 30000 }).then(h => h.jsonValue()).catch(() => 0);
+  for (const until = Date.now() + 60000; Date.now() < until && (loads < 3 || rows[rows.length - 1] <= rows[0]);) { const n = await count(); if (n) rows.push(n); await page.waitForTimeout(500); }
+  await page.waitForFunction(() => window.page?.ready);
+  const found = await page.evaluate(() => ({ panel: window.page.panels.find(p => !p.root.hidden).name, dark: document.documentElement.classList.contains('dark'), azimuth: window.page.view.azimuth }));
+  return { ...found, loads, rows, said };
+}
+
+if (files[0] === '--follow') {
+  console.log(JSON.stringify(await follow(files[1])));
+  await browser.close();
+  process.exit(0);
+}
+
 const all = [];
 for (const file of files) {
   const context = await browser.newContext({ viewport: { width: 1500, height: 900 }, colorScheme: 'light' }), page = await context.newPage();
@@ -134,6 +158,7 @@ for (const file of files) {
   found.panels = await page.evaluate(() => window.page.panels.map(p => p.name));
   found.shows = await page.evaluate(() => window.page.result.shows.map(s => s.name));
   found.title = await page.evaluate(() => document.getElementById('title').textContent);
+  found.live = await page.evaluate(() => document.getElementById('live')?.textContent);
   found.verdict = await page.evaluate(() => document.getElementById('verdict').textContent);
   await page.waitForTimeout(200); await shot('start');
   const hasDrawing = found.shows.length > 0;

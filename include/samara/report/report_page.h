@@ -67,8 +67,8 @@ namespace samara
      */
     void add_to_shape(const Shape &shape, double at, const Drawing &mean, const Moved &moved, double epsilon);
 
-    /** Whether there is room for so many shapes more, of samples as many as the reference has. */
-    bool has_room_for(std::size_t n_shapes) const;
+    /** Whether there is room for so many shapes more, of samples as many as the reference has; if not, the page says so. */
+    bool has_room_for(std::size_t n_shapes);
 
     /** Whether the page is watched, and it is time to write it again. */
     bool is_due() const;
@@ -113,6 +113,7 @@ namespace samara
     std::vector<std::pair<unsigned int, std::vector<float>>> means; ///< what is drawn, and where it is
     std::chrono::steady_clock::time_point                    next_writing;
     double                                                   seconds = 0; ///< that the last writing took
+    unsigned int n_left_out = 0; ///< shapes for which there was no room
     std::string                                              log_before;  ///< of the run that this one goes on from
 
     /** From one writing to the next while it is watched [s]. */
