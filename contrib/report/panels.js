@@ -281,7 +281,7 @@ export function build(all, of, show) {
   if (table('dynamic_steps')?.rows > 1) panel('steps', stepsPanel);
   const shown = new Set(['dynamic', 'static', 'static_speeds', 'static_path', 'fan', 'floquet_speeds', 'floquet', 'dynamic_energy', 'dynamic_steps', 'summary']);
   for (const name of Object.keys(result.tables)) if (!shown.has(name) && !/^modes(_|$)/.test(name) && table(name).rows) panel(name.replaceAll('_', ' '), tablePanel(name));
-  panel('model', modelPanel);
+  if (result.used || S.show) panel('model', modelPanel);
   panel('messages', messagesPanel);
   for (const p of panels) { p.tab = make('button', { role: 'tab', 'aria-controls': p.root.id, onclick: () => open(p.name) }, p.name); byId('tabs').append(p.tab); }
   open(panels[0].name);

@@ -95,6 +95,13 @@ function ticks(a, b, n) {
   return out;
 }
 
+/** 1, 2, 5 times powers of ten, or powers alone where these are many; as logarithms. */
+function ticksOfDecades(a, b, n) {
+  const few = b - a > n / 2, out = [];
+  for (let e = Math.floor(a); e <= b; ++e) for (const k of few ? [1] : [1, 2, 5]) { const v = e + Math.log10(k); if (v >= a && v <= b && (!few || e % Math.ceil((b - a) / n) === 0)) out.push(v); }
+  return out.length > 1 ? out : ticks(a, b, n);
+}
+
 function rangeOfCurves(curves, fx, fy, options, w, h, [L, R, T, B]) {
   let x0 = Infinity, x1 = -Infinity, y0 = Infinity, y1 = -Infinity;
   for (const k of curves) for (let i = 0; i < k.x.length; ++i) {
@@ -117,20 +124,22 @@ function rangeOfCurves(curves, fx, fy, options, w, h, [L, R, T, B]) {
 /** Points and lines in a plane of two numbers: fan, locus, orbit, study. curves: {name, x, y, line, dots, pick, isNow, filled, say} */
 export function chart(parent, title, xLabel, yLabel, curves, options = {}) {
   const canvas = make('canvas', { class: 'chart', role: 'img', 'aria-label': title }), tip = make('div', { class: 'soft' }, '\u00a0');
-  parent.append(make('h2', {}, title), canvas, tip);
+  const legend = make('div', { class: 'values' });
+  parent.append(make('h2', {}, title), canvas, curves.length > 1 && curves.length < 25 ? legend : '', tip);
   const fy = a => options.log ? Math.log10(a) : a, fx = a => options.log || options.logx ? Math.log10(a) : a;
   let spots = [];
   const me = { root: canvas, own: true, spots: () => spots, draw() {
     const w = canvas.clientWidth || 600, h = options.height || Math.min(420, Math.max(240, 0.6 * w)), r = devicePixelRatio || 1, L = 70, B = 40, T = 10, R = 14;
     canvas.width = w * r; canvas.height = h * r; canvas.style.height = h + 'px';
     const c = canvas.getContext('2d'); c.scale(r, r); c.font = '12px system-ui,"DejaVu Sans"';
+    legend.replaceChildren(...curves.map((k, j) => { const dot = make('i'); dot.style.background = k.colour ?? colours()[j % 8]; return make('label', { title: k.name }, dot, make('span', {}, k.name)); }));
     const [x0, x1, y0, y1] = rangeOfCurves(curves, fx, fy, options, w, h, [L, R, T, B]);
     const X = v => L + (v - x0) / (x1 - x0) * (w - L - R), Y = v => h - B - (v - y0) / (y1 - y0) * (h - T - B);
     c.strokeStyle = css('--grid'); c.fillStyle = css('--soft'); c.textAlign = 'center';
     const stroke = (a, b, e, d) => { c.beginPath(); c.moveTo(a, b); c.lineTo(e, d); c.stroke(); };
-    for (const v of ticks(x0, x1, w / 90)) { stroke(X(v), T, X(v), h - B); c.fillText(short(options.log || options.logx ? 10 ** v : v, 4), X(v), h - B + 16); }
+    for (const v of (options.log || options.logx ? ticksOfDecades : ticks)(x0, x1, w / 90)) { stroke(X(v), T, X(v), h - B); c.fillText(short(options.log || options.logx ? 10 ** v : v, 4), X(v), h - B + 16); }
     c.textAlign = 'right';
-    for (const v of ticks(y0, y1, h / 50)) { stroke(L, Y(v), w - R, Y(v)); c.fillText(short(options.log ? 10 ** v : v, 4), L - 6, Y(v) + 4); }
+    for (const v of (options.log ? ticksOfDecades : ticks)(y0, y1, h / 50)) { stroke(L, Y(v), w - R, Y(v)); c.fillText(short(options.log ? 10 ** v : v, 4), L - 6, Y(v) + 4); }
     c.textAlign = 'center'; c.fillText(xLabel, (L + w - R) / 2, h - 6);
     c.save(); c.translate(13, (T + h - B) / 2); c.rotate(-Math.PI / 2); c.fillText(yLabel, 0, 0); c.restore();
     c.save(); c.beginPath(); c.rect(L, T, w - L - R, h - T - B); c.clip();

@@ -142,17 +142,15 @@ export function paint() {
 }
 
 function legend(f) {
-  const root = byId('legend'), arrow = G.arrowLegend;
-  root.hidden = !f && !arrow;
-  const parts = [];
+  const root = byId('legend'), parts = [];
+  root.hidden = !f;
   if (f) {
     const canvas = make('canvas', { width: 1, height: 128 }), x = canvas.getContext('2d');
     for (let i = 0; i < 128; ++i) { x.fillStyle = `rgb(${mapColour(1 - i / 127).map(u => Math.round(255 * u))})`; x.fillRect(0, i, 1, 1); }
     const what = f.components.length === 0 ? '' : S.component >= 0 ? ' ' + f.components[S.component] : ', size';
     parts.push(`${f.name}${what} [${f.unit || '1'}]`, make('br'), short(G.range[1], 4), make('br'), canvas, make('br'), short(G.range[0], 4), make('br'),
-      make('button', { title: 'Range of the colours', onclick: () => { S.ownRange = !S.ownRange; paint(); } }, S.ownRange ? 'this picture' : 'all pictures'), make('br'));
+      make('button', { title: 'Range of the colours', onclick: () => { S.ownRange = !S.ownRange; paint(); } }, S.ownRange ? 'this picture' : 'all pictures'));
   }
-  if (arrow) parts.push(make('span', { id: 'arrows' }, arrow));
   root.replaceChildren(...parts);
 }
 
@@ -176,18 +174,18 @@ function addArrow(out, p, v, radius) {
 function arrows() {
   const f = vectorFields().find(x => x.name === S.vectors);
   G.arrowLegend = null; G.arrows = [];
-  if (!f) { view.setArrows(null); legend(field()); return; }
+  if (!f) { view.setArrows(null); return; }
   const [, largest] = rangeOf(S.show, f, -1), scale = largest > 0 ? 0.4 * view.radius / largest : 0, v = fieldValues(S.show, f, S.frame), out = [], radius = 0.004 * view.radius;
   let last = null;
-  for (let i = 0; i < v.known.length; ++i) {
+  const every = Math.ceil(v.known.length / 2000); // more would hide each other
+  for (let i = 0; i < v.known.length; i += every) {
     const s = v.known[i], w = [0, 1, 2].map(d => scale * v.values[3 * i + d]), p = [0, 1, 2].map(d => G.place[3 * s + d]);
     // samples of one place, and shorter ones than a thousandth of the longest, have no arrow of their own
     if (Math.hypot(...w) < 1e-3 * 0.4 * view.radius || (last && Math.hypot(...last.map((x, d) => x - p[d])) < 1e-9 * view.radius)) continue;
     addArrow(out, p, w, radius); last = p; G.arrows.push([s, ...w.map(x => x / scale)]);
   }
   view.setArrows(new Float32Array(out), [...rgb(dark() ? '#ff8091' : '#c8374d'), 1]);
-  G.arrowLegend = `${f.name}: the longest arrow of all pictures is ${short(largest, 4)} ${f.unit || ''}`;
-  legend(field());
+  G.arrowLegend = `arrows: ${f.name}, the longest of all pictures is ${short(largest, 4)} ${f.unit || ''}`;
 }
 
 /** Orbits of a shape: of each body the station that moves most, with a head that says which way round. */
@@ -244,6 +242,7 @@ function drawGrid() {
 export function fit(direction) {
   if (!G) return;
   const balls = findBalls();
+  G.arrows = null; // their length follows the view
   if (direction) view.look(direction);
   view.size();
   view.target = [0, 1, 2].map(k => (box[k] + box[k + 3]) / 2);
@@ -310,12 +309,13 @@ export const style = () => ({ plain: !!field(), edges: view.edges.n < 60000, edg
 
 function label() {
   const note = [`grid ${short(gridStep, 3)} m`];
+  if (G.arrowLegend) note.push(G.arrowLegend);
   if (S.show.kind === 'frames' && S.factor !== 1) note.push(`deformation × ${short(S.factor)}, about the rigid motion of each body`);
   if (S.show.kind !== 'frames') note.push(`amplitude × ${short(S.factor)}; 1: a twentieth of the model`);
   if (S.show.kind === 'shape' && S.orbits && G.orbits) note.push('ellipses: orbits of the stations that move most, heads: which way round');
   byId('note').textContent = note.join('\n');
   const t = times();
-  byId('time').textContent = S.show.kind === 'shape' ? 'mode' : S.show.kind === 'floquet' ? `${short(t[S.frame], 6)} s + ${S.periods} T` : isTime() ? `${short(t[S.frame], 6)} s` : `${S.show.name} ${short(t[S.frame], 6)}`;
+  byId('time').textContent = isSection(S.show) ? '' : S.show.kind === 'shape' ? 'mode' : S.show.kind === 'floquet' ? `${short(t[S.frame], 6)} s + ${S.periods} T` : isTime() ? `${short(t[S.frame], 6)} s` : `${S.show.name} ${short(t[S.frame], 6)}`;
 }
 
 export function recolour() { if (G) { G.objectColours = G.model.objects.map(kindColour); drawGrid(); update(); } }
