@@ -84,7 +84,7 @@ function showsOf(result) {
       if (alike && objects(alike[0].model) === objects(full.model)) alike.push(full);
       else motions.set(alike ? show.name + ' ' + shows.length : show.name, [full]);
     }
-  const order = { dynamic: 0, static: 1 };
+  const order = { dynamic: 0, static: 1, static_speeds: 2 };
   const rank = s => s.kind === 'frames' ? order[s.name] ?? 7 : s.name.startsWith('free_motion') ? 6 : s.kind === 'floquet' ? 4 : s.main ? 3 : 5;
   const all = [...[...motions.values()].map(joined), ...shows];
   return all.map((show, i) => [rank(show), i, show]).sort((a, b) => a[0] - b[0] || a[1] - b[1]).map(x => x[2]);

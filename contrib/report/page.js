@@ -245,7 +245,7 @@ function useResult(which) {
   try {
     if (!result.shows.length) throw new Error('There are no drawings in these results.');
     setShow(result.shows[0]);
-  } catch (e) { S.show = null; byId('note').textContent = e.message; for (const id of ['bar', 'transport', 'legend']) byId(id).hidden = true; byId('view').hidden = true; }
+  } catch (e) { S.show = null; byId('note').textContent = e.message; if (!result.shows.length) byId('scene').style.width = '18%'; for (const id of ['bar', 'transport', 'legend']) byId(id).hidden = true; byId('view').hidden = true; }
 }
 
 async function main() {

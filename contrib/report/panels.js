@@ -35,7 +35,9 @@ function emptied(element) {
 
 function htmlTable(t, options = {}) {
   const n = t.kept, limit = options.limit || 400, rows = [];
-  const cols = t.names.map((_, c) => c).filter(c => !n || Array.from({ length: Math.min(n, limit) }, (_, i) => t.column(c)[i]).some(v => typeof v === 'string' ? v : Number.isFinite(v)));
+  // a share of what has no name says nothing
+  const isOf = c => { const of = t.named(t.names[c].replace(/^share of /, '')); return of && /^share of /.test(t.names[c]) && Array.from(of).every(v => !v); };
+  const cols = t.names.map((_, c) => c).filter(c => !isOf(c)).filter(c => !n || Array.from({ length: Math.min(n, limit) }, (_, i) => t.column(c)[i]).some(v => typeof v === 'string' ? v : Number.isFinite(v)));
   const cell = v => typeof v === 'string' ? make('td', { class: 't' }, v) : make('td', { 'data-value': v }, short(v, 6));
   const more = options.more;
   for (let i = 0; i < Math.min(n, limit); ++i) rows.push(make('tr', options.row?.(i) || {}, ...cols.flatMap((c, k) => k === (more ? 2 : -1) ? [make('td', { class: 't' }, more.of(i)), cell(t.column(c)[i])] : [cell(t.column(c)[i])])));

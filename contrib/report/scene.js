@@ -315,7 +315,7 @@ function label() {
   if (S.show.kind === 'shape' && S.orbits && G.orbits) note.push('ellipses: orbits of the stations that move most, heads: which way round');
   byId('note').textContent = note.join('\n');
   const t = times();
-  byId('time').textContent = isSection(S.show) ? '' : S.show.kind === 'shape' ? 'mode' : S.show.kind === 'floquet' ? `${short(t[S.frame], 6)} s + ${S.periods} T` : isTime() ? `${short(t[S.frame], 6)} s` : `${S.show.name} ${short(t[S.frame], 6)}`;
+  byId('time').textContent = isSection(S.show) ? '' : S.show.kind === 'shape' ? 'mode' : S.show.kind === 'floquet' ? `${short(t[S.frame], 6)} s + ${S.periods} T` : isTime() ? `${short(t[S.frame], 6)} s` : S.show.name === 'static_speeds' ? `${short(t[S.frame], 6)} rad/s` : `${S.show.name} ${short(t[S.frame], 6)}`;
 }
 
 export function recolour() { if (G) { G.objectColours = G.model.objects.map(kindColour); drawGrid(); update(); } }

@@ -405,7 +405,7 @@ namespace samara
     Drawing      drawing = context.system.draw(reported);
     if (context.page != nullptr)
       {
-        context.page->add("static", at, drawing);
+        context.page->add(context.sweep.empty() ? "static" : "static_speeds", at, drawing);
         context.page->watch("static, load factor " + short_text(state.factor));
       }
     if (pictures)

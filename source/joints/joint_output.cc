@@ -123,6 +123,8 @@ namespace samara
         drawing.cylinder(a, 0, 0.2 * draw_size, 1.6 * draw_size);
         drawing.cylinder(b, 1, 0.2 * draw_size, 1.6 * draw_size);
       }
+    else if (kind == "rigid")
+      drawing.box(a, Vector3::Constant(0.7 * draw_size));
     else if (kind == "prismatic")
       {
         drawing.box(a, draw_size * Vector3(0.9, 0.9, 1.));

@@ -143,6 +143,8 @@ namespace samara
   void
   Rigid::draw(const State &state, Drawing &drawing) const
   {
+    if (!is_weld)
+      return Joint::draw(state, drawing);
     const auto reaches = [this](const Frame &frame) { return frame.node > 0 && frame.arm.norm() > draw_size; };
     if (reaches(frame_a) || reaches(frame_b))
       drawing.begin_object(name);

@@ -258,7 +258,16 @@ namespace samara
       settings.n_pictures = input.report_pictures;
       settings.watch      = input.watch || options.watch;
       settings.goes_on    = options.restart;
-      Drawing reference = system != nullptr ? system->draw(system->reference()) : Drawing();
+      Drawing reference;
+      try
+        {
+          if (system != nullptr)
+            reference = system->draw(system->reference());
+        }
+      catch (const NotConverged &)
+        {
+          // the air at rest may have no flow; then the first picture stands for the undeformed model
+        }
       return std::make_unique<ReportPage>(settings, input.model, std::move(reference), log);
     }
 

@@ -81,6 +81,20 @@ const geometry = page => page.evaluate(() => {
   return { shows, pairs: pairs.length, gap: most, moved };
 });
 
+/** All that is known of the stations in the middle picture of a motion, or in the last one of statics. */
+const stations = page => page.evaluate(() => {
+  const { result, read, fieldsOf, fieldValues, setShow, setFrame, nFrames } = window.page, show = result.shows.find(s => s.kind === 'frames' && s.model.objects.some(o => o[1]));
+  setShow(show);
+  const frame = show.name === 'dynamic' ? Math.floor(nFrames(show) / 2) : nFrames(show) - 1;
+  setFrame(frame);
+  const { G } = window.page, fields = {};
+  for (const f of fieldsOf(show)) { const v = fieldValues(show, f, frame); fields[f.name] = { known: Array.from(v.known), values: Array.from(v.values), n: v.n }; }
+  return { name: show.name, time: show.times[frame], objects: show.model.objects.map(o => o[0]), object: Array.from(read(show.model.object)), reference: Array.from(read(show.model.place)), place: Array.from(G.place), turn: Array.from(G.turn), fields };
+});
+
+/** Way round of each mode that is drawn. */
+const whirls = page => page.evaluate(() => window.page.result.shows.filter(s => s.kind === 'shape' && s.main && s.name.startsWith('mode_')).map(s => [s.number, ...window.page.whirl(s).axis, window.page.whirl(s).share]));
+
 /** Every point of the chart of frequencies that has a drawing is clicked; what is shown then. */
 const clicked = page => page.evaluate(() => {
   const { plots, S, panels } = window.page, root = panels.find(p => p.name === 'fan').root, chart = plots.find(p => p.spots && root.contains(p.root)), r = chart.root.getBoundingClientRect(), out = [];
@@ -172,6 +186,8 @@ for (const file of files) {
   }
   if (found.panels[0] === 'histories') { found.cursor = await drag(page); await shot('cursor'); }
   if (found.shows.some(n => n === 'dynamic' || n === 'static')) found.geometry = await geometry(page);
+  if (found.shows.some(n => n === 'dynamic' || n === 'static')) found.stations = await stations(page);
+  found.whirls = await whirls(page);
   if (found.panels.includes('fan')) { await page.evaluate(() => window.page.open('fan')); await page.waitForTimeout(100); found.clicked = await clicked(page); await shot('fan'); }
   for (const name of found.panels) { await page.evaluate(n => window.page.open(n), name); await page.waitForTimeout(60); await shot('panel_' + name.replace(/\W/g, '_')); }
   if (found.panels.includes('messages')) found.messages = await page.evaluate(() => document.getElementById('panel-messages').textContent);
