@@ -48,10 +48,16 @@ function htmlTable(t, options = {}) {
 /** A row that shows a drawing, by mouse and by keys. */
 const rowOf = show => show ? { class: 'pick', 'data-show': show.name, tabindex: 0, title: 'Show it', onclick: () => showIt(show), onkeydown: e => e.key === 'Enter' && showIt(show) } : {};
 
-const near = (a, b, tolerance) => Math.abs(a - b) <= tolerance * Math.max(Math.abs(a), Math.abs(b));
-/** The shape of a row: by its number, and of several speeds by the speed; the latest that was found. */
+/** The shape of a row: by its number, and of several speeds the one nearest to the row's; the latest that was found. */
 export function shapeOf(number, speed, tolerance = 1e-9) {
-  return result.shows.findLast(s => s.kind === 'shape' && s.name.startsWith('mode_') && s.number === number && (speed === undefined ? s.main : s.speed !== undefined && near(s.speed, speed, tolerance)));
+  let best, least = tolerance * Math.abs(speed);
+  for (const s of result.shows) {
+    if (s.kind !== 'shape' || !s.name.startsWith('mode_') || s.number !== number) continue;
+    if (speed === undefined) { if (s.main) best = s; continue; }
+    const off = Math.abs(s.speed - speed);
+    if (off <= least) { best = s; least = off; }
+  }
+  return best;
 }
 
 const whirlColumn = showOf => ({

@@ -44,9 +44,10 @@ function useModel(model) {
   // beams that carry wings are drawn thin within these, unless it is they that are coloured
   const carrier = read(model.carrier), covered = new Set();
   for (let s = 0; s < n; ++s) if (model.objects[objectOf[s]][1] === 'Surfaces' && carrier[s] >= 0 && model.objects[carrier[s]][2] === 'beam') covered.add(carrier[s]);
-  G = { model, n, sample, local, objectOf, place: f3(), turn: f4(), colours: f3(), scratch: { P: f3(), Q: f4() }, reach, symbol, covered, firstOf: null };
+  G = null;
   view?.release();
   view = new View(byId('view'), { local, sample, place: read(model.place), turn: read(model.turn), quads: read(model.quads), lines: read(model.lines) });
+  G = { model, n, sample, local, objectOf, place: f3(), turn: f4(), colours: f3(), scratch: { P: f3(), Q: f4() }, reach, symbol, covered, firstOf: null };
   G.objectColours = model.objects.map(kindColour);
   byId('names').replaceChildren();
 }

@@ -23,7 +23,10 @@ namespace samara
   {
     const double round_off  = 1e-9 * (end_time - start_time);
     const bool   is_picture = output.pictures != nullptr && state.time >= output.next_picture - round_off,
-               is_on_page   = context.page != nullptr && state.time >= output.next_on_page - round_off;
+               is_next      = context.page != nullptr && state.time >= output.next_on_page - round_off;
+    if (is_next)
+      output.next_on_page += (end_time - start_time) / context.page->settings.n_pictures;
+    const bool is_on_page = (is_next && context.page->wants("dynamic")) || (context.page != nullptr && is_end(state.time));
     if (output.energies != nullptr)
       {
         std::vector<double> row = {state.time, budget.kinetic, budget.strain, budget.potential, budget.loads};
@@ -69,10 +72,7 @@ namespace samara
   {
     Drawing drawing = context.system.draw(state);
     if (is_on_page)
-      {
-        context.page->add("dynamic", state.time, drawing);
-        output.next_on_page += (end_time - start_time) / context.page->settings.n_pictures;
-      }
+      context.page->add("dynamic", state.time, drawing, is_end(state.time));
     if (is_picture)
       {
         output.pictures->add(std::move(drawing), state.time);

@@ -156,7 +156,7 @@ namespace samara
 
 
   void
-  ReportPage::add(const std::string &name, const double at, const Drawing &drawing)
+  ReportPage::add(const std::string &name, const double at, const Drawing &drawing, const bool last)
   {
     const auto which = model_of(drawing);
     if (!which)
@@ -167,7 +167,7 @@ namespace samara
         ++one.n_other;
         return;
       }
-    if (one.n_come++ % one.every != 0)
+    if (one.n_come++ % one.every != 0 && !last)
       return;
     Picture picture{at, models[*which].motion(drawing), models[*which].rigid_motions(drawing), {}, fields_of(drawing)};
     if (!all_finite(picture.motion) || !all_finite(picture.rigid))
@@ -182,6 +182,20 @@ namespace samara
         std::swap(one.pictures[i], one.pictures[2 * i]);
     one.pictures.erase(one.pictures.begin() + (one.pictures.size() + 1) / 2, one.pictures.end());
     one.every *= 2;
+  }
+
+
+
+  bool
+  ReportPage::wants(const std::string &name)
+  {
+    for (Series &one : series)
+      if (one.name == name && one.n_come % one.every != 0)
+        {
+          ++one.n_come;
+          return false;
+        }
+    return true;
   }
 
 

@@ -1,4 +1,5 @@
 // Pages of reports in a real browser:  node browser.mjs NODE_MODULES CHROMIUM PICTURES PAGE...
+//     node browser.mjs NODE_MODULES CHROMIUM PICTURES --without-webgl PAGE
 //     node browser.mjs NODE_MODULES CHROMIUM PICTURES --follow PAGE      a page of a run that goes on, until it has more rows
 // Prints what was found of each page as JSON; tests/contrib/test_report judges it.
 import { createRequire } from 'node:module';
@@ -9,7 +10,7 @@ import { mkdirSync } from 'node:fs';
 const [, , modules, executablePath, pictures, ...files] = process.argv;
 const { chromium } = createRequire(resolve(modules) + '/')('playwright-core');
 mkdirSync(pictures, { recursive: true });
-const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+const args = files[0] === '--without-webgl' ? ['--no-sandbox', '--disable-3d-apis'] : ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 const browser = await chromium.launch({ executablePath, args });
 
 /** Pixels that are drawn. */
@@ -149,6 +150,22 @@ async function follow(file) {
   return { ...found, loads, rows, said };
 }
 
+/** A browser that cannot draw: all else works, by any key. */
+async function withoutWebgl(file) {
+  const page = await browser.newPage(), said = [];
+  page.on('pageerror', e => said.push('uncaught: ' + e.message));
+  await page.goto(pathToFileURL(resolve(file)).href);
+  await page.waitForFunction(() => window.page?.ready || document.getElementById('failed'));
+  for (const key of ['2', '3', 'n', 'f', 'm', 't', ' ', 'o', 'x', 'Home', '+']) await page.keyboard.press(key);
+  return { ...await page.evaluate(() => ({ note: document.getElementById('note').textContent, panels: window.page.panels.map(p => p.name), open: window.page.panels.find(p => !p.root.hidden).name })), said };
+}
+
+if (files[0] === '--without-webgl') {
+  console.log(JSON.stringify(await withoutWebgl(files[1])));
+  await browser.close();
+  process.exit(0);
+}
+
 if (files[0] === '--follow') {
   console.log(JSON.stringify(await follow(files[1])));
   await browser.close();
@@ -190,6 +207,7 @@ for (const file of files) {
   found.whirls = await whirls(page);
   if (found.panels.includes('fan')) { await page.evaluate(() => window.page.open('fan')); await page.waitForTimeout(100); found.clicked = await clicked(page); await shot('fan'); }
   for (const name of found.panels) { await page.evaluate(n => window.page.open(n), name); await page.waitForTimeout(60); await shot('panel_' + name.replace(/\W/g, '_')); }
+  if (found.panels.includes('compare')) found.differ = await page.evaluate(() => [...document.querySelectorAll('#differ tbody tr')].map(r => [...r.children].map(c => c.textContent)));
   if (found.panels.includes('messages')) found.messages = await page.evaluate(() => document.getElementById('panel-messages').textContent);
   found.keys = await byKeys(page);
   const vectors = await page.evaluate(() => { const v = document.getElementById('vectors'); if (!window.page.S.show || v.hidden || v.options.length < 2) return null; const names = [...v.options].slice(1).map(o => o.value); const f = names.find(n => /lift|moment|force/.test(n)) ?? names[0]; v.value = f; v.dispatchEvent(new Event('change')); const { G, S } = window.page; return { names, of: S.vectors, n: G.arrows.length, legend: document.getElementById('arrows')?.textContent }; });

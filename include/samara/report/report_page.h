@@ -41,9 +41,12 @@ namespace samara
 
     /**
      * A picture of a series: "dynamic", "static". Of too many every second one is kept. @p at: s, or a load factor. A
-     * drawing with other objects than those before in its series is left out, which the page says.
+     * drawing with other objects than those before in its series is left out, which the page says. The @p last one is kept.
      */
-    void add(const std::string &series, double at, const Drawing &drawing);
+    void add(const std::string &series, double at, const Drawing &drawing, bool last = false);
+
+    /** Whether the next picture of a series will be kept; if not, it counts as come, and need not be drawn. */
+    bool wants(const std::string &series);
 
     /** What is told of a shape; its parts are increments for an amplitude of one. */
     struct Shape
