@@ -291,11 +291,12 @@ namespace samara
   void
   ReportPage::write_all(const std::string &state, const std::string &message, const std::string &progress)
   {
-    ArrayStream       stream;
-    const std::string head = "{\"state\":" + json_text(state) + ",\"message\":" + json_text(message) +
-                             ",\"progress\":" + json_text(progress) +
-                             ",\"written\":" + std::to_string(std::time(nullptr)) +
-                             ",\"period\":" + json_number(period()) + "," + json(stream) + "}";
+    ArrayStream stream;
+    std::string head = "{\"state\":" + json_text(state) + ",\"message\":" + json_text(message) +
+                       ",\"progress\":" + json_text(progress);
+    if (state == "running") // equal runs leave equal data behind
+      head += ",\"written\":" + std::to_string(std::time(nullptr)) + ",\"period\":" + json_number(period());
+    head += "," + json(stream) + "}";
     write_report_data(settings.folder, head, stream);
     replace_file(settings.folder + "/run.log", log_before + log.text() + (message.empty() ? "" : message + "\n"));
     write_report({settings.folder}, settings.folder + "/report.html", state == "running");

@@ -205,6 +205,7 @@ for (const file of files) {
   if (found.shows.some(n => n === 'dynamic' || n === 'static')) found.geometry = await geometry(page);
   if (found.shows.some(n => n === 'dynamic' || n === 'static')) found.stations = await stations(page);
   found.whirls = await whirls(page);
+  found.stresses = await page.evaluate(() => { const { result, fieldsOf, rangeOf } = window.page, show = result.shows.find(s => s.name.startsWith('stresses ')), f = show && fieldsOf(show).find(x => x.name === 'von_Mises_stress'); return f ? { name: show.name, unit: f.unit, largest: rangeOf(show, f, -1)[1] } : null; });
   if (found.panels.includes('fan')) { await page.evaluate(() => window.page.open('fan')); await page.waitForTimeout(100); found.clicked = await clicked(page); await shot('fan'); }
   for (const name of found.panels) { await page.evaluate(n => window.page.open(n), name); await page.waitForTimeout(60); await shot('panel_' + name.replace(/\W/g, '_')); }
   if (found.panels.includes('compare')) found.differ = await page.evaluate(() => [...document.querySelectorAll('#differ tbody tr')].map(r => [...r.children].map(c => c.textContent)));
