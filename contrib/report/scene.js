@@ -138,8 +138,21 @@ export function paint() {
   if (S.selected >= 0 && !f) { const k = rgb(css('--accent')); for (let s = 0; s < G.n; ++s) if (G.objectOf[s] === S.selected) c.set(k, 3 * s); }
   const isThin = !f || G.shown.some((v, s) => !Number.isNaN(v) && G.model.objects[G.objectOf[s]][1] === 'Surfaces');
   for (let s = 0; s < G.n; ++s) if (G.covered.has(G.objectOf[s])) G.symbol[s] = isThin ? -0.12 : 0;
-  view.setSamples(G.place, G.turn, c, G.symbol);
+  view.setSamples(f ? withoutUnknown(G.shown) : G.place, G.turn, c, G.symbol);
   legend(f);
+}
+
+/** Places with all stations of a shell without a value at one, if it is its layers that have one, or the other way. */
+function withoutUnknown(value) {
+  const first = new Map(), known = new Set(), P = Float32Array.from(G.place), name = o => G.model.objects[o][0];
+  for (let s = 0; s < G.n; ++s) if (!Number.isNaN(value[s])) known.add(name(G.objectOf[s]));
+  for (let s = 0; s < G.n; ++s) {
+    const o = G.objectOf[s];
+    if (known.has(name(o)) || !(known.has(name(o) + ' layers') || known.has(name(o).replace(/ layers$/, '')))) continue;
+    if (!first.has(o)) first.set(o, s);
+    for (let i = 0; i < 3; ++i) P[3 * s + i] = G.place[3 * first.get(o) + i];
+  }
+  return P;
 }
 
 function legend(f) {
