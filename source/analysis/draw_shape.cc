@@ -110,7 +110,7 @@ namespace samara
         what.name   = "free_motion_" + std::to_string(k + 1);
         what.number = k + 1;
         draw_shape(system, system.reference(), shape, 1., folder, what.name);
-        if (page != nullptr)
+        if (page != nullptr && page->draws())
           show_shape(system, system.reference(), shape, what, *page);
       }
     if (n == 0)

@@ -26,7 +26,7 @@ namespace samara
                is_next      = context.page != nullptr && state.time >= output.next_on_page - round_off;
     if (is_next)
       output.next_on_page += (end_time - start_time) / context.page->settings.n_pictures;
-    const bool is_on_page = (is_next && context.page->wants("dynamic")) || (context.page != nullptr && is_end(state.time));
+    const bool is_on_page = (is_next && context.page->wants("dynamic")) || (context.page != nullptr && context.page->draws() && is_end(state.time));
     if (output.energies != nullptr)
       {
         std::vector<double> row = {state.time, budget.kinetic, budget.strain, budget.potential, budget.loads};

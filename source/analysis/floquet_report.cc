@@ -284,7 +284,7 @@ namespace samara
       return;
     for (auto &image : images)
       image *= 0.05 / largest;
-    if (context.page != nullptr)
+    if (context.page != nullptr && context.page->draws())
       show(context, map, images, k);
     if (!context.pictures)
       return;

@@ -399,17 +399,19 @@ namespace samara
     // of a sweep one at each speed
     if (!(context.sweep.empty() || progress == 1.))
       return;
-    if (context.page == nullptr && !pictures)
-      return;
-    const double at      = context.sweep.empty() ? progress : context.speeds[0];
-    Drawing      drawing = context.system.draw(reported);
-    if (context.page != nullptr)
+    const double      at         = context.sweep.empty() ? progress : context.speeds[0];
+    const std::string series     = context.sweep.empty() ? "static" : "static_speeds";
+    const bool        is_on_page = context.page != nullptr && context.page->wants(series);
+    if (is_on_page || pictures)
       {
-        context.page->add(context.sweep.empty() ? "static" : "static_speeds", at, drawing);
-        context.page->watch("static, load factor " + short_text(state.factor));
+        Drawing drawing = context.system.draw(reported);
+        if (is_on_page)
+          context.page->add(series, at, drawing);
+        if (pictures)
+          pictures->add(std::move(drawing), at);
       }
-    if (pictures)
-      pictures->add(std::move(drawing), at);
+    if (context.page != nullptr)
+      context.page->watch("static, load factor " + short_text(state.factor));
   }
 
 

@@ -258,10 +258,12 @@ namespace samara
       settings.n_pictures = input.report_pictures;
       settings.watch      = input.watch || options.watch;
       settings.goes_on    = options.restart;
+      constexpr std::size_t most_items = 3000; // a hundred corners each are all that a page has
+      settings.is_too_large            = input.model.items.size() > most_items;
       Drawing reference;
       try
         {
-          if (system != nullptr)
+          if (system != nullptr && !settings.is_too_large)
             reference = system->draw(system->reference());
         }
       catch (const NotConverged &)

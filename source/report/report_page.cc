@@ -22,6 +22,9 @@ namespace samara
     /** Bytes in the page of a number of two bytes: deflated to two thirds, and three bytes as four letters. */
     constexpr double bytes_of_number = 2 * 0.65 * 4 / 3;
 
+    /** Corners that a page draws at most: 300 000 take some megabytes of it, and a second of a browser. */
+    constexpr std::size_t most_corners = 300000;
+
     /** Different sets of objects that are drawn; a run that has more of them shows the first. */
     constexpr unsigned int most_models = 16;
 
@@ -112,7 +115,8 @@ namespace samara
   ReportPage::ReportPage(const Settings &settings, const Model &model, Drawing &&reference, const Log &log)
     : settings(settings)
     , model(model)
-    , reference(std::move(reference))
+    , is_too_large(settings.is_too_large || reference.corners.size() > most_corners)
+    , reference(is_too_large ? Drawing() : std::move(reference))
     , log(log)
     , next_writing(std::chrono::steady_clock::now())
   {
@@ -133,7 +137,7 @@ namespace samara
     for (unsigned int i = 0; i < models.size(); ++i)
       if (models[i].fits(drawing))
         return i;
-    if (drawing.samples.empty() || models.size() == most_models)
+    if (is_too_large || drawing.samples.empty() || models.size() == most_models)
       return {};
     models.emplace_back(model, drawing, reference);
     return models.size() - 1;
@@ -189,6 +193,8 @@ namespace samara
   bool
   ReportPage::wants(const std::string &name)
   {
+    if (is_too_large)
+      return false;
     for (Series &one : series)
       if (one.name == name && one.n_come % one.every != 0)
         {
@@ -206,7 +212,8 @@ namespace samara
     std::size_t n = 0;
     for (const StillShape &shape : shapes)
       n += shape.parts.size();
-    const bool has_room = bytes_of_number * (n + 12. * reference.samples.size() * n_shapes) <= most_of_shapes;
+    const bool has_room =
+      !is_too_large && bytes_of_number * (n + 12. * reference.samples.size() * n_shapes) <= most_of_shapes;
     n_left_out += has_room ? 0 : 1;
     return has_room;
   }
@@ -292,8 +299,8 @@ namespace samara
   ReportPage::write_all(const std::string &state, const std::string &message, const std::string &progress)
   {
     ArrayStream stream;
-    std::string head = "{\"state\":" + json_text(state) + ",\"message\":" + json_text(message) +
-                       ",\"progress\":" + json_text(progress);
+    std::string head =
+      "{\"state\":" + json_text(state) + ",\"message\":" + json_text(message) + ",\"progress\":" + json_text(progress);
     if (state == "running") // equal runs leave equal data behind
       head += ",\"written\":" + std::to_string(std::time(nullptr)) + ",\"period\":" + json_number(period());
     head += "," + json(stream) + "}";
@@ -325,7 +332,9 @@ namespace samara
                       ",\"parts\":" + stream.add_packed(one.parts, one.parts.size() / 12, 12) + "}");
     for (std::size_t i = 0; i < shows.size(); ++i)
       text += (i > 0 ? "," : "") + shows[i];
-    if (n_left_out > 0)
+    if (is_too_large)
+      notes.push_back("the model is too large to be drawn here");
+    else if (n_left_out > 0)
       notes.push_back(std::to_string(n_left_out) + " modes are not drawn, so that the page stays small");
     text += "],\"notes\":[";
     for (std::size_t i = 0; i < notes.size(); ++i)

@@ -29,9 +29,10 @@ namespace samara
     struct Settings
     {
       std::string  folder;
-      unsigned int n_pictures = 150;   ///< of a motion
-      bool         watch      = false; ///< write the page again and again while the run goes on
-      bool         goes_on    = false; ///< behind the run whose data are in the folder
+      unsigned int n_pictures   = 150;   ///< of a motion
+      bool         watch        = false; ///< write the page again and again while the run goes on
+      bool         goes_on      = false; ///< behind the run whose data are in the folder
+      bool         is_too_large = false; ///< for a drawing; the page says so
     };
 
     /** @p reference: the undeformed model, drawn. */
@@ -41,9 +42,17 @@ namespace samara
 
     /**
      * A picture of a series: "dynamic", "static". Of too many every second one is kept. @p at: s, or a load factor. A
-     * drawing with other objects than those before in its series is left out, which the page says. The @p last one is kept.
+     * drawing with other objects than those before in its series is left out, which the page says. The @p last one is
+     * kept.
      */
     void add(const std::string &series, double at, const Drawing &drawing, bool last = false);
+
+    /** Whether anything is drawn: a model of very many corners is not, which the page says. */
+    bool
+    draws() const
+    {
+      return !is_too_large;
+    }
 
     /** Whether the next picture of a series will be kept; if not, it counts as come, and need not be drawn. */
     bool wants(const std::string &series);
@@ -70,7 +79,8 @@ namespace samara
      */
     void add_to_shape(const Shape &shape, double at, const Drawing &mean, const Moved &moved, double epsilon);
 
-    /** Whether there is room for so many shapes more, of samples as many as the reference has; if not, the page says so. */
+    /** Whether there is room for so many shapes more, of samples as many as the reference has; if not, the page says
+     * so. */
     bool has_room_for(std::size_t n_shapes);
 
     /** Whether the page is watched, and it is time to write it again. */
@@ -108,16 +118,17 @@ namespace samara
     };
 
     const Model                                             &model;
-    const Drawing                                            reference;
+    const bool                                               is_too_large;
+    const Drawing                                            reference; ///< empty if the model is too large
     const Log                                               &log;
     std::deque<DrawnModel>                                   models;
     std::vector<Series>                                      series;
     std::vector<StillShape>                                  shapes;
     std::vector<std::pair<unsigned int, std::vector<float>>> means; ///< what is drawn, and where it is
     std::chrono::steady_clock::time_point                    next_writing;
-    double                                                   seconds = 0; ///< that the last writing took
-    unsigned int n_left_out = 0; ///< shapes for which there was no room
-    std::string                                              log_before;  ///< of the run that this one goes on from
+    double                                                   seconds    = 0; ///< that the last writing took
+    unsigned int                                             n_left_out = 0; ///< shapes for which there was no room
+    std::string                                              log_before;     ///< of the run that this one goes on from
 
     /** From one writing to the next while it is watched [s]. */
     double period() const;
