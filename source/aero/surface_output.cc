@@ -170,21 +170,46 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** NACA 0012 of chord one about its quarter, from the trailing edge round the nose; x from the leading edge. */
+    std::vector<Eigen::Vector2d>
+    outline_of_airfoil()
+    {
+      const double                 x[] = {1, 0.8, 0.6, 0.4, 0.2, 0.1, 0.03, 0};
+      const double                 t[] = {0, 0.026, 0.0456, 0.058, 0.0574, 0.0468, 0.0288, 0};
+      std::vector<Eigen::Vector2d> unit;
+      for (int i = 0; i < 8; ++i)
+        unit.push_back({0.25 - x[i], t[i]});
+      for (int i = 6; i > 0; --i)
+        unit.push_back({0.25 - x[i], -t[i]});
+      return unit;
+    }
+
+
+
+    /** The force of the section in its plane, square to the air that it meets there and along it, inertial axes [N/m]. */
+    template <typename AtStation>
+    std::array<Vector3, 2>
+    lift_and_drag(const AtStation &at)
+    {
+      const Vector3 w     = Vector3(at.V(1) * at.axes.e2 + at.V(2) * at.axes.e3).normalized(),
+                    force = at.flow.loads(1) * at.axes.e2 + at.flow.loads(2) * at.axes.e3, drag = force.dot(w) * w;
+      return {{force - drag, drag}};
+    }
+  } // namespace
+
+
+
   void
   Surface::draw(const State &state, Drawing &drawing) const
   {
-    // NACA 0012, from the trailing edge round the nose, x from the leading edge
-    const double                 x[] = {1, 0.8, 0.6, 0.4, 0.2, 0.1, 0.03, 0};
-    const double                 t[] = {0, 0.026, 0.0456, 0.058, 0.0574, 0.0468, 0.0288, 0};
-    std::vector<Eigen::Vector2d> unit;
-    for (int i = 0; i < 8; ++i)
-      unit.push_back({0.25 - x[i], t[i]});
-    for (int i = 6; i > 0; --i)
-      unit.push_back({0.25 - x[i], -t[i]});
+    const std::vector<Eigen::Vector2d>        unit = outline_of_airfoil();
     std::vector<Sample>                       axis;
     std::vector<std::vector<Eigen::Vector2d>> outlines;
     std::vector<std::array<double, 10>>       values;
     std::vector<std::array<double, 2>>        places;
+    std::vector<std::array<Vector3, 2>>       loads; // lift and drag
     for (const auto &element : elements)
       {
         const auto &all = at_element(element, state.point());
@@ -197,7 +222,11 @@ namespace samara
             sample.x = at.place;
             sample.D << at.axes.e1, at.axes.e2, at.axes.e3;
             sample.velocity = g.frames.velocity(station.N, station.quarter);
+            sample.spin     = at.spin;
+            // rigidly enough attached to the nearer node, for who asks of which body it is
+            sample.node = element.frames[std::max_element(station.N.begin(), station.N.end()) - station.N.begin()].node;
             axis.push_back(sample);
+            loads.push_back(lift_and_drag(at));
             values.push_back(values_at_station(at.flow, at.induced));
             if (inflow != nullptr)
               places.push_back({{at.on_disk.head<2>().norm(), azimuth(at, g.frames.x.back())}});
@@ -219,6 +248,12 @@ namespace samara
       set_field(quantities_of_station()[k].first, quantities_of_station()[k].second, [&](const unsigned int i) {
         return values[i][k];
       });
+    for (unsigned int k = 0; k < 2; ++k)
+      {
+        Field &field = drawing.field(k == 0 ? "lift" : "drag", "N/m", inertial_axes);
+        for (unsigned int i = 0; i < axis.size(); ++i)
+          field.set(first + i, loads[i][k]);
+      }
     if (inflow == nullptr)
       return;
     set_field("radius", "m", [&](const unsigned int i) { return places[i][0]; });

@@ -1,6 +1,7 @@
 #include <samara/analysis/dynamic_parts.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/report/report_page.h>
 #include <samara/solvers/newton.h>
 
 #include <algorithm>
@@ -20,8 +21,12 @@ namespace samara
   void
   DynamicAnalysis::record(const Context &context, const State &state, Projection &projection, Output &output)
   {
-    const bool is_picture =
-      output.pictures != nullptr && state.time >= output.next_picture - 1e-9 * (end_time - start_time);
+    const double round_off  = 1e-9 * (end_time - start_time);
+    const bool   is_picture = output.pictures != nullptr && state.time >= output.next_picture - round_off,
+               is_next      = context.page != nullptr && state.time >= output.next_on_page - round_off;
+    if (is_next)
+      output.next_on_page += (end_time - start_time) / context.page->settings.n_pictures;
+    const bool is_on_page = (is_next && context.page->wants("dynamic")) || (context.page != nullptr && context.page->draws() && is_end(state.time));
     if (output.energies != nullptr)
       {
         std::vector<double> row = {state.time, budget.kinetic, budget.strain, budget.potential, budget.loads};
@@ -38,9 +43,9 @@ namespace samara
         meshes.check(context, state, "dynamic, t = " + short_text(state.time) + " s");
         air.add(context.system, state);
       }
-    if (context.probes.empty() && !is_picture && !observer)
+    if (context.probes.empty() && !is_picture && !is_on_page && !observer)
       return;
-    const State &reported = output.report(context, state, projection, is_picture || observer);
+    const State &reported = output.report(context, state, projection, is_picture || is_on_page || observer);
     if (observer)
       observer(reported);
     if (output.history != nullptr && !context.probes.empty())
@@ -52,9 +57,25 @@ namespace samara
           row.push_back(probe.value(reported));
         output.history->add(row);
       }
+    if (is_picture || is_on_page)
+      show(context, reported, is_picture, is_on_page, output);
+  }
+
+
+
+  void
+  DynamicAnalysis::show(const Context &context,
+                        const State   &state,
+                        const bool     is_picture,
+                        const bool     is_on_page,
+                        Output        &output) const
+  {
+    Drawing drawing = context.system.draw(state);
+    if (is_on_page)
+      context.page->add("dynamic", state.time, drawing, is_end(state.time));
     if (is_picture)
       {
-        output.pictures->add(context.system.draw(reported), state.time);
+        output.pictures->add(std::move(drawing), state.time);
         output.next_picture += (end_time - start_time) / n_pictures;
       }
   }

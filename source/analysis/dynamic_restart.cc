@@ -22,6 +22,7 @@ namespace samara
                                   const double            start,
                                   const Checkpoint *const last)
     : next_picture(start)
+    , next_on_page(start)
     , needs(context.probes)
     , has_air(!AirOfSystem(context.system).is_empty())
   {

@@ -8,6 +8,7 @@
 #include <samara/base/text.h>
 #include <samara/model/algebraic_states.h>
 #include <samara/model/contact_group.h>
+#include <samara/report/report_page.h>
 
 #include <algorithm>
 #include <chrono>
@@ -114,7 +115,9 @@ namespace samara
     void   warn_of_ringing();
     double second_estimate(double from);
     void   write_step(const Advance &advance, double from, double second);
-    void   show_progress();
+    /** On the terminal, and on the page of the report while that is watched. */
+    void        show_progress();
+    std::string progress() const;
     void   begin_afresh();
     void   save();
     void   close();
@@ -367,19 +370,32 @@ namespace samara
   DynamicAnalysis::Run::show_progress()
   {
     // seconds: a line that is written over may change often, a file grows by lines
+    if (context.page != nullptr && context.page->is_due())
+      {
+        output.flush(false);
+        context.page->watch(progress());
+      }
     if (!(seconds_since(last_progress) > (context.log.is_terminal() ? 0.3 : 10.)))
       return;
+    context.log.progress(progress());
+    last_progress = Clock::now();
+  }
+
+
+
+  std::string
+  DynamicAnalysis::Run::progress() const
+  {
     const Report &report  = analysis.report;
     const Budget &budget  = analysis.budget;
     const double  seconds = seconds_since(clock_start), done = state.time - begin;
-    context.log.progress(
+    return
       "t " + number_to_text("%.6g", state.time) + " s of " + number_to_text("%g", analysis.end_time) + ", step " +
       number_to_text("%.3g", is_adaptive ? machinery.stepper->next_step : analysis.step) + " s, " +
       number_to_text("%.1f", double(report.n_iterations) / std::max(1u, report.n_steps)) +
       " iterations a step, energy " + number_to_text("%.6g", budget.kinetic + budget.strain + budget.potential) +
       " J, " + number_to_text("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
-      number_to_text("%.0f", done > 0 ? seconds / done * (analysis.end_time - state.time) : 0.) + " s");
-    last_progress = Clock::now();
+      number_to_text("%.0f", done > 0 ? seconds / done * (analysis.end_time - state.time) : 0.) + " s";
   }
 
 

@@ -3,6 +3,7 @@
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/report/report_page.h>
 #include <samara/time/projection.h>
 
 #include <algorithm>
@@ -319,7 +320,7 @@ namespace samara
       }
     if (!context.sweep.empty())
       add_to_speeds(context, T);
-    if (context.pictures && context.is_shown() && !context.folder.empty())
+    if ((context.pictures || (context.page != nullptr && context.page->draws())) && context.is_shown() && !context.folder.empty())
       for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
         animate(context, map, k);
   }

@@ -5,6 +5,7 @@
 #include <samara/base/text.h>
 #include <samara/model/probe_needs.h>
 #include <samara/output/pictures.h>
+#include <samara/report/report_page.h>
 #include <samara/time/projection.h>
 
 #include <algorithm>
@@ -234,7 +235,8 @@ namespace samara
                                                                    "frequency [rad/s]",
                                                                    "frequency mod period [rad/s]",
                                                                    "family",
-                                                                   "pattern"});
+                                                                   "pattern",
+                                                                   "mode"});
     std::vector<Mode> shapes;
     for (const auto &mode : modes)
       {
@@ -254,7 +256,8 @@ namespace samara
                           modes[i].frequency(),
                           std::abs(std::arg(modes[i].multiplier)) / T,
                           modes[i].content.family,
-                          modes[i].content.pattern});
+                          modes[i].content.pattern,
+                          i + 1});
   }
 
 
@@ -279,14 +282,50 @@ namespace samara
       }
     if (!(largest > 0))
       return;
+    for (auto &image : images)
+      image *= 0.05 / largest;
+    if (context.page != nullptr && context.page->draws())
+      show(context, map, images, k);
+    if (!context.pictures)
+      return;
     Pictures pictures(context.folder, "floquet_" + std::to_string(k + 1));
     for (unsigned int i = 0; i < images.size(); ++i)
       {
-        const Eigen::VectorXd x     = images[i].real() * (0.05 / largest);
+        const Eigen::VectorXd x     = images[i].real();
         const State          &state = map.map.states()[i];
         pictures.add(system.draw(moved(system, state, x.data())), state.time);
       }
     pictures.finish();
+  }
+
+
+
+  void
+  FloquetAnalysis::show(const Context                       &context,
+                        SectionMap                          &map,
+                        const std::vector<Eigen::VectorXcd> &images,
+                        const unsigned int                   k) const
+  {
+    constexpr unsigned int most_pictures = 72;   // of a period: each five degrees of a turn
+    constexpr double       epsilon       = 1e-4; // see show_shape()
+    const unsigned int     every         = (images.size() + most_pictures - 1) / most_pictures;
+    ReportPage::Shape      what;
+    what.name   = "floquet_" + std::to_string(k + 1);
+    what.number = k + 1;
+    what.period = map.map.settings.period;
+    what.turn   = std::arg(modes[k].multiplier);
+    what.lambda = {modes[k].growth(), modes[k].frequency()};
+    for (unsigned int i = 0; i < images.size(); i += every)
+      {
+        const State &state = map.map.states()[i];
+        const auto   at    = [&](const std::complex<double> &factor) {
+          const Eigen::VectorXd x = (images[i] * factor).real();
+          return context.system.draw(moved(context.system, state, x.data()));
+        };
+        const std::complex<double> turned(0, epsilon);
+        context.page->add_to_shape(
+          what, state.time, context.system.draw(state), {{at(epsilon), at(-epsilon), at(turned), at(-turned)}}, epsilon);
+      }
   }
 
 

@@ -107,9 +107,8 @@ namespace samara
     tell_instability(context, steady);
     if (!context.sweep.empty())
       add_to_fan(context);
-    if (context.pictures && context.is_shown() && !context.folder.empty())
-      for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
-        animate(context, k);
+    if (!context.folder.empty())
+      animate(context);
   }
 
 

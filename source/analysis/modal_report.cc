@@ -74,7 +74,8 @@ namespace samara
                                                              "real [1/s]",
                                                              "imaginary [rad/s]",
                                                              "family",
-                                                             "pattern"});
+                                                             "pattern",
+                                                             "mode"});
     for (unsigned int i = 0; i < modes.size(); ++i)
       fan->add_row({context.speeds[0],
                     branches[i],
@@ -83,7 +84,8 @@ namespace samara
                     modes[i].lambda.real(),
                     modes[i].lambda.imag(),
                     contents.empty() ? "" : contents[i].family,
-                    contents.empty() ? "" : contents[i].pattern});
+                    contents.empty() ? "" : contents[i].pattern,
+                    i + 1});
   }
 
 
@@ -165,10 +167,31 @@ namespace samara
 
 
   void
-  ModalAnalysis::animate(const Context &context, const unsigned int k) const
+  ModalAnalysis::animate(const Context &context) const
   {
-    const double period = modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.;
-    draw_shape(context.system, context.state, modes[k].shape, period, context.folder, "mode_" + std::to_string(k + 1));
+    const bool         is_shown = context.is_shown();
+    const unsigned int n        = std::min<unsigned int>(n_animations, modes.size());
+    for (unsigned int k = 0; k < n && context.pictures && is_shown; ++k)
+      draw_shape(context.system,
+                 context.state,
+                 modes[k].shape,
+                 modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.,
+                 context.folder,
+                 "mode_" + std::to_string(k + 1));
+    // on the page all modes; those of the speed that is shown keep their room
+    for (unsigned int k = 0; k < modes.size() && context.page != nullptr; ++k)
+      {
+        if (!context.page->has_room_for(is_shown ? 1 : modes.size() + 1))
+          continue;
+        ReportPage::Shape what;
+        what.name    = "mode_" + std::to_string(k + 1) + (is_shown ? "" : " at " + context.name_of_speed() + " rad/s");
+        what.number  = k + 1;
+        what.lambda  = modes[k].lambda;
+        what.is_main = is_shown;
+        if (!context.sweep.empty())
+          what.speed = context.speeds[0];
+        show_shape(context.system, context.state, modes[k].shape, what, *context.page);
+      }
   }
 
 

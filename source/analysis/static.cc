@@ -6,6 +6,7 @@
 #include <samara/analysis/static.h>
 #include <samara/analysis/steady_loads.h>
 #include <samara/base/text.h>
+#include <samara/report/report_page.h>
 #include <samara/solvers/anderson.h>
 #include <samara/solvers/equilibrate.h>
 #include <samara/solvers/kept_inertia.h>
@@ -396,8 +397,21 @@ namespace samara
     if (history)
       history->add(values_of(context, reported, state.factor));
     // of a sweep one at each speed
-    if (pictures && (context.sweep.empty() || progress == 1.))
-      pictures->add(context.system.draw(state), context.sweep.empty() ? progress : context.speeds[0]);
+    if (!(context.sweep.empty() || progress == 1.))
+      return;
+    const double      at         = context.sweep.empty() ? progress : context.speeds[0];
+    const std::string series     = context.sweep.empty() ? "static" : "static_speeds";
+    const bool        is_on_page = context.page != nullptr && context.page->wants(series);
+    if (is_on_page || pictures)
+      {
+        Drawing drawing = context.system.draw(reported);
+        if (is_on_page)
+          context.page->add(series, at, drawing);
+        if (pictures)
+          pictures->add(std::move(drawing), at);
+      }
+    if (context.page != nullptr)
+      context.page->watch("static, load factor " + short_text(state.factor));
   }
 
 

@@ -242,6 +242,7 @@ namespace samara
           const double s = cell.start + (cell.end - cell.start) * k / (2 * cell.degree);
           known.push_back(local(state, s));
           axis.push_back(known.back().sample);
+          axis.back().spin = known.back().spin;
           outlines.push_back(section->outline(s / curve->length()));
         }
     drawing.begin_object(name);

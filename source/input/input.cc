@@ -56,6 +56,17 @@ namespace samara
     Parameters &output = prm.subsection("Output");
     output.add("Probes", probes, "Numbers to record: body.point.displacement y, joint.rotation, ...");
     output.add("Pictures", pictures, "Whether to write files for ParaView.");
+    output.add("Report",
+               report,
+               "Whether to write report.html, one page for a browser with the drawing, the motion, the modes, all tables and "
+               "the messages.");
+    output.add("Report pictures",
+               report_pictures,
+               "How many pictures of a motion the page has, besides the one at the start; fewer of large models.",
+               dealii::Patterns::Integer(1, 10000));
+    output.add("Watch",
+               watch,
+               "Whether to write the page again and again while the model runs, so that a browser follows it; also --watch.");
   }
 
 

@@ -215,6 +215,7 @@ namespace samara
     auto item        = group.kinds.make(kind);
     item->name       = name;
     item->kind       = kind;
+    item->subsection = group.subsection;
     item->parameters = Parameters(name, kind);
     item->add_parameters(item->parameters);
     const auto before = complaints.count();

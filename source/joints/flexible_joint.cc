@@ -299,6 +299,8 @@ namespace samara
   FlexibleJoint::draw(const State &state, Drawing &drawing) const
   {
     drawing.begin_object(name);
+    drawing.attach(frame_a, state);
+    drawing.attach(frame_b, state);
     drawing.cylinder(drawing.sample(frame_a, state), 0, 0.05, 0.02);
   }
 

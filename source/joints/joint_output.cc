@@ -122,8 +122,76 @@ namespace samara
   Joint::draw(const State &state, Drawing &drawing) const
   {
     drawing.begin_object(name);
-    // a short cylinder along axis 3 with a thinner one of body B through it
-    drawing.cylinder(drawing.sample(frame_a, state), 2, 0.5 * draw_size, draw_size);
-    drawing.cylinder(drawing.sample(frame_b, state), 2, 0.25 * draw_size, 1.6 * draw_size);
+    draw_arms(state, drawing);
+    const Sample       a = drawing.sample(frame_a, state), b = drawing.sample(frame_b, state);
+    const unsigned int first = drawing.samples.size();
+    if (kind == "spherical")
+      {
+        drawing.sphere(a, 0.5 * draw_size);
+        drawing.cylinder(b, 2, 0.2 * draw_size, 1.6 * draw_size);
+      }
+    else if (kind == "universal") // axis 1 of A and axis 2 of B are the cross
+      {
+        drawing.cylinder(a, 0, 0.2 * draw_size, 1.6 * draw_size);
+        drawing.cylinder(b, 1, 0.2 * draw_size, 1.6 * draw_size);
+      }
+    else if (kind == "rigid")
+      drawing.box(a, Vector3::Constant(0.7 * draw_size));
+    else if (kind == "prismatic")
+      {
+        drawing.box(a, draw_size * Vector3(0.9, 0.9, 1.));
+        drawing.box(b, draw_size * Vector3(0.45, 0.45, 1.8));
+      }
+    else if (kind == "planar" || kind == "in plane")
+      {
+        drawing.box(a, draw_size * Vector3(1.6, 1.6, 0.1));
+        drawing.sphere(b, 0.3 * draw_size);
+      }
+    else // a short cylinder along axis 3 with a thinner one of body B through it
+      {
+        drawing.cylinder(a, 2, 0.5 * draw_size, draw_size);
+        drawing.cylinder(b, 2, 0.25 * draw_size, 1.6 * draw_size);
+      }
+    draw_reaction(state, a, first, drawing);
+  }
+
+
+
+  void
+  Joint::draw_arms(const State &state, Drawing &drawing) const
+  {
+    for (const Frame *const frame : {&frame_a, &frame_b})
+      {
+        drawing.attach(*frame, state);
+        Frame node;
+        node.node = frame->node;
+        // node 0 is the ground, whose origin is no part of the mechanism; frames of a weld are one
+        const bool is_drawn = frame == &frame_b && frame_a.node == frame_b.node && frame_a.arm == frame_b.arm;
+        if (frame->node > 0 && frame->arm.norm() > draw_size && !is_drawn)
+          drawing.bar(drawing.sample(node, state), drawing.sample(*frame, state), 0.1 * draw_size);
+      }
+  }
+
+
+
+  void
+  Joint::draw_reaction(const State &state, const Sample &a, const unsigned int first, Drawing &drawing) const
+  {
+    for (const bool is_moment : {false, true})
+      {
+        Vector3 reaction = Vector3::Zero();
+        bool    is_known = false;
+        for (unsigned int axis = 0; axis < 3; ++axis)
+          if (const auto component = action(is_moment, axis))
+            {
+              reaction += component(state) * a.D.col(axis);
+              is_known = true;
+            }
+        if (!is_known)
+          continue;
+        Field &field = drawing.field(is_moment ? "joint moment" : "joint force", is_moment ? "N m" : "N", inertial_axes);
+        for (unsigned int i = first; i < drawing.samples.size(); ++i)
+          field.set(i, reaction);
+      }
   }
 } // namespace samara

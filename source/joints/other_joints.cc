@@ -86,7 +86,9 @@ namespace samara
       return;
     if (!closes || gaps != Gaps::closed)
       check_gap(model, *this, *ends, body_a, body_b, gap);
-    model.weld((*ends)[0], (*ends)[1]);
+    frame_a = (*ends)[0];
+    frame_b = (*ends)[1];
+    model.weld(frame_a, frame_b);
   }
 
 
@@ -95,7 +97,9 @@ namespace samara
   Rigid::connect(Layout &layout)
   {
     if (!is_weld)
-      Joint::connect(layout);
+      return Joint::connect(layout);
+    frame_a = layout.model.resolved(frame_a);
+    frame_b = layout.model.resolved(frame_b);
   }
 
 
@@ -137,8 +141,15 @@ namespace samara
 
 
   void
-  Rigid::draw(const State &, Drawing &) const
-  {}
+  Rigid::draw(const State &state, Drawing &drawing) const
+  {
+    if (!is_weld)
+      return Joint::draw(state, drawing);
+    const auto reaches = [this](const Frame &frame) { return frame.node > 0 && frame.arm.norm() > draw_size; };
+    if (reaches(frame_a) || reaches(frame_b))
+      drawing.begin_object(name);
+    draw_arms(state, drawing);
+  }
 
 
 
@@ -198,8 +209,25 @@ namespace samara
   void
   Spring::draw(const State &state, Drawing &drawing) const
   {
+    // a zigzag, which has its lines whatever the length
+    constexpr unsigned int n      = 10;
+    const double           radius = 0.008 * free.front().reference, width = 0.05 * free.front().reference;
+    const Sample           a = drawing.sample(frame_a, state), b = drawing.sample(frame_b, state);
+    const Vector3          span = b.x - a.x;
     drawing.begin_object(name);
-    drawing.bar(drawing.sample(frame_a, state), drawing.sample(frame_b, state), 0.02 * free.front().reference);
+    if (span.norm() == 0)
+      return;
+    const Vector3 e  = span.unitOrthogonal();
+    const auto    at = [&](const unsigned int k) {
+      const double u = double(k) / n;
+      Sample       point;
+      point.x            = a.x + u * span + (k < 2 || k > n - 2 ? 0. : k % 2 == 0 ? width : -width) * e;
+      point.displacement = (1 - u) * a.displacement + u * b.displacement;
+      point.velocity     = (1 - u) * a.velocity + u * b.velocity;
+      return point;
+    };
+    for (unsigned int k = 0; k < n; ++k)
+      drawing.bar(at(k), at(k + 1), radius);
   }
 
 
@@ -255,6 +283,8 @@ namespace samara
   Distance::draw(const State &state, Drawing &drawing) const
   {
     drawing.begin_object(name);
+    drawing.attach(frame_a, state);
+    drawing.attach(frame_b, state);
     drawing.bar(drawing.sample(frame_a, state), drawing.sample(frame_b, state), 0.01 * length);
   }
 

@@ -471,6 +471,7 @@ namespace samara
   SlidingJoint::draw(const State &state, Drawing &drawing) const
   {
     drawing.begin_object(name);
+    drawing.attach(frame_b, state);
     const Sample at = drawing.sample(frame_b, state);
     if (cosines.empty())
       drawing.sphere(at, 0.01 * rail->length());

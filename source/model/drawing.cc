@@ -174,8 +174,19 @@ namespace samara
     sample.x            = frame.position(state.q.data());
     sample.D            = frame.triad(state.q.data());
     sample.displacement = sample.x - (node.x + node.D * frame.arm);
-    sample.velocity     = sample.D * frame.twist(state.y.data()).head<3>();
+    const Vector6 twist = frame.twist(state.y.data());
+    sample.velocity     = sample.D * twist.head<3>();
+    sample.spin         = sample.D * twist.tail<3>();
+    sample.node         = frame.node;
     return sample;
+  }
+
+
+
+  void
+  Drawing::attach(const Frame &frame, const State &state)
+  {
+    attachments.push_back(sample(frame, state));
   }
 
 
@@ -322,8 +333,12 @@ namespace samara
     if (span.norm() == 0)
       return; // a joint whose ends coincide has no bar
 
+    // the axes of its ends are those of the bar, so that its corners keep their places in them
     const Vector3 direction = span.normalized(), e = direction.unitOrthogonal(), f = direction.cross(e);
-    add_tube(*this, {from, to}, {circle(from.x, e, f, radius, sides_of_bar), circle(to.x, e, f, radius, sides_of_bar)});
+    Sample        a = from, b = to;
+    a.D << direction, e, f;
+    b.D = a.D;
+    add_tube(*this, {a, b}, {circle(a.x, e, f, radius, sides_of_bar), circle(b.x, e, f, radius, sides_of_bar)});
   }
 
 

@@ -503,7 +503,10 @@ namespace samara
   {
     Drawing drawing(&model);
     for (const auto &item : model.items)
-      item->draw(state, drawing);
+      {
+        item->draw(state, drawing);
+        drawing.items.resize(drawing.objects.size(), item.get());
+      }
     return drawing;
   }
 

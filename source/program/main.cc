@@ -98,6 +98,8 @@ main(int argc, char **argv)
   app.add_flag("--restart", options.restart, "Go on from the checkpoint in the folder of the results");
   app.add_option("-j,--jobs", options.jobs, "Of a study or of several models: how many run side by side")
     ->check(CLI::Range(1, 1024));
+  app.add_flag("--report", options.report, "Write report.html of a folder of results anew; of several folders one page of all");
+  app.add_flag("--watch", options.watch, "Write report.html again and again while the model runs; a browser follows it");
   app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
   app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
   auto *const help = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");

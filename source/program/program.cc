@@ -13,6 +13,8 @@
 #include <samara/output/table.h>
 #include <samara/program/program.h>
 #include <samara/recovery/section_report.h>
+#include <samara/report/report_page.h>
+#include <samara/report/write_report.h>
 #include <samara/solvers/blas_kernels.h>
 #include <samara/study/automatic_mesh.h>
 #include <samara/study/several_models.h>
@@ -50,13 +52,22 @@ namespace samara
 
 
 
+    std::vector<double>
+    own_speeds(const Model &model)
+    {
+      std::vector<double> speeds;
+      for (const auto &rotation : model.rotations)
+        speeds.push_back(rotation.speed);
+      return speeds;
+    }
+
+
+
     /** Speeds of the model, no sweep, nothing found yet. */
     void
     return_to_own_speed(Context &context)
     {
-      context.speeds.clear();
-      for (const auto &rotation : context.system.model.rotations)
-        context.speeds.push_back(rotation.speed);
+      context.speeds = own_speeds(context.system.model);
       context.sweep.clear();
       context.state          = context.system.reference();
       context.is_equilibrium = false;
@@ -176,6 +187,17 @@ namespace samara
 
 
 
+    /** The page of a folder whose results are complete: of a study, of sections. */
+    void
+    write_page(const std::string &folder, const Log &log)
+    {
+      keep_earlier_data(folder, false);
+      replace_file(folder + "/run.log", log.text());
+      write_report({folder}, folder + "/report.html");
+    }
+
+
+
     void
     run_study(const Options &options, InputFile file, Log &log)
     {
@@ -188,6 +210,7 @@ namespace samara
       const std::string folder = folder_of_results(options);
       const FolderLock  lock   = prepare_folder(folder);
       study.run(folder, options.jobs, execute, log);
+      write_page(folder, log);
     }
 
 
@@ -219,6 +242,39 @@ namespace samara
 
 
 
+    /** The page of the report, or none. @p system: null if there is nothing that moves. */
+    std::unique_ptr<ReportPage>
+    make_page(const Options      &options,
+              const Input        &input,
+              const System *const system,
+              const std::string  &folder,
+              const Log          &log)
+    {
+      keep_earlier_data(folder, options.restart && input.report);
+      if (!input.report)
+        return nullptr;
+      ReportPage::Settings settings;
+      settings.folder     = folder;
+      settings.n_pictures = input.report_pictures;
+      settings.watch      = input.watch || options.watch;
+      settings.goes_on    = options.restart;
+      constexpr std::size_t most_items = 3000; // a hundred corners each are all that a page has
+      settings.is_too_large            = input.model.items.size() > most_items;
+      Drawing reference;
+      try
+        {
+          if (system != nullptr && !settings.is_too_large)
+            reference = system->draw(system->reference());
+        }
+      catch (const NotConverged &)
+        {
+          // the air at rest may have no flow; then the first picture stands for the undeformed model
+        }
+      return std::make_unique<ReportPage>(settings, input.model, std::move(reference), log);
+    }
+
+
+
     /** A model without bodies: nothing moves, and there is nothing to assemble. */
     void
     run_without_bodies(const Options &options, const Input &input, Log &log)
@@ -234,9 +290,16 @@ namespace samara
       const std::string folder = folder_of_results(options);
       const FolderLock  lock   = prepare_folder(folder);
       write_used(input, folder);
+      const auto page = make_page(options, input, nullptr, folder, log);
       for (const auto &analysis : input.analyses)
-        analysis->run_without_bodies(input.model, folder, input.pictures, log);
+        {
+          if (auto *const sections = dynamic_cast<SectionReport *>(analysis.get()))
+            sections->page = page.get();
+          analysis->run_without_bodies(input.model, folder, input.pictures, log);
+        }
       log.line("results are in " + folder);
+      if (page != nullptr)
+        page->write("done", "");
     }
 
 
@@ -292,10 +355,14 @@ namespace samara
 
     /** Motions that nothing holds, as pictures of modes. */
     void
-    draw_free(const System &system, const ModelCheck &counts, const std::string &folder, Log &log)
+    draw_free(const System      &system,
+              const ModelCheck  &counts,
+              const std::string &folder,
+              Log               &log,
+              ReportPage *const  page = nullptr)
     {
       constexpr unsigned int most = 8;
-      if (const std::string text = draw_free_motions(system, counts, folder, most); !text.empty())
+      if (const std::string text = draw_free_motions(system, counts, folder, most, page); !text.empty())
         log.line(text);
     }
 
@@ -385,6 +452,79 @@ namespace samara
           throw NotConverged(text + "\n  " + counts.free_motions_text());
         }
     }
+    /** What was found until a run failed is shown, too, with the reason. */
+    void
+    show_failure(ReportPage *const page, const std::string &state, const std::exception &problem)
+    {
+      if (page == nullptr)
+        return;
+      try
+        {
+          page->write(state, readable(problem.what()));
+        }
+      catch (const std::exception &)
+        {
+          // what went wrong first is told
+        }
+    }
+
+
+
+    void
+    analyse_and_show(const Input &input, const ModelCheck &counts, Context &context)
+    {
+      try
+        {
+          analyse(input, counts, context);
+        }
+      catch (const Interrupted &stop)
+        {
+          show_failure(context.page, "stopped", stop);
+          throw;
+        }
+      catch (const std::exception &problem)
+        {
+          show_failure(context.page, "failed", problem);
+          throw;
+        }
+    }
+
+
+
+    /** samara --report FOLDER ...: of one its page anew, of several one page in the first. */
+    void
+    report_results(const Options &options, Log &log)
+    {
+      std::vector<std::string> folders = options.several;
+      if (folders.empty())
+        folders = {options.model};
+      std::string names;
+      for (const auto &folder : folders)
+        {
+          if (!std::filesystem::is_directory(folder))
+            throw InputError("samara: --report wants folders of results, and " + folder + " is none");
+          if (&folder != &folders.front())
+            names += "_" + file_name_of(std::filesystem::weakly_canonical(folder).filename().string());
+        }
+      const std::string file = folders[0] + (names.empty() ? "/report.html" : "/report_with" + names + ".html");
+      write_report(folders, file);
+      log.line("Report: " + file);
+    }
+    /** What is written and told when all analyses are done; it has taken from @p start to now. */
+    void
+    conclude(const Options                               &options,
+             const Input                                 &input,
+             const Context                               &context,
+             const std::chrono::steady_clock::time_point &start,
+             const std::clock_t                           processor_start)
+    {
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
+      run_verification_studies(options, input, context.folder, run, context.log);
+      context.log.line("done in " + short_text(seconds) + " s; results are in " + context.folder);
+      if (context.page != nullptr)
+        context.page->write("done", "");
+    }
   } // namespace
 
 
@@ -396,6 +536,8 @@ namespace samara
       return print_reference(std::cout, options.help_about);
     if (options.model.empty())
       throw InputError("no input file is given; write samara model.prm, or samara --help");
+    if (options.report)
+      return report_results(options, log);
     const auto start           = std::chrono::steady_clock::now();
     const auto processor_start = std::clock();
     InputFile  file(options.model);
@@ -435,21 +577,18 @@ namespace samara
     if (input.assembled)
       input.assembled->write(folder + "/assembly.csv");
     tell(options, input, system, counts, log);
+    const auto page = make_page(options, input, &system, folder, log);
     if (input.pictures && input.has_analysis("static") && !options.restart)
-      draw_free(system, counts, folder, log);
+      draw_free(system, counts, folder, log, page.get());
     counts.shapes = {}; // as long as the model is large, each of them
-    std::vector<double> speeds;
-    for (const auto &rotation : input.model.rotations)
-      speeds.push_back(rotation.speed);
-    Context context{system, log, folder, probes, input.pictures, system.reference(), speeds, input.rotor_speeds};
+    Context context{
+      system, log, folder, probes, input.pictures, system.reference(), own_speeds(input.model), input.rotor_speeds};
     context.restart    = options.restart;
     context.least_norm = least_norm;
     context.used       = input.used();
-    analyse(input, counts, context);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
-    run_verification_studies(options, input, folder, run, log);
-    log.line("done in " + short_text(seconds) + " s; results are in " + folder);
+    context.page       = page.get();
+    analyse_and_show(input, counts, context);
+    conclude(options, input, context, start, processor_start);
   }
 
 
@@ -459,7 +598,7 @@ namespace samara
   {
     try
       {
-        if (!options.several.empty())
+        if (!options.several.empty() && !options.report)
           return execute_all(options, execute);
         // no MPI, which would want to start a daemon and complains where it cannot
         set_threads(1);

@@ -166,7 +166,8 @@ namespace samara
                const Section     &section,
                const Vector3     &curvature,
                const std::string &folder,
-               const bool         pictures)
+               const bool         pictures,
+               ReportPage *const  page)
     {
       Row row{name, curvature, section.at(0, curvature)};
       if (const auto *const analysed = section.analysed())
@@ -175,6 +176,8 @@ namespace samara
           add_analysis(row, *analysed, *analysis);
           if (pictures)
             replace_file(folder + "/section_" + file + ".vtu", picture_of(*analysis));
+          if (page != nullptr)
+            page->add("section " + name, 0, drawing_of(*analysis, name));
         }
       replace_file(folder + "/section_" + file + ".txt", file_of(row).write(16));
       return row;
@@ -184,7 +187,11 @@ namespace samara
 
 
   void
-  SectionReport::report(const Model &model, const std::string &folder, const bool pictures, Log &log) const
+  SectionReport::report(const Model       &model,
+                        const std::string &folder,
+                        const bool         pictures,
+                        ReportPage *const  page,
+                        Log               &log) const
   {
     constexpr std::size_t most = 4; // a curved beam has many curvatures
     std::vector<Row>      rows;
@@ -203,7 +210,7 @@ namespace samara
             if (file != file_name_of(name))
               log.line("Section " + name + " is in section_" + file +
                        ".txt: names of files have other characters, and another section takes that without a number");
-            rows.push_back(report_one(name, file, *section, curvatures[i], folder, pictures));
+            rows.push_back(report_one(name, file, *section, curvatures[i], folder, pictures, page));
             SectionFile shown = file_of(rows.back());
             shown.values.outline.clear();
             log.line(shown.write(10));
@@ -248,7 +255,11 @@ namespace samara
   {
     if (context.folder.empty())
       return;
-    report(context.system.model, context.folder, context.pictures && context.is_shown(), context.log);
+    report(context.system.model,
+           context.folder,
+           context.pictures && context.is_shown(),
+           context.is_shown() ? context.page : nullptr,
+           context.log);
     write_beamdyn_files(context);
     if (!places.empty() || !watched.empty())
       report_stresses(context);
@@ -265,7 +276,7 @@ namespace samara
       throw InputError(parameters.where("Stresses at") + ": there is no beam in the model where stresses could be");
     if (!beamdyn_beams.empty())
       throw InputError(parameters.where("BeamDyn files") + ": there is no beam in the model");
-    report(model, folder, pictures, log);
+    report(model, folder, pictures, page, log);
   }
 
 

@@ -266,6 +266,8 @@ namespace samara
             parts.push_back({part, section_stresses_of(*part.section.shape, here.curvature)});
             if (const auto more = with_one_degree_more(*part.section.shape, here.curvature))
               finer.emplace_back(part.section.weight, more->extremes(forces, here.helix));
+            if (context.page != nullptr && context.is_shown() && &part == &*nearest)
+              context.page->add("stresses " + place.name, 0, drawing_of_stresses(*analysis, forces, here.helix, part.section.name));
             if (context.pictures && context.is_shown() && &part == &*nearest)
               replace_file(context.folder + "/stresses_" + files.next(place.file) + ".vtu",
                            picture_of_stresses(*analysis, forces, here.helix, here.x, here.D));

@@ -178,7 +178,7 @@ namespace samara
   std::vector<std::string>
   StudyQuantity::overrides() const
   {
-    std::vector<std::string> result = {"Output/Pictures = false"};
+    std::vector<std::string> result = {"Output/Pictures = false", "Output/Report = false"};
     if (source == "static" || source == "dynamic")
       result.push_back("Output/Probes = " + name);
     return result;

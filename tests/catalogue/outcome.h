@@ -6,6 +6,7 @@
 
 #include "../output/scratch_folder.h"
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -33,6 +34,11 @@ namespace samara
       options.model     = folder.path + "/model.prm";
       options.output    = folder.path + "/results";
       options.overrides = overrides;
+      // the page of the report holds used.prm, which no two runs that are compared here have in common
+      const auto is_of_report = [](const std::string &text) { return text.find("Output/Report") == 0; };
+      if (model.find("study") == std::string::npos &&
+          std::none_of(overrides.begin(), overrides.end(), is_of_report))
+        options.overrides.push_back("Output/Report = false");
       std::ofstream(options.model) << model;
       std::ostringstream said;
       Log                log(said);
@@ -95,7 +101,7 @@ namespace samara
             continue;
           const std::string extension = file.path().extension();
           files[file.path()]          = extension == ".csv" ? table_of(file.path()) :
-                                        extension == ".h5" || extension == ".checkpoint" || extension == ".txt" ?
+                                        extension == ".h5" || extension == ".checkpoint" || extension == ".txt" || extension == ".html" ?
                                                               "" :
                                                               content_of(file.path());
         }

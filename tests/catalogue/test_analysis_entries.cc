@@ -248,9 +248,12 @@ TEST_F(Catalogued, Model)
          {"Analyses", "static"},
          {"Output / Probes", "h.rotation, b.position x"},
          {"Output / Pictures", "false", {"Dynamic/Pictures = 1"}},
+         {"Output / Report", "true"},
+         {"Output / Report pictures", "1", {"Output/Report = true"}},
          {"Rotor speeds", "1, 2", {}, true}},
         {{"Assembly / Gaps", "for joints between two points: tests/assembly"},
          {"Linear solver", "numbers do not depend on it: tests/solvers/test_libraries.cc"},
+         {"Output / Watch", "written in between: tests/contrib/test_report"},
          {"Threads", "numbers do not depend on it: tests/cosserat"},
          {"Redundant constraints", "no effect any more, which the run says"}});
 }

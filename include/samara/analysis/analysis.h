@@ -12,6 +12,8 @@
 
 namespace samara
 {
+  class ReportPage;
+
   /** What an analysis starts from, and leaves for the next one. */
   struct Context
   {
@@ -26,6 +28,8 @@ namespace samara
     bool                is_equilibrium = false; ///< whether the state has been found by a static analysis
     bool                restart        = false; ///< go on from a checkpoint in the folder
     bool                least_norm     = true;  ///< whether probes show reactions that are not unique
+
+    ReportPage *page = nullptr; ///< what is drawn is shown there, too; null: none
 
     /** All entries as used, see Input::used(), for checkpoints. */
     std::shared_ptr<const std::string> used = std::make_shared<const std::string>();

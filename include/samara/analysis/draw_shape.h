@@ -2,6 +2,7 @@
 #define samara_analysis_draw_shape_h
 
 #include <samara/analysis/check.h>
+#include <samara/report/report_page.h>
 
 namespace samara
 {
@@ -17,11 +18,24 @@ namespace samara
                   const std::string &name);
 
   /**
-   * The free motions of the reference configuration as such series, free_motion_1 ..., at most @p most. Says which
-   * files there are.
+   * The same shape on the page of a report: drawings of the state moved by small parts of it. An amplitude of one is that
+   * of the pictures.
    */
-  std::string
-  draw_free_motions(const System &system, const ModelCheck &check, const std::string &folder, unsigned int most);
+  void show_shape(const System            &system,
+                  const State             &about,
+                  const Eigen::VectorXcd  &shape,
+                  const ReportPage::Shape &what,
+                  ReportPage              &page);
+
+  /**
+   * The free motions of the reference configuration as such series, free_motion_1 ..., at most @p most; on the @p page,
+   * too, if there is one. Says which files there are.
+   */
+  std::string draw_free_motions(const System      &system,
+                                const ModelCheck  &check,
+                                const std::string &folder,
+                                unsigned int       most,
+                                ReportPage        *page = nullptr);
 } // namespace samara
 
 #endif

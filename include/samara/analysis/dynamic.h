@@ -174,6 +174,8 @@ namespace samara
     std::vector<std::pair<std::string, double *>> remembered_numbers();
     /** @} */
     void record(const Context &context, const State &state, Projection &projection, Output &output);
+    /** Into a picture, and onto the page of the report. */
+    void show(const Context &context, const State &state, bool is_picture, bool is_on_page, Output &output) const;
     void account(const Context &context, const State &state, const StepResult &step);
     double
     half_steps(const Context &context, const State &start, const State &end, double h, Integrator &integrator) const;

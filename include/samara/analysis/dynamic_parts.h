@@ -15,7 +15,7 @@ namespace samara
     std::unique_ptr<History>       history, energies, steps;
     std::unique_ptr<Pictures>      pictures;
     std::unique_ptr<RedundantRows> redundant; ///< made when reactions are not unique
-    double                         next_picture = 0;
+    double                         next_picture = 0, next_on_page = 0;
     bool                           is_massless  = false; ///< accelerations cannot be found; has been said
     ProbeNeeds                     needs;
     const bool                     has_air;  ///< loads of it, which have columns of their own

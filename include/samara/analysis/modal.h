@@ -83,7 +83,8 @@ namespace samara
     void name_families(const Context &context);
     void add_to_fan(const Context &context);
     void report(Context &context) const;
-    void animate(const Context &context, unsigned int k) const;
+    /** As pictures, and on the page of the report: there at all speeds, as long as there is room. */
+    void animate(const Context &context) const;
   };
 
 

@@ -22,6 +22,7 @@ namespace samara
     void
     line(const std::string &text)
     {
+      keep(text);
       if (!quiet)
         *out << text << std::endl;
     }
@@ -50,7 +51,16 @@ namespace samara
     warning(const std::string &where, const std::string &text)
     {
       ++warnings;
-      *out << (where.empty() ? "" : where + ": ") << "warning: " << text << std::endl;
+      const std::string all = (where.empty() ? "" : where + ": ") + "warning: " + text;
+      keep(all);
+      *out << all << std::endl;
+    }
+
+    /** All lines and warnings so far, also those that a quiet log did not print; the first megabyte of them. */
+    const std::string &
+    text() const
+    {
+      return kept;
     }
 
     unsigned int
@@ -63,6 +73,15 @@ namespace samara
     std::ostream *out;
     bool          quiet;
     unsigned int  warnings = 0;
+    std::string   kept;
+
+    void
+    keep(const std::string &text)
+    {
+      constexpr std::size_t most = 1000000;
+      if (kept.size() < most)
+        kept += text + '\n';
+    }
   };
 } // namespace samara
 

@@ -425,6 +425,16 @@ namespace samara
 
     Model *model = nullptr;
 
+    /** @name Parts of draw(), for kinds with shapes of their own @{ */
+    /** Thin bars from the origins of what is joined to the joint, where these are far from it; bodies are held there. */
+    void draw_arms(const State &state, Drawing &drawing) const;
+    /**
+     * What A gets from B, as far as probes know it, at all samples from @p first on: "joint force" [N], "joint moment"
+     * [N m], inertial axes. @p a: frame A.
+     */
+    void draw_reaction(const State &state, const Sample &a, unsigned int first, Drawing &drawing) const;
+    /** @} */
+
     /** @name For kinds with rows of their own, in whose connect() @{ */
     Block                     block; ///< local unknowns: 12 twists of the nodes, used coordinates, multipliers
     std::vector<FreeMotion *> used;

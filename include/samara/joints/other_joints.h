@@ -41,6 +41,7 @@ namespace samara
     void add_parameters(Parameters &prm) override;
     void initialize(Model &model) override;
     void connect(Layout &layout) override;
+    /** Of a weld nothing is seen but arms to what is far from its body. */
     void draw(const State &, Drawing &) const override;
 
     /** None of a weld: its nodes are one. */

@@ -12,6 +12,7 @@
 namespace samara
 {
   class Model;
+  class Item;
   struct Frame;
 
   /** Where something drawn is and how it moves there. Vectors are in the inertial frame. */
@@ -21,6 +22,8 @@ namespace samara
     Matrix3 D            = Matrix3::Identity(); ///< triad; for beams d₁ is along the axis
     Vector3 displacement = Vector3::Zero();     ///< from the reference position [m]
     Vector3 velocity     = Vector3::Zero();     ///< [m/s]
+    Vector3 spin         = Vector3::Zero();     ///< angular velocity [rad/s]
+    int     node         = -1;                  ///< of the model, that it is rigidly attached to; −1: none
   };
 
 
@@ -66,10 +69,17 @@ namespace samara
     std::vector<Corner>      corners;
     std::vector<Cell>        cells;
     std::vector<std::string> objects;
+    std::vector<const Item *> items; ///< that drew them, one an object, or fewer; set by System::draw()
     std::deque<Field>        fields; ///< a deque, so that those who fill one may ask for another
+
+    /** Where joints hold bodies: not drawn. What moves rigidly with a body is seen from there. */
+    std::vector<Sample> attachments;
 
     /** Everything drawn from now on belongs to this object. */
     void begin_object(const std::string &name);
+
+    /** A frame of a body is held here; see attachments. */
+    void attach(const Frame &frame, const State &state);
 
     /** A frame as it is, and how it moves, in a state of the model. */
     Sample sample(const Frame &frame, const State &state) const;

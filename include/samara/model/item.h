@@ -37,6 +37,7 @@ namespace samara
     virtual ~Item() = default;
 
     std::string name, kind;
+    std::string subsection; ///< of the file that it stands in, "Bodies"
     Parameters  parameters;
 
     /** What messages call such a thing, "joint", "gear"; "" where its name says enough. */

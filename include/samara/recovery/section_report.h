@@ -4,6 +4,7 @@
 #include <samara/analysis/analysis.h>
 #include <samara/cosserat/analysed_section.h>
 #include <samara/recovery/largest_stress.h>
+#include <samara/report/report_page.h>
 
 namespace samara
 {
@@ -30,6 +31,9 @@ namespace samara
     /** @throws InputError if stresses are wanted, which beams have. */
     void run_without_bodies(const Model &model, const std::string &folder, bool pictures, Log &log) override;
 
+    /** Where sections are shown, too, of a model without bodies, which has no context; null: nowhere. */
+    ReportPage *page = nullptr;
+
     /** Before a run: look at the motions among @p analyses that come before this one, if there is something to see. */
     void watch(const Model &model, const std::vector<std::unique_ptr<Analysis>> &analyses);
 
@@ -41,7 +45,7 @@ namespace samara
     bool                                        sees_motion = false;
 
     std::vector<const Section *> wanted(const Model &model) const;
-    void                         report(const Model &model, const std::string &folder, bool pictures, Log &log) const;
+    void report(const Model &model, const std::string &folder, bool pictures, ReportPage *page, Log &log) const;
     void                         write_beamdyn_files(const Context &context) const;
     void                         look(const State &state);
     void                         report_stresses(const Context &context);
@@ -70,6 +74,12 @@ namespace samara
                                   double                 helix,
                                   const Vector3         &x,
                                   const Matrix3         &D);
+  /** @} */
+
+  /** The same for the page of a report, flat. @{ */
+  Drawing drawing_of(const SectionAnalysis &analysis, const std::string &name);
+  Drawing
+  drawing_of_stresses(const SectionAnalysis &analysis, const Vector6 &forces, double helix, const std::string &name);
   /** @} */
 } // namespace samara
 

@@ -14,6 +14,8 @@ namespace samara
     std::vector<std::string> overrides;
     std::vector<std::string> several; ///< models, where there are more than one: see execute_all()
     bool                     check = false, parameters = false, quiet = false, restart = false;
+    bool                     report = false; ///< the page of results that are there, or of several beside each other
+    bool                     watch  = false; ///< the page while the model runs
     unsigned int             jobs = 1; ///< members of a study, or models, that run side by side
   };
 
