@@ -22,7 +22,7 @@ namespace samara
     /** @} */
 
     /** Of the steps' own equations in products with tangents, below what is asked of the sum. */
-    constexpr double share_of_forcing = 1e-3;
+    constexpr double share_of_forcing = 1e-5;
 
     /** Of an image over its size: what is left of it across the images before, if it is to tell anything new. */
     constexpr double least_news = 0.05;

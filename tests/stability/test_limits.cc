@@ -8,9 +8,9 @@ using namespace samara;
 
 
 
-// A heavy top at 150 rad/s. One radian a step is solved with one matrix for all stages; two and more need the exact
-// matrix of all stages, which the report tells, and no halving. The energy is that of the start.
-TEST(Solvability, LongStepsTakeTheExactMatrix)
+// A heavy top at 150 rad/s. Steps of up to five radians are solved with one matrix for all stages, which converges by
+// its acceleration, and without halving. The energy is that of the start.
+TEST(Solvability, LongStepsHaveSolutions)
 {
   const auto top = [](const unsigned int s, const double radians, const std::vector<std::string> &more = {}) {
     const Trial trial("dynamics/heavy_top",
@@ -23,13 +23,13 @@ TEST(Solvability, LongStepsTakeTheExactMatrix)
     EXPECT_NEAR(trial.left(), 1, 1e-8);
     return trial.motion->report;
   };
-  EXPECT_EQ(top(2, 1).n_exact_steps, 0u);
-  for (const unsigned int s : {2, 3})
-    {
-      EXPECT_GT(top(s, 2).n_exact_steps, 0u) << s;
-      EXPECT_EQ(top(s, 2).n_failed, 0u) << s;
-    }
-  EXPECT_EQ(top(1, 2).n_failed, 0u); // solvable, but its result is wrong: see the page
+  for (const unsigned int s : {1, 2, 3})
+    for (const double radians : {1., 2., 3., 5.}) // beyond one the result is wrong: see the page
+      {
+        const auto report = top(s, radians);
+        EXPECT_EQ(report.n_exact_steps, 0u) << s << ", " << radians;
+        EXPECT_EQ(report.n_failed, 0u) << s << ", " << radians;
+      }
   // step control begins with six radians, too long, and ends with less than three
   const auto adaptive = top(3, 6, {"Dynamic/Step control = adaptive", "Dynamic/Tolerance = 1e-3"});
   EXPECT_GT(adaptive.n_failed + adaptive.n_rejected, 0u);
@@ -38,8 +38,8 @@ TEST(Solvability, LongStepsTakeTheExactMatrix)
 
 
 
-// The stiff stop. A step of the family keeps the energy through contact, and dissipation takes a tenth. Generalised α makes
-// energy with one step and loses it with another, as its contact force has no exact work.
+// The stiff stop. A step of the family keeps the energy through contact, and dissipation takes a tenth. Generalised α
+// makes energy with one step and loses it with another, as its contact force has no exact work.
 TEST(StopImpact, Energy)
 {
   const auto lost =
@@ -67,14 +67,17 @@ TEST(StopImpact, Energy)
 // Where all bars lie in one line the exact matrix of all stages leads on, without dissipation, too.
 TEST(FourBar, SingularPositions)
 {
-  const auto passes = [](const std::vector<std::string> &method, const std::string &end = "4") {
+  unsigned int n_exact = 0; // steps that only the exact matrix of all stages solves
+  const auto   passes  = [&n_exact](const std::vector<std::string> &method, const std::string &end = "4") {
     const Trial trial("dynamics/four_bar",
                       method + std::vector<std::string>{"Dynamic/End time = " + end,
                                                         "Dynamic/Step = 0.02",
                                                         "Dynamic/Smallest step = 1e-5"});
+    n_exact = trial.motion ? trial.motion->report.n_exact_steps : 0;
     return trial.motion != nullptr;
   };
   EXPECT_TRUE(passes(family(2, 1)));
+  EXPECT_GT(n_exact, 0u);
   EXPECT_TRUE(passes(family(2, 0.99)));
   EXPECT_TRUE(passes(family(1, 1), "5.3"));
   EXPECT_TRUE(passes(family(2, 0.5)));
@@ -108,9 +111,8 @@ TEST(ThinCantilever, DoesNotLock)
 
 
 
-// A thousand steps of free flight. Where the spring is resolved, moments stay as well as the order of the scheme makes
-// them, and the energy to round-off; where it is not, members without dissipation lose the momentum: forces of stages
-// are not quite opposite, and they ring. That is a weakness.
+// A thousand steps of free flight. Members without dissipation keep momentum and energy, whether the spring is resolved
+// or not; what the others lose of momentum is of the order of the scheme.
 TEST(FreeFlight, Momentum)
 {
   const auto change = [](const std::vector<std::string> &method, const std::string &spring) {
@@ -125,15 +127,15 @@ TEST(FreeFlight, Momentum)
     return std::make_pair((b.kinetic + b.strain) / b.start - 1,
                           (momenta.back() - momenta.front()).head<3>().norm() / momenta.front().head<3>().norm());
   };
-  for (const unsigned int s : {2, 3})
-    {
-      const auto soft = change(family(s, 1), "10");
-      EXPECT_NEAR(soft.first, 0, 1e-7);
-      EXPECT_LT(soft.second, s == 2 ? 1e-2 : 1e-5);
-    }
-  const auto stiff = change(family(2, 1), "1e4");
-  EXPECT_NEAR(stiff.first, 0, 1e-7);
-  EXPECT_GT(stiff.second, 5e-3);
+  for (const std::string spring : {"10", "1e4"})
+    for (const unsigned int s : {1, 2, 3})
+      {
+        const auto [energy, momentum] = change(family(s, 1), spring);
+        EXPECT_NEAR(energy, 0, 1e-7) << s << ", " << spring;
+        EXPECT_LT(momentum, 1e-7) << s << ", " << spring;
+      }
+  EXPECT_LT(change(family(2, 0), "10").second, 3e-2);
+  EXPECT_LT(change(family(3, 0), "10").second, 5e-5);
   EXPECT_LT(change(family(3, 0.5), "1e4").second, 2e-3);
   EXPECT_LT(change(rival("energy decaying", 0), "1e4").second, 1e-7); // exact there, but the energy is gone
 }
