@@ -105,23 +105,27 @@ namespace samara
     unsigned int      n_since_fresh = 0, n_factorizations = 0;
     bool              is_saved, is_ringing                = false; ///< whether that has been told
     Clock::time_point last_progress = clock_start, last_checkpoint = clock_start;
-    State             before; ///< where the step began, for the second estimate
+    State             before;                              ///< where the step began, for the second estimate
+    double            first_kinetic = 0, first_strain = 0; ///< largest energies of the first tenth of the run [J]
+    bool              has_told_growth = false;
     SingularPositions singular;
 
-    State  first_state();
-    void   open_account();
-    void   step();
-    void   count(const Advance &advance, double from);
-    void   warn_of_ringing();
+    State first_state();
+    void  open_account();
+    void  step();
+    void  count(const Advance &advance, double from);
+    void  warn_of_ringing();
+    /** Say so, once, where energies have grown far beyond those of the first tenth of the run. */
+    void   tell_growth();
     double second_estimate(double from);
     void   write_step(const Advance &advance, double from, double second);
     /** On the terminal, and on the page of the report while that is watched. */
     void        show_progress();
     std::string progress() const;
-    void   begin_afresh();
-    void   save();
-    void   close();
-    void   stop_if(bool is_interrupted);
+    void        begin_afresh();
+    void        save();
+    void        close();
+    void        stop_if(bool is_interrupted);
   };
 
 
@@ -261,6 +265,7 @@ namespace samara
     const double  from    = state.time;
     const Advance advance = machinery.stepper->advance(state, goal);
     count(advance, from);
+    tell_growth();
     for (const std::string &text : advance.left)
       context.log.line(text);
     singular.look(state);
@@ -272,6 +277,35 @@ namespace samara
     ++analysis.n_rows;
     if (std::lround(analysis.n_rows) % analysis.output_every == 0 || analysis.is_end(state.time))
       analysis.record(context, state, *machinery.projection, output);
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::tell_growth()
+  {
+    // what falls from rest has a hundred times the kinetic energy of its first tenth at the end
+    constexpr double far_more_strain = 100, far_more_speed = 1000, first_part = 0.1;
+    const Budget    &budget = analysis.budget;
+    if (has_told_growth || context.restart)
+      return;
+    if (state.time < analysis.start_time + first_part * (analysis.end_time - analysis.start_time))
+      {
+        first_kinetic = std::max(first_kinetic, budget.kinetic);
+        first_strain  = std::max(first_strain, budget.strain);
+        return;
+      }
+    const bool is_strain = first_strain > 0 && budget.strain > far_more_strain * first_strain,
+               is_speed  = first_kinetic > 0 && budget.kinetic > far_more_speed * first_kinetic;
+    if (!is_strain && !is_speed)
+      return;
+    has_told_growth = true;
+    context.log.line(
+      "dynamic: the motion grows: at t = " + short_text(state.time) + " s its " +
+      (is_strain ? "strain energy is " + short_text(far_more_strain) :
+                   "kinetic energy is " + short_text(far_more_speed)) +
+      " times the largest of the first tenth of the run. If nothing drives it so, it is unstable: flutter, "
+      "friction or a law feeds it");
   }
 
 
@@ -389,13 +423,12 @@ namespace samara
     const Report &report  = analysis.report;
     const Budget &budget  = analysis.budget;
     const double  seconds = seconds_since(clock_start), done = state.time - begin;
-    return
-      "t " + number_to_text("%.6g", state.time) + " s of " + number_to_text("%g", analysis.end_time) + ", step " +
-      number_to_text("%.3g", is_adaptive ? machinery.stepper->next_step : analysis.step) + " s, " +
-      number_to_text("%.1f", double(report.n_iterations) / std::max(1u, report.n_steps)) +
-      " iterations a step, energy " + number_to_text("%.6g", budget.kinetic + budget.strain + budget.potential) +
-      " J, " + number_to_text("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
-      number_to_text("%.0f", done > 0 ? seconds / done * (analysis.end_time - state.time) : 0.) + " s";
+    return "t " + number_to_text("%.6g", state.time) + " s of " + number_to_text("%g", analysis.end_time) + ", step " +
+           number_to_text("%.3g", is_adaptive ? machinery.stepper->next_step : analysis.step) + " s, " +
+           number_to_text("%.1f", double(report.n_iterations) / std::max(1u, report.n_steps)) +
+           " iterations a step, energy " + number_to_text("%.6g", budget.kinetic + budget.strain + budget.potential) +
+           " J, " + number_to_text("%.3g", done > 0 ? seconds / done : 0.) + " s a second, ETA " +
+           number_to_text("%.0f", done > 0 ? seconds / done * (analysis.end_time - state.time) : 0.) + " s";
   }
 
 

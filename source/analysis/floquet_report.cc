@@ -154,11 +154,11 @@ namespace samara
     const double       h     = T / n_steps;
     context.log.line("floquet: period " + number_to_text("%.6g", T) + " s, " + std::to_string(n_steps) +
                      " steps, periodic to " + number_to_text("%.1e", gap) + "; " +
-                     (found.is_all           ? "all " :
-                      found.n_looked_for > 0 ? "slow modes, " :
-                                               "Arnoldi's method, ") +
-                     std::to_string(found.n_columns) + " columns of the map over " +
-                     (parts > 1 ? "a part of " + std::to_string(parts) : std::string("the period")));
+                     (found.is_all           ? "all modes from " :
+                      found.n_looked_for > 0 ? "slow modes from " :
+                                               "largest multipliers from ") +
+                     std::to_string(found.n_columns) + " directions, each through " +
+                     (parts > 1 ? "1/" + std::to_string(parts) + " of the period" : std::string("the period")));
     Table table(columns_of_modes);
     for (unsigned int i = 0; i < modes.size(); ++i)
       {
@@ -323,8 +323,11 @@ namespace samara
           return context.system.draw(moved(context.system, state, x.data()));
         };
         const std::complex<double> turned(0, epsilon);
-        context.page->add_to_shape(
-          what, state.time, context.system.draw(state), {{at(epsilon), at(-epsilon), at(turned), at(-turned)}}, epsilon);
+        context.page->add_to_shape(what,
+                                   state.time,
+                                   context.system.draw(state),
+                                   {{at(epsilon), at(-epsilon), at(turned), at(-turned)}},
+                                   epsilon);
       }
   }
 

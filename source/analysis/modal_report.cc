@@ -14,23 +14,29 @@ namespace samara
 {
   namespace
   {
-    /** "modes 1, 2 grow, the fastest by 2.7 in 0.4 s", far above round-off; empty if none does. */
+    /** "modes 1, 2 grow, the fastest e-fold in 0.4 s (damping ratio -0.01)", far above round-off; empty if none does.
+     */
     std::string
     text_of_growth(const std::vector<Mode> &modes)
     {
       std::vector<std::string> numbers;
-      double                   fastest = 0;
+      double                   fastest = 0, ratio = 0;
       for (unsigned int i = 0; i < modes.size(); ++i)
         if (const double size = std::abs(modes[i].lambda);
             modes[i].lambda.real() > std::max(1e-7, 100 * modes[i].error) * size)
           {
             numbers.push_back(std::to_string(i + 1));
-            fastest = std::max(fastest, modes[i].lambda.real());
+            if (modes[i].lambda.real() > fastest)
+              {
+                fastest = modes[i].lambda.real();
+                ratio   = modes[i].damping_ratio();
+              }
           }
       if (numbers.empty())
         return "";
-      return (numbers.size() > 1 ? "modes " + join_some(numbers) + " grow" : "mode " + numbers[0] + " grows") +
-             " by a factor of 2.718 in " + short_text(1 / fastest) + " s";
+      return (numbers.size() > 1 ? "modes " + join_some(numbers) + " grow, the fastest" :
+                                   "mode " + numbers[0] + " grows") +
+             " e-fold in " + short_text(1 / fastest) + " s (damping ratio " + short_text(ratio) + ")";
     }
   } // namespace
 
@@ -47,7 +53,8 @@ namespace samara
     if (negative.number == 0 && growth.empty())
       return;
     if (negative.number == 0)
-      return context.log.warning("modal", at + "the state is unstable, though not by its stiffness: " + growth);
+      return context.log.warning(
+        "modal", at + "the state is unstable, by flutter, friction or a law, not by its stiffness: " + growth);
     const std::string text = at + negative.text(context.system);
     if (!growth.empty())
       context.log.warning("modal", text + "; " + growth);

@@ -440,8 +440,10 @@ namespace samara
       if (std::isfinite(piece->change[kind]))
         text += (text.empty() ? " by " : ", by ") + number_to_text("%.3g", 100 * piece->change[kind]) + " % in " +
                 kinds[kind].name;
-    return "the response of <" + piece->name +
-           "> and what it carries, or what carries it, to forces changes as parts turn," + text;
+    return "<" + piece->name +
+           "> with what it carries, or what carries it, is not alike in all directions across the axis: as parts turn, its "
+           "response to forces changes" +
+           text;
   }
 
 

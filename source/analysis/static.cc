@@ -262,7 +262,7 @@ namespace samara
       context.log.warning("static",
                           "parts do not turn steadily: " +
                             why_not_steady(context.system, turning, context.speeds, motion) +
-                            "; this is the equilibrium of one moment, as if speeds stayed what they are");
+                            "; this is the equilibrium of one azimuth, with the speeds that parts have there");
     else
       {
         tell_loads(context);
@@ -385,10 +385,13 @@ namespace samara
   StaticAnalysis::record(Context &context, const State &state, const double progress, const NewtonResult &result)
   {
     require_finite_state(context.system, state);
-    const std::string where = path == "arc length" ? "arc " + short_text(progress) : short_text(100 * progress) + " %";
-    context.log.line("  static: load factor " + short_text(state.factor) +
-                     (context.speeds.empty() ? "" : ", speed " + short_text(context.speeds[0]) + " rad/s") + " (" +
-                     where + "), " + std::to_string(result.iterations) + " iterations, " +
+    const std::string what = path == "arc length" ?
+                               "load factor " + short_text(state.factor) + " at the arc " + short_text(progress) :
+                             state.factor == 1. && progress == 1. ? "full load" :
+                                                                    short_text(100 * state.factor) + " % of the load";
+    context.log.line("  static: " + what +
+                     (context.speeds.empty() ? "" : ", " + short_text(context.speeds[0]) + " rad/s") + ", " +
+                     std::to_string(result.iterations) + " iterations, " +
                      short_text(double(std::clock() - processor_start) / CLOCKS_PER_SEC) + " s of the processor");
     State reported = state;
     if (context.least_norm && !reported.left_out.empty())

@@ -372,8 +372,7 @@ namespace samara
                      (motion->n_applied > 0 ?
                         " and " + std::to_string(motion->n_applied) + " products with a tangent" + of_section :
                         std::string()) +
-                     "; the orbit closes to " + number_to_text("%.1e", found.largest_gap) + ", targets are met to " +
-                     number_to_text("%.1e", found.miss) + " of their scales");
+                     "; the orbit closes to " + number_to_text("%.1e", found.largest_gap) + ", " + text_of_miss(found));
     air.tell(context, "trim");
     for (unsigned int j = 0; j < controls.size(); ++j)
       context.log.line(

@@ -30,9 +30,19 @@ namespace samara
       row.emplace_back(look.averages(k) / targets[k].factor);
     history->add_row(row);
     context.log.progress("trim: turn " + short_text(turns()) + ", periodic to " +
-                         number_to_text("%.1e", look.largest_gap) + " (" + motion->name_of(look.worst_gap) +
-                         "), targets missed by " + number_to_text("%.1e", look.miss) + " of their scales, most " +
-                         targets[look.worst_target].name);
+                         number_to_text("%.1e", look.largest_gap) + " (" + motion->name_of(look.worst_gap) + "), " +
+                         text_of_miss(look));
+  }
+
+
+
+  std::string
+  TrimAnalysis::Run::text_of_miss(const Look &look) const
+  {
+    const Target &worst = targets[look.worst_target];
+    return worst.name + " is off by " +
+           number_to_text("%.2g", std::abs(look.averages(look.worst_target) - worst.value) / worst.factor) + " " +
+           worst.unit;
   }
 
 
@@ -91,9 +101,9 @@ namespace samara
       return join(parts, ", ");
     };
     const auto &s = svd.sizes;
-    return "hardest to move are, in scales, the targets " + list(svd.U.col(n - 1), targets) +
-           ", which the controls " + list(svd.V.col(n - 1), controls) + " move by " +
-           number_to_text("%.2g", s(n - 1)) + "; the easiest are moved by " + number_to_text("%.2g", s(0));
+    return "hardest to move are, in scales, the targets " + list(svd.U.col(n - 1), targets) + ", which the controls " +
+           list(svd.V.col(n - 1), controls) + " move by " + number_to_text("%.2g", s(n - 1)) +
+           "; the easiest are moved by " + number_to_text("%.2g", s(0));
   }
 
 
@@ -151,9 +161,9 @@ namespace samara
         const Target &worst = targets[best.worst_target];
         text += "\n  the best motion that was reached is kept: it is periodic to " +
                 number_to_text("%.1e", best.largest_gap) + " (" + motion->name_of(best.worst_gap) +
-                "), and targets are missed by up to " + number_to_text("%.1e", best.miss) + " of their scales: <" +
-                worst.name + "> is " + number_to_text("%.6g", best.averages(best.worst_target) / worst.factor) +
-                " instead of " + number_to_text("%.6g", worst.value / worst.factor) + " " + worst.unit;
+                "), and targets are missed: <" + worst.name + "> is " +
+                number_to_text("%.6g", best.averages(best.worst_target) / worst.factor) + " instead of " +
+                number_to_text("%.6g", worst.value / worst.factor) + " " + worst.unit;
         if (const std::string limits = at_limits(controls_of(best.start)); !limits.empty())
           text += "; " + limits;
       }

@@ -102,8 +102,8 @@ namespace samara
     if (motion.is_steady())
       return "";
     if (!motion.strained.empty())
-      return "<" + motion.strained + "> is strained as parts turn, by " + number_to_text("%.4g", motion.strain) +
-             " of what disorder would: bearings are out of line, or what turns is bent";
+      return "<" + motion.strained + "> is strained as parts turn, by " + number_to_text("%.2g", motion.strain) +
+             " of its scale: bearings are out of line, or what turns is bent";
     std::vector<RateRange> ranges;
     try
       {

@@ -178,7 +178,7 @@ TEST(Unstable, BladeWhoseChordStandsAcrossThePlaneOfRotation)
         growth = std::max(growth, mode.lambda.real());
       const double square = (speed * speed * (I3 - I2) - GJ * M_PI * M_PI / 4) / (I2 + I3);
       EXPECT_NEAR(growth / std::sqrt(square), 1, 0.02);
-      EXPECT_TRUE(has_said(scene, "grows by a factor of 2.718 in")) << scene.stream.str();
+      EXPECT_TRUE(has_said(scene, "grows e-fold in")) << scene.stream.str();
     }
 }
 

@@ -160,6 +160,8 @@ namespace samara
 
     /** @name What is said @{ */
     void tell(const Look &look);
+    /** "flow.thrust is off by 1.2 N", of the target that is missed by most, in scales. */
+    std::string text_of_miss(const Look &look) const;
     /** What of J cannot be solved: a control without effect, a target that nothing moves; empty if it can. */
     std::string fault_of(const Eigen::MatrixXd &J) const;
     std::string at_limits(const VectorX &u) const;
