@@ -1,4 +1,5 @@
 #include <samara/aero/momentum_inflow.h>
+#include <samara/aero/station.h>
 #include <samara/base/dense.h>
 #include <samara/base/errors.h>
 
@@ -147,7 +148,7 @@ namespace samara
   FiniteStateInflow::Flight<Number>
   MomentumInflow::flight(const Point<Number> &point) const
   {
-    const Mat3<Number> H     = hub.triad(point.q);
+    const Mat3<Number> H     = axes_in_air(hub, point);
     const Vec6<Number> twist = hub.template twist<Number>(point.y);
     const Vec3<Number> wind  = air->wind(hub.position(point.q), point.time);
     const Vec3<Number> v     = H.transpose() * (wind - H * twist.template head<3>());

@@ -17,7 +17,18 @@ namespace samara
     for (unsigned int a = 0; a < g.frames.D.size(); ++a)
       g.rates.emplace_back(g.frames.D[a], g.frames.y[a]);
     if (inflow != nullptr)
-      g.frames.add(inflow->hub, point);
+      {
+        g.frames.add(inflow->hub, point);
+        // distances from the hub are those of the bodies, which turn as their axes do
+        if (point.reciprocal != nullptr)
+          for (unsigned int a = 0; a < element.frames.size(); ++a)
+            {
+              const Vec3<Number> from_hub = g.frames.x[a] - g.frames.x.back();
+              g.frames.x[a] =
+                g.frames.x.back() +
+                g.frames.D[a] * Vec3<Number>(element.frames[a].triad(point.reciprocal).transpose() * from_hub);
+            }
+      }
     g.lags.clear();
     for (const unsigned int i : element.lags)
       g.lags.push_back(point.states[i]);

@@ -3,6 +3,7 @@
 
 #include <samara/aero/inflow.h>
 #include <samara/aero/section_loads.h>
+#include <samara/rotation/nearest_rotation.h>
 
 #include <cmath>
 #include <complex>
@@ -130,6 +131,21 @@ namespace samara
 
 
 
+  /**
+   * The axes of a frame in which air is seen. In stages of steps that turn those of the node are not orthonormal, and
+   * velocities D y would be too small: the nearest ones that are turn with the body, and steady rotation in air is an
+   * equilibrium of the step, too (doc/theory/steady_rotation.md).
+   */
+  template <typename Number>
+  Mat3<Number>
+  axes_in_air(const Frame &frame, const Point<Number> &point)
+  {
+    const Mat3<Number> D = frame.triad(point.q);
+    return point.reciprocal == nullptr ? D : nearest_rotation(D);
+  }
+
+
+
   /** The frames of an element in a state: the parts of a Point that stations need. */
   template <typename Number>
   struct FramesInState
@@ -152,7 +168,7 @@ namespace samara
     add(const Frame &frame, const Point<Number> &point)
     {
       x.push_back(frame.position(point.q));
-      D.push_back(frame.triad(point.q));
+      D.push_back(axes_in_air(frame, point));
       y.push_back(frame.twist(point.y));
     }
 
