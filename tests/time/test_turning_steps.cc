@@ -223,6 +223,34 @@ TEST(TurningSteps, KeepTheForcesUnderLoadsThatFollow)
 
 
 
+// Air sees velocities and distances of the bodies, not those of the shorter triads of the stages. The shaft is driven
+// by the angle that the stages of Gauss turn it by, Padé's approximation of exp(iz): with another one the speed is
+// another.
+TEST(TurningSteps, KeepTheForcesInAir)
+{
+  constexpr double speed = 30;
+  for (const unsigned int s : {1, 2, 3})
+    for (const double z : {0.25, 0.5, 1.})
+      {
+        SCOPED_TRACE("s = " + std::to_string(s) + ", a step turns by " + std::to_string(z) + " rad");
+        const double half = s == 1 ? z / 2 :
+                            s == 2 ? z / 2 / (1 - z * z / 12) :
+                                     (z / 2 - z * z * z / 120) / (1 - z * z / 10);
+        Scene        scene("tests/reference/rotation/blade_in_air.prm",
+                    {"Constants/rate = " + number_to_text("%.17g", 2 * std::atan(half) / z * speed) + " rad/s"});
+        const State  start = scene.equilibrium();
+        for (const double rho : {1., 0.5, 0.})
+          {
+            const Changes c = changes_of(scene.system, start, Tableau(s, rho), z / speed, 1e-11);
+            EXPECT_EQ(c.n_steps, 20u) << rho;
+            EXPECT_LT(c.stress, 1e-8) << rho;
+            EXPECT_LT(c.multiplier, 1e-8) << rho;
+          }
+      }
+}
+
+
+
 // Linear momentum of what is free is kept by every step, of each set of bodies by itself; energy, too.
 TEST(TurningSteps, KeepMomentum)
 {
