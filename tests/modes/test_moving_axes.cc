@@ -159,7 +159,7 @@ TEST(MovingAxes, AxesThatAreSetAreWarnedAbout)
     {
       Scene scene(text, {"Modal/" + entry});
       EXPECT_EQ(frequencies(scene).size(), 6u);
-      EXPECT_NE(scene.stream.str().find("modal: warning: the response of <"), std::string::npos);
+      EXPECT_NE(scene.stream.str().find("its response to forces changes"), std::string::npos);
       EXPECT_NE(scene.stream.str().find("modes of this moment do not last"), std::string::npos);
     }
   Scene allowed(text, {"Modal/Unsteady motion = allow"});
@@ -170,7 +170,7 @@ TEST(MovingAxes, AxesThatAreSetAreWarnedAbout)
   // alone in rigid ground, but seen in fixed axes
   Scene fixed(model({rotor_on_shaft("one", 2, 0, "ground", 30, false)}, 6), {"Modal/Axes = fixed"});
   frequencies(fixed);
-  EXPECT_NE(fixed.stream.str().find("modal: warning: the response of <"), std::string::npos);
+  EXPECT_NE(fixed.stream.str().find("its response to forces changes"), std::string::npos);
 }
 
 
