@@ -310,6 +310,131 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Numbers of a rotor without dimension, of which each program has its own: these are those of helicopters, and of
+     * turbines. */
+    enum class Coefficient
+    {
+      thrust,         ///< C_T = T/(ρπR²(ΩR)²)
+      torque,         ///< C_Q = Q/(ρπR³(ΩR)²)
+      power,          ///< C_P = P/(ρπR²(ΩR)³)
+      advance_ratio,  ///< μ = V cos α/(ΩR), of the air along the disk
+      inflow_ratio,   ///< λ = (V sin α + w̄)/(ΩR), of the air through the disk
+      solidity,       ///< σ = ∫ c ds/(πR²)
+      wind_thrust,    ///< T/(½ρV²πR²), by the wind
+      wind_power,     ///< what the rotor takes from the air, −P/(½ρV³πR²)
+      tip_speed_ratio ///< ΩR/V
+    };
+
+    const std::vector<std::pair<std::string, Coefficient>> rotor_coefficients = {
+      {"thrust coefficient", Coefficient::thrust},
+      {"torque coefficient", Coefficient::torque},
+      {"power coefficient", Coefficient::power},
+      {"advance ratio", Coefficient::advance_ratio},
+      {"inflow ratio", Coefficient::inflow_ratio},
+      {"solidity", Coefficient::solidity},
+      {"wind thrust coefficient", Coefficient::wind_thrust},
+      {"wind power coefficient", Coefficient::wind_power},
+      {"tip speed ratio", Coefficient::tip_speed_ratio}};
+
+    const std::string over_solidity = " over solidity"; ///< behind the first three
+
+    /** a/b, and 0 where nothing turns, or no wind blows */
+    double
+    quotient(const double a, const double b)
+    {
+      return b > 0 ? a / b : 0.;
+    }
+
+    /** What coefficients are made of, in axes of the hub. */
+    struct RotorNumbers
+    {
+      double  thrust, torque, power; ///< [N, N m, W]
+      double  speed, radius;         ///< |Ω| [rad/s], R [m]
+      double  density, area;         ///< of the air [kg/m³], of the blades [m²]
+      double  mean;                  ///< w̄ [m/s]
+      Vector3 air;                   ///< velocity of the undisturbed air against the hub [m/s]
+
+      double
+      coefficient(const Coefficient wanted) const
+      {
+        const double disk = M_PI * radius * radius, tip = speed * radius, V = air.norm();
+        const double by_tip = density * disk * tip * tip, by_wind = density * disk * V * V / 2;
+        switch (wanted)
+          {
+            case Coefficient::thrust:
+              return quotient(thrust, by_tip);
+            case Coefficient::torque:
+              return quotient(torque, by_tip * radius);
+            case Coefficient::power:
+              return quotient(power, by_tip * tip);
+            case Coefficient::advance_ratio:
+              return quotient(air.head<2>().norm(), tip);
+            case Coefficient::inflow_ratio:
+              return quotient(mean - air(2), tip);
+            case Coefficient::solidity:
+              return area / disk;
+            case Coefficient::wind_thrust:
+              return quotient(thrust, by_wind);
+            case Coefficient::wind_power:
+              return quotient(-power, by_wind * V);
+            case Coefficient::tip_speed_ratio:
+              return quotient(tip, V);
+          }
+        return 0;
+      }
+    };
+  } // namespace
+
+
+
+  double
+  Inflow::speed(const State &state) const
+  {
+    const Vector3 axis = hub.triad(state.q.data()).col(2);
+    double        sum  = 0;
+    for (const auto *surface : surfaces)
+      {
+        const Frame carrier = surface->carrier();
+        sum += axis.dot(carrier.triad(state.q.data()) * carrier.twist(state.y.data()).tail<3>());
+      }
+    return surfaces.empty() ? 0. : sum / surfaces.size();
+  }
+
+
+
+  std::optional<Probe>
+  Inflow::coefficient_probe(const std::string &path) const
+  {
+    for (const auto &[name, wanted] : rotor_coefficients)
+      for (const bool is_over_solidity : {false, true})
+        if (path == (is_over_solidity ? name + over_solidity : name) &&
+            (!is_over_solidity || wanted <= Coefficient::power))
+          return Probe{path, "1", OfVelocities{{[this, wanted = wanted, is_over_solidity](const State &s) {
+                         const Matrix3  H   = hub.triad(s.q.data());
+                         const Vector3  x   = hub.position(s.q.data());
+                         const AirLoads sum = loads(s);
+                         RotorNumbers   rotor;
+                         rotor.thrust  = H.col(2).dot(sum.force);
+                         rotor.torque  = -H.col(2).dot(sum.moment);
+                         rotor.power   = -sum.power;
+                         rotor.speed   = std::abs(speed(s));
+                         rotor.radius  = radius_at(s.time);
+                         rotor.density = air->density;
+                         rotor.area    = 0;
+                         for (const auto *surface : surfaces)
+                           rotor.area += surface->area();
+                         rotor.mean = mean(s);
+                         rotor.air  = H.transpose() * (air->wind(x, s.time) - H * hub.twist(s.y.data()).head<3>());
+                         const double value = rotor.coefficient(wanted);
+                         return is_over_solidity ? quotient(value, rotor.coefficient(Coefficient::solidity)) : value;
+                       }}}};
+    return {};
+  }
+
+
+
   std::optional<Probe>
   Inflow::probe(const std::string &path) const
   {
@@ -347,7 +472,7 @@ namespace samara
     for (unsigned int k = 0; k < states.size(); ++k)
       if (path == "state " + std::to_string(k + 1))
         return Probe{path, "m/s", [=](const State &s) { return s.states[states[k]]; }};
-    return {};
+    return coefficient_probe(path);
   }
 
 
@@ -357,6 +482,11 @@ namespace samara
   {
     std::vector<std::string> names = {
       "thrust", "torque", "power", "induced power", "profile power", "figure of merit", "mean"};
+    for (const auto &[name, coefficient] : rotor_coefficients)
+      names.push_back(name);
+    for (const auto &[name, coefficient] : rotor_coefficients)
+      if (coefficient <= Coefficient::power)
+        names.push_back(name + over_solidity);
     for (const std::string quantity : {"force", "moment"})
       for (const char i : {'1', '2', '3'})
         names.push_back(quantity + " " + i);

@@ -367,6 +367,18 @@ namespace samara
 
 
 
+  double
+  Surface::area() const
+  {
+    double sum = 0;
+    for (const auto &element : elements)
+      for (const auto &station : element.stations)
+        sum += station.weight * station.section.chord;
+    return sum;
+  }
+
+
+
   AirLoads
   Surface::air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const
   {

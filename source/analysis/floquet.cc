@@ -1,4 +1,5 @@
 #include <samara/analysis/floquet.h>
+#include <samara/analysis/period_of_rotors.h>
 #include <samara/analysis/slow_modes.h>
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
@@ -110,7 +111,7 @@ namespace samara
   FloquetAnalysis::add_parameters(Parameters &prm)
   {
     using namespace dealii::Patterns;
-    prm.add("Period", period, "Period of the motion; 0: from the turns of a joint [s].", Double(0));
+    prm.add("Period", period, "Of the motion; 0: a turn of <Turns of>, or of the steady rotation [s].", Double(0));
     prm.add("Turns of",
             turns_of,
             "Joint whose rotation tells the period: that of its <Turns> at the speed that it has at the start.");
@@ -177,7 +178,7 @@ namespace samara
     const auto complain = [&](const std::string &entry, const std::string &text) {
       complaints.add(parameters.where(entry), text);
     };
-    if ((period > 0) == !turns_of.empty())
+    if (period > 0 ? !turns_of.empty() : turns_of.empty() && parameters.is_set("Period"))
       complain("Period", "give either the <Period>, or the joint <Turns of> which make one");
     if (!(turns > 0))
       complain("Turns", "the <Turns> in a period must be positive");
@@ -233,7 +234,11 @@ namespace samara
   FloquetAnalysis::period_at(const Context &context, const State &state) const
   {
     if (turns_of.empty())
-      return period;
+      {
+        double of_motion = period;
+        find_period(of_motion, parameters, context);
+        return of_motion;
+      }
     const Model &model = context.system.model;
     // those that are no rotations have no turns
     auto names = model.coordinates;

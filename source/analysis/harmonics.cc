@@ -1,4 +1,5 @@
 #include <samara/analysis/harmonics.h>
+#include <samara/analysis/period_of_rotors.h>
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
@@ -51,7 +52,7 @@ namespace samara
   HarmonicsAnalysis::add_parameters(Parameters &prm)
   {
     using namespace dealii::Patterns;
-    prm.add("Period", period, "Of the motion: 2*pi/Omega for a rotor [s].", Double(0));
+    prm.add("Period", period, "Of the motion; not given: a turn of the steady rotation [s].", Double(0));
     prm.add("Harmonics", n_harmonics, "How many are told; twice as many are less than the <Steps>.", Integer(1));
     prm.add(
       "Loads of",
@@ -80,7 +81,7 @@ namespace samara
   void
   HarmonicsAnalysis::check(const std::vector<double> &rotor_speeds, Complaints &complaints) const
   {
-    if (!(period > 0))
+    if (!(period > 0) && parameters.is_set("Period"))
       complaints.add(parameters.where("Period"), "the <Period> must be positive");
     if (2 * n_harmonics >= n_steps)
       complaints.add(parameters.where("Harmonics"),
@@ -174,6 +175,7 @@ namespace samara
     Complaints complaints;
     check(context.sweep, complaints);
     complaints.throw_if_any();
+    find_period(period, parameters, context);
     series.clear();
     std::vector<PeriodAverage> averages;
     for (const auto &probe : context.probes)

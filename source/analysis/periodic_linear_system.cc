@@ -2,6 +2,7 @@
 // periodic_linear_system_matrices.cc.
 
 #include <samara/analysis/controls.h>
+#include <samara/analysis/period_of_rotors.h>
 #include <samara/analysis/periodic_linear_system.h>
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/dense.h>
@@ -36,7 +37,7 @@ namespace samara
   PeriodicLinearSystemAnalysis::add_parameters(Parameters &prm)
   {
     using namespace dealii::Patterns;
-    prm.add("Period", period, "Of the motion: 2*pi/Omega for a rotor, a turn with a <Symmetry> [s].", Double(0));
+    prm.add("Period", period, "Of the motion; not given: a turn of the steady rotation [s].", Double(0));
     prm.add("Samples", n_samples, "Matrices a period; between them inputs keep still.", Integer(1));
     prm.add("Steps", n_steps, "Steps of the integrator between samples.", Integer(1));
     prm.add("Stages", n_stages, "Stages of the integrator, 1 to 3.", Integer(1, 3));
@@ -77,7 +78,7 @@ namespace samara
     const auto complain = [&](const std::string &entry, const std::string &text) {
       complaints.add(parameters.where(entry), text);
     };
-    if (!(period > 0))
+    if (!(period > 0) && parameters.is_set("Period"))
       complain("Period", "the <Period> must be positive");
     if (!(newton_tolerance > 0))
       complain("Newton tolerance", "the <Newton tolerance> must be positive");
@@ -137,6 +138,7 @@ namespace samara
     Complaints complaints;
     check(context.sweep, complaints);
     complaints.throw_if_any();
+    find_period(period, parameters, context);
     const System      &system  = context.system;
     const auto         numbers = controls_by_name(system, inputs, parameters);
     const unsigned int n       = n_samples * n_steps;

@@ -1,5 +1,6 @@
 // A search for trim: what the controls and targets are, where the motion starts, and what is said in the end.
 
+#include <samara/analysis/period_of_rotors.h>
 #include <samara/analysis/start_of_motion.h>
 #include <samara/analysis/trim_path.h>
 #include <samara/analysis/trim_run.h>
@@ -126,6 +127,8 @@ namespace samara
                             std::to_string(given.harmonic) + " of " + given.probe;
             entry        = trim.scales.empty() ? entry : "Scales";
             target.scale = std::abs(trim.scales.empty() ? target.value : trim.scales[k].in(unit));
+            if (trim.scales.empty() && target.value == 0 && unit == "rad")
+              target.scale = 1;
             if (!(target.scale > 0))
               throw std::invalid_argument("its scale must not be zero");
             targets.push_back(target);
@@ -391,6 +394,7 @@ namespace samara
     check(context.sweep, complaints);
     complaints.throw_if_any();
     report = {};
+    find_period(period, parameters, context);
     try
       {
         Run(*this, context).go();

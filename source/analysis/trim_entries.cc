@@ -202,7 +202,7 @@ namespace samara
       continuation,
       "Constants of the model, and the values from which they are led to their own, together, if the search fails at "
       "once: mu from 0.1, with everything that depends on mu. Each step begins with the motions of those before it.");
-    prm.add("Period", period, "Of the motion: 2*pi/Omega for a rotor [s].");
+    prm.add("Period", period, "Of the motion; not given: a turn of the steady rotation [s].");
     prm.add("Steps", n_steps, "Time steps a period.", Integer(4));
     prm.add("Method",
             method,
@@ -246,6 +246,21 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Whether a zero is one of an angle, whose scale is a radian. */
+    bool
+    is_angle(const std::string &text)
+    {
+      const auto ends_with = [&](const std::string &unit) {
+        return text.size() > unit.size() && text.compare(text.size() - unit.size(), unit.size(), unit) == 0;
+      };
+      return ends_with("deg") || ends_with("rad");
+    }
+  } // namespace
+
+
+
   void
   TrimAnalysis::check(const std::vector<double> &rotor_speeds, Complaints &complaints) const
   {
@@ -262,14 +277,14 @@ namespace samara
       for (unsigned int j = 0; j < i; ++j)
         if (controls[i].name == controls[j].name)
           complain("Controls", "<" + controls[i].name + "> is there twice");
-    if (!(period > 0))
+    if (!(period > 0) && parameters.is_set("Period"))
       complain("Period", "the <Period> must be positive");
     if (!scales.empty() && scales.size() != targets.size())
       complain("Scales",
                "there are " + std::to_string(targets.size()) + " <Targets> and " + std::to_string(scales.size()) +
                  " <Scales>");
     for (const auto &target : targets)
-      if (scales.empty() && target.value.plain == 0)
+      if (scales.empty() && target.value.plain == 0 && !is_angle(target.value.text))
         {
           complain("Targets",
                    "the target <" + target.probe +

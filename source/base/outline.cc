@@ -113,6 +113,56 @@ namespace samara
 
 
 
+  bool
+  Outline::has_stray_brace(const std::string &text)
+  {
+    for (std::size_t at = 0; (at = text.find('{', at)) != std::string::npos; ++at)
+      if (at == 0 || text[at - 1] != '$')
+        return true;
+    return false;
+  }
+
+
+
+  void
+  Outline::merge(const Outline &other)
+  {
+    for (const auto &entry : other.entries)
+      {
+        const auto mine =
+          std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name == entry.name; });
+        if (mine == entries.end())
+          entries.push_back(entry);
+        else
+          *mine = entry;
+      }
+    for (const auto &inner : other.sections)
+      {
+        const auto mine =
+          std::find_if(sections.begin(), sections.end(), [&](const Outline &s) { return s.name == inner.name; });
+        if (mine == sections.end())
+          sections.push_back(inner);
+        else
+          mine->merge(inner);
+      }
+  }
+
+
+
+  namespace
+  {
+    Outline *
+    open_section(Outline &around, const std::string &name, const std::string &where)
+    {
+      around.sections.emplace_back();
+      around.sections.back().name  = name;
+      around.sections.back().where = where;
+      return &around.sections.back();
+    }
+  } // namespace
+
+
+
   void
   Outline::set(const std::string &path_and_value, Complaints &complaints)
   {
@@ -123,35 +173,30 @@ namespace samara
 
     const std::string path  = trim(path_and_value.substr(0, equal));
     const std::string value = trim(path_and_value.substr(equal + 1));
-    if (value.find('{') != std::string::npos)
-      return complaints.add(where, "<" + path + ">: a value must not contain '{'.");
+    if (has_stray_brace(value))
+      return complaints.add(where, "<" + path + ">: a value must not contain '{', except in <${name}>.");
     if (std::any_of(value.begin(), value.end(), [](const unsigned char c) { return c < 0x20 && c != '\t'; }))
       return complaints.add(where, "<" + path + ">: there is a control character in <" + value + ">.");
 
-    Outline    *target = this;
-    std::size_t begin  = 0;
+    Outline     *target = this;
+    std::size_t  begin  = 0;
+    unsigned int depth  = 0;
     for (auto slash = path.find('/'); slash != std::string::npos; slash = path.find('/', begin))
       {
         const std::string step = trim(path.substr(begin, slash - begin));
         const auto        next = std::find_if(target->sections.begin(), target->sections.end(), [&](const Outline &s) {
           return s.name == step;
         });
-        if (next == target->sections.end() && target != this && step.find(':') != std::string::npos)
-          { // an object of a subsystem; who expands subsystems knows whether there is one
-            target->sections.emplace_back();
-            target        = &target->sections.back();
-            target->name  = step;
-            target->where = where;
-            begin         = slash + 1;
-            continue;
-          }
-        if (next == target->sections.end())
+        // an object of a subsystem, or a subsection in an object: who reads these knows whether there is one
+        const bool is_opened = (depth >= 1 && step.find(':') != std::string::npos) || depth >= 2;
+        ++depth;
+        if (next == target->sections.end() && (!is_opened || step.empty()))
           return complaints.add(where,
                                 "<" + path + ">: there is no subsection <" + step + ">" +
                                   did_you_mean(step, target->section_names()));
-        next->inherited = false; // it now says something of its own
-        target          = &*next;
-        begin           = slash + 1;
+        begin             = slash + 1;
+        target            = next != target->sections.end() ? &*next : open_section(*target, step, where);
+        target->inherited = false; // it now says something of its own
       }
 
     const std::string name = trim(path.substr(begin));

@@ -260,8 +260,8 @@ namespace samara
     const std::string value = trim(text.substr(equal + 1));
     if (name.empty())
       return complaints.add(place, "this 'set' has no name before the '='.");
-    if (value.find('{') != std::string::npos)
-      return complaints.add(place, "<" + name + ">: a value must not contain '{'.");
+    if (Outline::has_stray_brace(value))
+      return complaints.add(place, "<" + name + ">: a value must not contain '{', except in <${name}>.");
 
     auto      &entries = open.back().section->entries;
     const auto twin    = open.back().names->entries.emplace(name, entries.size());

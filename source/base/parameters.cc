@@ -27,6 +27,9 @@ namespace samara
       return unit == "-" ? "1" : unit;
     }
 
+    /** The value of an entry that is not given, although it stands there. */
+    const std::string taken_back = "none";
+
     /** Whether all of some numbers are zero; false of any other text. */
     bool
     is_zero_vector(const std::string &text)
@@ -262,7 +265,7 @@ namespace samara
           std::find_if(entries.begin(), entries.end(), [&](const Entry &e) { return e.name() == given.name; });
         if (mine != entries.end())
           read_entry(*mine, given, quantities, complaints);
-        else if (given.name != "Type" && given.name != "Copy of")
+        else if (given.name != "Type" && given.name != "Copy of" && given.name != "Active")
           complain_about_entry(given, complaints);
       }
     for (const auto &given : section.sections)
@@ -288,6 +291,12 @@ namespace samara
                          const Quantities     &quantities,
                          Complaints           &complaints)
   {
+    if (trim(given.value) == taken_back)
+      {
+        const auto choices = choices_of(*entry.declaration->pattern);
+        if (std::find(choices.begin(), choices.end(), taken_back) == choices.end())
+          return; // as if nothing had been said of it, by this file or one that is included
+      }
     const bool was_zero = is_zero_vector(entry.value());
     entry.said          = std::make_unique<Said>(Said{entry.value(), given.where, true});
     try

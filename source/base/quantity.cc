@@ -1,6 +1,8 @@
+#include <samara/base/fault_of_text.h>
 #include <samara/base/function_of_time.h>
 #include <samara/base/quantity.h>
 #include <samara/base/text.h>
+#include <samara/base/value.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +37,36 @@ namespace samara
       Meaning nothing;
       nothing.is_faulty = true;
       return nothing;
+    }
+
+    bool
+    is_in_quotes(const std::string &text)
+    {
+      return text.size() >= 2 && text.front() == '"' && text.find('"', 1) + 1 == text.size();
+    }
+
+    /**
+     * The text that "a", or n > 2 ? "a" : "b", stands for with the numbers that @p reader knows; nothing if @p text is
+     * no text.
+     */
+    std::optional<std::string>
+    chosen_text(const std::string &text, const Quantities &reader)
+    {
+      if (is_in_quotes(text))
+        return text.substr(1, text.size() - 2);
+      const auto question = text.find('?'), quote = text.find('"');
+      if (question == std::string::npos || quote == std::string::npos || quote < question ||
+          !trim(text.substr(question + 1, quote - question - 1)).empty())
+        return {};
+      const auto end   = text.find('"', quote + 1);
+      const auto colon = text.find(':', std::min(end, text.size()));
+      if (colon == std::string::npos || !trim(text.substr(end + 1, colon - end - 1)).empty())
+        return {};
+      const auto otherwise = chosen_text(trim(text.substr(colon + 1)), reader);
+      if (!otherwise)
+        throw std::invalid_argument("<" + text + ">: a text is chosen like this: <n > 2 ? \"this\" : \"that\">.");
+      const bool holds = Value<bool>::read(trim(text.substr(0, question)), "1", reader);
+      return holds ? text.substr(quote + 1, end - quote - 1) : *otherwise;
     }
 
     bool
@@ -156,15 +188,22 @@ namespace samara
 
   void
   Quantities::add_constant(const std::string &name,
-                           const std::string &text,
+                           const std::string &given,
                            const std::string &where,
                            const Quantities  &reader,
                            Complaints        &complaints)
   {
     try
       {
+        const std::string text = reader.with_texts(given);
         if (const auto fault = fault_of_name(name); !fault.empty())
           throw std::invalid_argument(fault);
+        texts.erase(name); // of a subsystem around
+        if (const auto chosen = chosen_text(text, reader))
+          {
+            texts[name] = *chosen;
+            return;
+          }
 
         const Evaluation evaluation(with_tables_beside(text, where), reader.words);
         checked_value(text, evaluation, "");
@@ -183,9 +222,88 @@ namespace samara
     catch (const std::invalid_argument &e)
       {
         complaints.add(where, "constant <" + name + ">: " + e.what());
+        if (const Meaning *const word = words.find(name); word == nullptr || word->is_unit)
+          words.set(name, faulty_meaning());
+      }
+  }
+
+
+
+  void
+  Quantities::add_function(const std::string &name,
+                           const std::string &text,
+                           const std::string &where,
+                           Complaints        &complaints)
+  {
+    try
+      {
+        if (const auto fault = fault_of_state(name); !fault.empty())
+          throw std::invalid_argument(fault);
+        if (trim(text).rfind(ScalarFunction::table_prefix, 0) == 0)
+          throw std::invalid_argument("a table stands in a file here, <table(\"file.csv\", t)>.");
+        const std::string with_files = with_tables_beside(text, where);
+        const Evaluation  evaluation(with_files, words, {{"t", {{0, 0, 1, 0, 0}}}});
+        // with t in seconds, or with t as a number
+        for (const bool natural_time : {true, false})
+          for (const unsigned int reading : {0, 1})
+            if (const auto measure = evaluation.measure(reading, natural_time, natural_time); measure.is_consistent)
+              {
+                Meaning meaning;
+                meaning.readings.fill({1, measure.dimension});
+                meaning.of_time = evaluation.si_text(reading);
+                FunctionOfTime check(meaning.of_time); // refuses what cannot be read
+                words.set(name, meaning);
+                return;
+              }
+        throw std::invalid_argument("<" + text + "> mixes dimensions; give each number its unit.");
+      }
+    catch (const FollowUp &)
+      {
+        words.set(name, faulty_meaning());
+      }
+    catch (const std::invalid_argument &e)
+      {
+        complaints.add(where, "function <" + name + ">: " + e.what());
         if (words.find(name) == nullptr)
           words.set(name, faulty_meaning());
       }
+  }
+
+
+
+  std::string
+  Quantities::with_texts(const std::string &text) const
+  {
+    std::string result;
+    std::size_t from = 0;
+    for (std::size_t open = 0; (open = text.find("${", from)) != std::string::npos;)
+      {
+        const auto close = text.find('}', open);
+        if (close == std::string::npos)
+          throw std::invalid_argument("<" + text + ">: a <${> is not closed.");
+        const std::string name = trim(text.substr(open + 2, close - open - 2));
+        result += text.substr(from, open - from);
+        from             = close + 1;
+        const auto known = texts.find(name);
+        const auto word  = words.find(name);
+        if (known != texts.end() && known->second.rfind(fault_of_text, 0) == 0)
+          throw std::invalid_argument(known->second.substr(fault_of_text.size()));
+        else if (known != texts.end())
+          result += known->second;
+        else if (word != nullptr && word->is_faulty)
+          throw FollowUp();
+        else if (word != nullptr && !word->is_unit && word->of_time.empty())
+          result += number_to_text(word->readings[0].si);
+        else
+          {
+            std::vector<std::string> names;
+            for (const auto &[one, value] : texts)
+              names.push_back(one);
+            throw std::invalid_argument("<" + text + ">: there is no text <" + name + ">" + did_you_mean(name, names) +
+                                        " A constant is a text if it is in quotes.");
+          }
+      }
+    return result + text.substr(from);
   }
 
 
@@ -201,8 +319,11 @@ namespace samara
   std::string
   Quantities::fault_of_state(const std::string &name) const
   {
+    const Meaning *const word = words.find(name);
     return name == "t"                                   ? "<t> is the time; choose another." :
            name.find(Law::reserved) != std::string::npos ? "choose another name." :
+           word != nullptr && word->is_unit              ? "there is a unit of that name; choose another." :
+           word != nullptr && name == "e"                ? "there is already a constant of that name." :
                                                            fault_of_name(name);
   }
 
@@ -221,11 +342,12 @@ namespace samara
     const auto functions = function_names();
     if (std::find(functions.begin(), functions.end(), name) != functions.end())
       return "there is a function of that name; choose another.";
+    // units may be hidden, and so may e, which is the offset of a hinge as often as 2.718
     const Meaning *const word = words.find(name);
-    if (word == nullptr || word->is_faulty || words.is_outer(name))
+    if (word == nullptr || word->is_faulty || word->is_unit || words.is_outer(name))
       return "";
-    return word->is_unit ? "there is a unit of that name; choose another." :
-                           "there is already a constant of that name.";
+    const bool is_euler = name == "e" && word == known_to_all().find("e");
+    return is_euler ? "" : "there is already a constant of that name.";
   }
 
 
@@ -376,7 +498,27 @@ namespace samara
       throw std::invalid_argument("<" + text + ">: <" + Law::reserved + "> must not be in a name here.");
     if (found.empty())
       return Law(FunctionOfTime(expression(text, unit, {"t"})));
+    return law_of(text, found, unit, signals.placement);
+  }
 
+
+
+  Law
+  Quantities::law_of(const std::string                     &text,
+                     const std::vector<SignalNames::Found> &found,
+                     const std::string                     &unit) const
+  {
+    return law_of(text, found, unit, Placement());
+  }
+
+
+
+  Law
+  Quantities::law_of(const std::string                     &text,
+                     const std::vector<SignalNames::Found> &found,
+                     const std::string                     &unit,
+                     const Placement                       &placement) const
+  {
     // a word in place of each signal
     std::vector<std::string>         paths;
     std::map<std::string, Dimension> dimensions = {{"t", {{0, 0, 1, 0, 0}}}};
@@ -404,9 +546,8 @@ namespace samara
       try
         {
           const Evaluation evaluation(candidate, words, dimensions);
-          readings.push_back(in_inertial_axes(evaluation.si_text(fitting_reading(candidate, evaluation, unit, true)),
-                                              paths,
-                                              signals.placement));
+          readings.push_back(
+            in_inertial_axes(evaluation.si_text(fitting_reading(candidate, evaluation, unit, true)), paths, placement));
         }
       catch (const std::invalid_argument &problem)
         {

@@ -204,7 +204,7 @@ namespace samara
           {
             if (token.kind == Token::number)
               throw std::invalid_argument("<" + text + ">: an operator is missing before <" + token.text + ">.");
-            complete.push_back({Token::symbol, "*"});
+            complete.push_back({Token::symbol, "*", false, true});
           }
         complete.push_back(token);
       }

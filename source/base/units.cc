@@ -118,7 +118,9 @@ namespace samara
   {
     static const std::vector<Unit> all = {{"pi", {pi, number}},
                                           {"e", {2.71828182845904523536, number}},
-                                          {"g0", {g0, gravity}}};
+                                          {"g0", {g0, gravity}},
+                                          {"true", {1, number}},
+                                          {"false", {0, number}}};
     return all;
   }
 

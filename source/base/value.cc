@@ -212,13 +212,28 @@ namespace samara
 
 
   bool
-  Value<bool>::read(const std::string &text, const std::string &, const Quantities &)
+  Value<bool>::read(const std::string &text, const std::string &, const Quantities &quantities)
   {
     if (text == "true" || text == "yes")
       return true;
     if (text == "false" || text == "no")
       return false;
-    throw std::invalid_argument("<" + text + "> is neither true nor false.");
+    double number = 0;
+    try
+      {
+        number = text_to_number(text, number) ? number : quantities.number(text, "1");
+      }
+    catch (const FollowUp &)
+      {
+        throw;
+      }
+    catch (const std::invalid_argument &)
+      {
+        throw std::invalid_argument("<" + text + "> is neither true nor false.");
+      }
+    if (number != 0 && number != 1)
+      throw std::invalid_argument("<" + text + "> is neither true nor false.");
+    return number == 1;
   }
 
 

@@ -32,12 +32,15 @@ namespace samara
                                                                {"y2 mass", "m"},
                                                                {"y3 mass", "m"},
                                                                {"twist", "rad"}};
+
+    const std::string of_surfaces = "chord"; ///< a column for lines of air, which does not matter here
   } // namespace
 
 
 
-  PropertyTable::PropertyTable(const std::string &file)
+  PropertyTable::PropertyTable(const std::string &file, const double radius)
     : file(file)
+    , radius(radius)
   {
     std::istringstream in(text_of_file(file));
     std::string        line;
@@ -84,11 +87,14 @@ namespace samara
           throw std::invalid_argument("<" + cell + ">" + where + ": a unit stands in brackets, <EA [N]>");
         unit = trim(cell.substr(bracket + 1, cell.size() - bracket - 2));
       }
-    const bool is_abscissa = name == "x" || name == "s" || name == "r";
+    const bool is_part_of_radius = name == "r/R", is_of_others = name == of_surfaces;
+    const bool is_abscissa = name == "x" || name == "s" || name == "r" || is_part_of_radius;
     const auto known       = property_units.find(name);
-    if (!is_abscissa && known == property_units.end())
+    if (is_part_of_radius && !(radius > 0))
+      throw std::invalid_argument("the column <r/R>" + where + " needs the <Radius>");
+    if (!is_abscissa && !is_of_others && known == property_units.end())
       {
-        std::vector<std::string> all = {"x", "s"};
+        std::vector<std::string> all = {"x", "s", "r", "r/R"};
         for (const auto &column : property_units)
           all.push_back(column.first);
         throw std::invalid_argument("there is no column <" + name + "> in a table of section properties" +
@@ -96,12 +102,20 @@ namespace samara
       }
     if (std::find(names.begin(), names.end(), is_abscissa ? "" : name) != names.end())
       throw std::invalid_argument("<" + name + "> is twice" + where);
-    const bool is_number = unit.empty() ? name == "x" : unit == "-" || unit == "1" || unit == "%";
+    const bool is_number = is_part_of_radius ? false :
+                           unit.empty()      ? name == "x" :
+                                               unit == "-" || unit == "1" || unit == "%";
     if (is_abscissa)
       is_relative = is_number;
     else
       columns[name];
-    const std::string si_unit = !is_abscissa ? known->second : is_relative ? "1" : "m";
+    if (is_part_of_radius)
+      {
+        names.emplace_back();
+        factors.push_back(radius);
+        return;
+      }
+    const std::string si_unit = is_of_others ? "m" : !is_abscissa ? known->second : is_relative ? "1" : "m";
     names.push_back(is_abscissa ? "" : name);
     try
       {

@@ -20,10 +20,15 @@ namespace samara
       "File",
       file_names,
       "Instead of stations: CSV files, each with stations of its own, whose first line names the columns and "
-      "their units: x (relative abscissa) or s [m], and any of EA, GA2, GA3, GJ, EI2, EI3, EI23, mass, I2, "
+      "their units: x (relative abscissa), s or r [m], or r/R, and any of EA, GA2, GA3, GJ, EI2, EI3, EI23, mass, I2, "
       "I3, I23, y2 shear, y3 shear, y2 tension, y3 tension, y2 mass, y3 mass, twist; SI units where none is "
       "given. Two lines with the same abscissa make a jump. Relative to the .prm file that says it.");
-    prm.add("Start", start, "Abscissa of the start of the beam in tables whose abscissae are lengths [m].");
+    prm.add(
+      "Start",
+      start,
+      "Abscissa of the start of the beam in tables whose abscissae are lengths, or r/R: its distance from the axis "
+      "of the rotor, where r is counted from there [m].");
+    prm.add("Radius", radius, "Radius R of a table over r/R [m].", dealii::Patterns::Double(0));
   }
 
 
@@ -106,7 +111,7 @@ namespace samara
     std::map<std::string, std::string> columns;
     for (const auto &file : files)
       {
-        tables.emplace_back(file);
+        tables.emplace_back(file, radius);
         for (const auto &column : tables.back().columns)
           if (const auto first = columns.emplace(column.first, file); !first.second)
             throw std::invalid_argument("the column <" + column.first + "> is in " + first.first->second + " and in " +

@@ -40,6 +40,7 @@
 #include <samara/joints/support.h>
 #include <samara/loads/loads.h>
 #include <samara/loads/surface_loads.h>
+#include <samara/model/probe_quantity.h>
 #include <samara/recovery/section_report.h>
 #include <samara/section/layup.h>
 #include <samara/states/control.h>
@@ -228,6 +229,8 @@ namespace samara
     Registry<Item> layups, surfaces;
     layups.add<Layup>("layup", "plies one upon the other");
     surfaces.add<Surface>("lifting line", "wing or blade on a beam or a rigid body");
+    Registry<Item> quantities;
+    quantities.add<ProbeQuantity>("expression", "number that is made of probes, and is a probe itself");
     groups = {{"Materials", "material", catalogue_of_materials()},
               {"Layups", "layup", layups, "layup"},
               {"Sections", "section", catalogue_of_sections()},
@@ -237,7 +240,8 @@ namespace samara
               {"Airfoils", "airfoil", catalogue_of_airfoils()},
               {"Aerodynamics", "air or inflow", catalogue_of_aerodynamics()},
               {"Surfaces", "surface", surfaces, "lifting line"},
-              {"Loads", "load", catalogue_of_loads()}}; // loads know what of the inertia has weight
+              {"Loads", "load", catalogue_of_loads()}, // loads know what of the inertia has weight
+              {"Quantities", "quantity", quantities, "expression"}};
 
     analyses.add<StaticAnalysis>("static", "equilibrium under loads and steady rotation");
     analyses.add<ModalAnalysis>("modal", "complex modes about the state reached");

@@ -196,15 +196,21 @@ namespace samara
     add_settings(catalogue, outline);
     for (const auto &override : overrides)
       outline.set(override, complaints);
+    expand_parts(outline, complaints);
     adapt_to_kinds(catalogue, outline);
 
     Quantities quantities;
     if (const auto *constants = outline.section("Constants"))
       for (const auto &entry : constants->entries)
         quantities.add_constant(entry.name, entry.value, entry.where, complaints);
+    if (const auto *functions = outline.section("Functions"))
+      for (const auto &entry : functions->entries)
+        quantities.add_function(entry.name, entry.value, entry.where, complaints);
+    Subsystems::put_texts(outline, quantities, complaints);
 
     add_parameters(root, catalogue);
     root.ignore_subsection("Constants");
+    root.ignore_subsection("Functions");
     for (const auto &group : catalogue.groups)
       root.ignore_subsection(group.subsection);
     for (const auto &kind : catalogue.analyses.kinds())
@@ -213,6 +219,9 @@ namespace samara
     Subsystems subsystems(catalogue, outline, quantities, complaints);
     root.parse(outline, quantities, complaints);
     add_probes_of(subsystems);
+    model.inactive = subsystems.inactive;
+    model.unmade.insert(subsystems.unmade.begin(), subsystems.unmade.end());
+    model.mounts   = subsystems.mounts;
     says_redundant = !redundant.empty();
 
     for (const auto &group : catalogue.groups)

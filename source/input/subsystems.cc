@@ -20,6 +20,12 @@ namespace samara
       copies,
       "How many there are, and how each is turned from the one before, about an axis of what is around: 4 about z; "
       "3 about 0 0 1 through 0.1 0 0 by 30 deg. Not given: one, as it is placed.");
+    prm.add(
+      "Part",
+      part,
+      "A file of parts whose content the subsystem has, rotor/hub: one in the folder of the model, or one that comes "
+      "with the program. Its arguments are entries beside this one; samara --part rotor/hub tells them.");
+    prm.add("Active", active, "Whether it is there: an expression of constants, n > 0; if not, all in it is left out.");
     prm.add("Arguments",
             arguments,
             "Values of constants of the subsystem, in place of its own: azimuth = 90 deg, length = 2*L.");
@@ -97,7 +103,7 @@ namespace samara
     std::vector<std::string>
     known_subsections(const Catalogue &catalogue)
     {
-      std::vector<std::string> names = {"Constants", "Subsystems", "Output"};
+      std::vector<std::string> names = {"Constants", "Functions", "Subsystems", "Output", "Arguments", "Part"};
       for (const auto &group : catalogue.groups)
         names.push_back(group.subsection);
       return names;
@@ -114,13 +120,15 @@ namespace samara
   {
     all.push_back({"", &model, {}, quantities, nullptr, "", false});
     expand(all.front(), complaints);
+    add_signals(complaints);
+    read_laws(complaints);
+    rewrite(complaints);
     for (const auto &scope : all)
       for (const auto &group : catalogue.groups)
         if (const auto *const section = scope.outline->section(group.subsection); section && !scope.prefix.empty())
           for (const auto &object : section->sections)
             objects.emplace(Key{group.subsection, scope.prefix + object.name}, &object);
     check_changes(complaints);
-    add_signals(complaints);
     for (const auto &scope : all)
       if (!scope.prefix.empty())
         add_probes(scope, complaints);
@@ -168,92 +176,122 @@ namespace samara
     if (std::count(around.prefix.begin(), around.prefix.end(), subsystem_separator) >= most_nested)
       return complaints.add(said.where,
                             "subsystems stand in each other more than " + std::to_string(most_nested) + " deep");
-    SubsystemEntries entries;
-    Parameters       parameters(around.prefix + said.name, "subsystem");
-    entries.add_parameters(parameters);
-    for (const auto &name : known_subsections(catalogue))
-      parameters.ignore_subsection(name);
-    parameters.parse(with_own_mistakes(said), around.quantities, complaints);
-
-    std::string where = "Copies";
+    Reading reading;
+    read(reading, around, said, complaints);
+    std::string where = "Active";
     try
       {
-        const CopiesAbout copies(entries.copies, around.quantities);
-        where = "Rotation sequence";
-        const Placement   placed{Placement::without_round_off(rotation_of_angles(entries.rotation, entries.sequence)),
-                               entries.position};
-        const std::string name = around.prefix + said.name;
-        std::string first = around.twin.empty() ? "" : around.twin + said.name + (entries.copies.empty() ? ":" : " 1:");
-        for (const std::string end : {":", " 1:"})
-          if (const auto *const original = said.entry("Copy of"); first.empty() && original != nullptr)
-            first =
-              prefixes.count(around.prefix + original->value + end) > 0 ? around.prefix + original->value + end : "";
-        for (unsigned int k = 0; k < copies.n; ++k)
+        if (!Value<bool>::read(reading.entries.active, "1", around.quantities))
           {
-            const std::string prefix =
-              name + (entries.copies.empty() ? "" : " " + std::to_string(k + 1)) + subsystem_separator;
-            if (!prefixes.insert(prefix).second)
-              return complaints.add(said.where,
-                                    "there is already a subsystem <" + prefix.substr(0, prefix.size() - 1) + ">");
-            if (all.size() > most_scopes)
-              return complaints.add(said.where, "there are more than " + std::to_string(most_scopes) + " subsystems");
-            if (first.empty() && k > 0)
-              first = name + " 1:";
-            all.push_back({prefix,
-                           &said,
-                           around.placement.of(copies.placement(k).of(placed)),
-                           around.quantities,
-                           &around,
-                           first,
-                           around.is_copy || said.entry("Copy of") != nullptr});
-            Scope &scope = all.back();
-            scope.quantities.begin_subsystem();
-            if (!entries.copies.empty())
-              scope.quantities.add_constant("copy", std::to_string(k + 1), said.where, complaints);
-            read_constants(scope, entries.arguments, parameters.where("Arguments"), complaints);
-            expand(scope, complaints);
+            inactive[around.prefix + said.name + subsystem_separator] = reading.parameters.where("Active");
+            return;
           }
+        where = "Copies";
+        const CopiesAbout copies(reading.entries.copies, around.quantities);
+        where          = "Rotation sequence";
+        reading.placed = {Placement::without_round_off(
+                            rotation_of_angles(reading.entries.rotation, reading.entries.sequence)),
+                          reading.entries.position};
+        find_first(reading, around, said);
+        for (unsigned int k = 0; k < copies.n; ++k)
+          if (!make_copy(reading, around, said, copies.placement(k), k, copies.n, complaints))
+            return;
       }
     catch (const std::invalid_argument &problem)
       {
-        complaints.add(parameters.where(where), problem.what());
+        complaints.add(reading.parameters.where(where), problem.what());
       }
   }
 
 
 
   void
-  Subsystems::read_constants(Scope                          &scope,
-                             const std::vector<std::string> &arguments,
-                             const std::string              &where,
-                             Complaints                     &complaints) const
+  Subsystems::read(Reading &reading, const Scope &around, const Outline &said, Complaints &complaints) const
   {
-    std::map<std::string, std::string> given;
-    for (const auto &argument : arguments)
+    Parameters &parameters = reading.parameters;
+    auto       &wanted     = reading.wanted;
+    parameters = Parameters(around.prefix + said.name, said.entry("Part") != nullptr ? "part" : "subsystem");
+    reading.entries.add_parameters(parameters);
+    if (const Outline *const section = said.section("Arguments"); section != nullptr)
+      wanted = arguments_of(*section, complaints);
+    reading.given.resize(wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (parameters.has(wanted[i].name))
+        complaints.add(wanted[i].where, "<" + wanted[i].name + "> is an entry of all subsystems: choose another name");
+      else
+        parameters.add(wanted[i].name, reading.given[i], wanted[i].documentation());
+    for (const auto &name : known_subsections(catalogue))
+      parameters.ignore_subsection(name);
+    reading.before = complaints.count();
+    Outline own    = with_own_mistakes(said);
+    own.sections.clear();
+    put_texts(own, around.quantities, complaints);
+    own.sections = said.sections;
+    parameters.parse(own, around.quantities, complaints);
+  }
+
+
+
+  void
+  Subsystems::find_first(Reading &reading, const Scope &around, const Outline &said) const
+  {
+    const std::string end      = reading.entries.copies.empty() ? ":" : " 1:";
+    reading.first              = around.twin.empty() ? "" : around.twin + said.name + end;
+    const auto *const original = said.entry("Copy of");
+    for (const std::string ends : {":", " 1:"})
+      if (reading.first.empty() && original != nullptr && prefixes.count(around.prefix + original->value + ends) > 0)
+        reading.first = around.prefix + original->value + ends;
+  }
+
+
+
+  bool
+  Subsystems::make_copy(Reading           &reading,
+                        const Scope       &around,
+                        const Outline     &said,
+                        const Placement   &of_copy,
+                        const unsigned int k,
+                        const unsigned int n,
+                        Complaints        &complaints)
+  {
+    const bool        has_copies = !reading.entries.copies.empty();
+    const std::string name       = around.prefix + said.name,
+                      prefix     = name + (has_copies ? " " + std::to_string(k + 1) : "") + subsystem_separator;
+    if (!prefixes.insert(prefix).second)
       {
-        const auto equal = argument.find('=');
-        if (equal == std::string::npos || trim(argument.substr(equal + 1)).empty())
-          complaints.add(where, "an argument is written <name = value>, not <" + argument + ">");
-        else if (!given.emplace(trim(argument.substr(0, equal)), trim(argument.substr(equal + 1))).second)
-          complaints.add(where, "the argument <" + trim(argument.substr(0, equal)) + "> is given twice");
+        complaints.add(said.where, "there is already a subsystem <" + prefix.substr(0, prefix.size() - 1) + ">");
+        return false;
       }
-    std::vector<std::string> names;
-    if (const Outline *const constants = scope.outline->section("Constants"); constants != nullptr)
-      for (const auto &entry : constants->entries)
-        {
-          names.push_back(entry.name);
-          if (const auto argument = given.find(entry.name); argument != given.end())
-            {
-              scope.quantities.add_constant(entry.name, argument->second, where, scope.around->quantities, complaints);
-              given.erase(argument);
-            }
-          else
-            scope.quantities.add_constant(entry.name, entry.value, entry.where, complaints);
-        }
-    for (const auto &[name, value] : given)
-      complaints.add(where,
-                     "subsystem <" + scope.outline->name + "> has no constant <" + name +
-                       "> in its subsection <Constants>" + did_you_mean(name, names));
+    if (all.size() > most_scopes)
+      {
+        complaints.add(said.where, "there are more than " + std::to_string(most_scopes) + " subsystems");
+        return false;
+      }
+    if (reading.first.empty() && k > 0)
+      reading.first = name + " 1:";
+    all.push_back({prefix,
+                   &said,
+                   around.placement.of(of_copy.of(reading.placed)),
+                   around.quantities,
+                   &around,
+                   reading.first,
+                   around.is_copy || said.entry("Copy of") != nullptr});
+    Scope &scope = all.back();
+    scope.quantities.begin_subsystem();
+    if (const Outline *const part = said.section("Part"); part != nullptr && part->entry("Mount") != nullptr)
+      mounts[prefix.substr(0, prefix.size() - 1)] = prefix + part->value("Mount");
+    if (said.section("Arguments") != nullptr)
+      {
+        give_arguments(scope, said, reading, k, n, complaints);
+        scope.is_faulty = complaints.count() != reading.before;
+        if (scope.is_faulty)
+          return true;
+      }
+    else if (has_copies)
+      scope.quantities.add_constant("copy", std::to_string(k + 1), said.where, complaints);
+    read_constants(scope, reading.entries.arguments, reading.parameters.where("Arguments"), complaints);
+    expand(scope, complaints);
+    return true;
   }
 
 
@@ -366,7 +404,10 @@ namespace samara
   bool
   Subsystems::changes_another(const Group &group, const Outline &said) const
   {
-    return objects.count({group.subsection, said.name}) > 0;
+    const auto end = said.name.find(subsystem_separator);
+    if (objects.count({group.subsection, said.name}) > 0 || end == std::string::npos)
+      return objects.count({group.subsection, said.name}) > 0;
+    return inactive.count(said.name) > 0 || inactive.count(said.name.substr(0, end + 1)) > 0;
   }
 
 
@@ -402,29 +443,8 @@ namespace samara
     };
     if (scope.is_copy)
       read_all(result, read_all);
-    const auto merge = [](Outline &into, const Outline &from, const auto &self) -> void {
-      for (const auto &entry : from.entries)
-        {
-          const auto mine =
-            std::find_if(into.entries.begin(), into.entries.end(), [&](const auto &e) { return e.name == entry.name; });
-          if (mine == into.entries.end())
-            into.entries.push_back(entry);
-          else
-            *mine = entry;
-        }
-      for (const auto &inner : from.sections)
-        {
-          auto mine = std::find_if(into.sections.begin(), into.sections.end(), [&](const auto &s) {
-            return s.name == inner.name;
-          });
-          if (mine == into.sections.end())
-            into.sections.push_back(inner);
-          else
-            self(*mine, inner, self);
-        }
-    };
     if (change != nullptr)
-      merge(result, *change, merge);
+      result.merge(*change);
     return result;
   }
 

@@ -60,6 +60,25 @@ namespace samara
 
 
 
+  FrameMotion
+  FrameMotion::seen_from(const FrameMotion &other) const
+  {
+    const Matrix3 Q = other.D * other.D_reference.transpose();
+    const Vector3 r = x - other.x, w = other.angular_velocity, v = velocity - other.velocity - w.cross(r);
+    FrameMotion   seen    = *this;
+    seen.x                = other.x_reference + Q.transpose() * r;
+    seen.D                = Q.transpose() * D;
+    seen.velocity         = Q.transpose() * v;
+    seen.angular_velocity = Q.transpose() * (angular_velocity - w);
+    seen.acceleration     = Q.transpose() * (acceleration - other.acceleration - other.angular_acceleration.cross(r) -
+                                         w.cross(w.cross(r)) - 2 * w.cross(v));
+    seen.angular_acceleration =
+      Q.transpose() * (angular_acceleration - other.angular_acceleration - w.cross(angular_velocity));
+    return seen;
+  }
+
+
+
   Vector6
   frame_acceleration(const Frame &frame, const State &state)
   {

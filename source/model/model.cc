@@ -1,4 +1,5 @@
 #include <samara/base/text.h>
+#include <samara/model/frame_probe.h>
 #include <samara/model/model.h>
 #include <samara/model/output_name.h>
 #include <samara/model/relative_motion.h>
@@ -251,6 +252,8 @@ namespace samara
   std::vector<std::string>
   Model::full_names(const std::string &name) const
   {
+    if (!name.empty() && name[0] == subsystem_separator)
+      return {name.substr(1)};
     std::vector<std::string> names;
     for (std::string prefix = scope; !prefix.empty(); prefix = scope_of(prefix.substr(0, prefix.size() - 1)))
       names.push_back(prefix + name);
@@ -269,13 +272,55 @@ namespace samara
 
 
 
+  std::string
+  Model::where_inactive(const std::string &full_name) const
+  {
+    if (const auto found = inactive.find(full_name); found != inactive.end())
+      return found->second;
+    // of a subsystem that is left out nobody knows what is in it, nor how many copies there are
+    for (std::size_t end = full_name.find(subsystem_separator); end != std::string::npos;
+         end             = full_name.find(subsystem_separator, end + 1))
+      for (const auto &[name, where] : inactive)
+        if (name.back() == subsystem_separator)
+          {
+                        const std::string subsystem = name.substr(0, name.size() - 1);
+                        std::string       rest      = full_name.substr(0, end);
+                        if (rest.rfind(subsystem, 0) != 0)
+              continue;
+            rest = trim(rest.substr(subsystem.size()));
+                        if (rest.find_first_not_of("0123456789") == std::string::npos)
+              return where;
+          }
+    return "";
+  }
+
+
+
   void
   Model::refuse(const std::string &name, const std::string &noun, const std::vector<const Item *> &others) const
   {
+    for (const auto &full_name : full_names(name))
+      if (const std::string where = where_inactive(full_name); !where.empty())
+        throw std::invalid_argument("<" + full_name + "> is left out: it is not <Active>, see " + where);
     std::vector<std::string> names;
     for (const auto *const c : others)
       names.push_back(c->name.compare(0, scope.size(), scope) == 0 ? c->name.substr(scope.size()) : c->name);
     throw std::invalid_argument("there is no " + noun + " <" + name + ">" + did_you_mean(name, names));
+  }
+
+
+
+  std::string
+  Model::mounted(const std::string &name) const
+  {
+    for (const auto &full_name : full_names(name))
+      {
+        if (!named(full_name).empty() || unmade.count(full_name) > 0)
+          return name;
+        if (const auto mount = mounts.find(full_name); mount != mounts.end())
+          return subsystem_separator + mount->second;
+      }
+    return name;
   }
 
 
@@ -286,7 +331,7 @@ namespace samara
     if (path == "ground")
       return ground();
     const auto        dot  = path.find('.');
-    const std::string name = trim(path.substr(0, dot));
+    const std::string name = mounted(trim(path.substr(0, dot)));
     return find<Body>(name, "body").frame(dot == std::string::npos ? "" : trim(path.substr(dot + 1)));
   }
 
@@ -320,10 +365,15 @@ namespace samara
   Probe
   Model::probe(const std::string &path) const
   {
+    const std::string seen_from = " seen from ";
+    if (const auto seen = path.rfind(seen_from); seen != std::string::npos)
+      return probe_seen_from(trim(path.substr(0, seen)), trim(path.substr(seen + seen_from.size())));
     const auto  dot  = path.find('.');
     std::string name = trim(path.substr(0, dot)), rest = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
     if (dot == std::string::npos && named(name).empty())
       split_number(path, name, rest);
+    if (const std::string mount = mounted(name); mount != name && dot != std::string::npos)
+      name = mount.substr(1);
     // a section and a body may have the same name; the section has nothing to tell
     std::vector<std::string> known;
     for (const auto *const c : named(name)) // paths of probes are full: they head the columns of results
@@ -340,6 +390,38 @@ namespace samara
       }
     find<Item>(name, "body or joint"); // complains if there is none
     throw std::invalid_argument("<" + name + "> has no <" + rest + ">" + did_you_mean(rest, known));
+  }
+
+
+
+  std::function<FrameMotion(const State &)>
+  Model::motion_of(const Frame &given) const
+  {
+    const Frame   frame = resolved(given);
+    const Node   &node  = nodes[frame.node];
+    const Vector3 x     = node.x + node.D * frame.arm;
+    const Matrix3 D     = node.D * frame.rotation;
+    return [frame, x, D](const State &state) { return FrameMotion::of(frame, x, D, state); };
+  }
+
+
+
+  Probe
+  Model::probe_seen_from(const std::string &path, const std::string &observer) const
+  {
+    const auto        dot      = path.rfind('.');
+    const std::string point    = trim(path.substr(0, dot)),
+                      quantity = dot == std::string::npos ? "" : trim(path.substr(dot + 1));
+    const auto known           = frame_quantities();
+    if (std::find(known.begin(), known.end(), quantity) == known.end())
+      throw std::invalid_argument("<" + path + "> cannot be seen from <" + observer + ">: motions of points can, " +
+                                  "<body.point.displacement x>" + did_you_mean(quantity, known));
+    const auto motion = motion_of(frame(point)), of_observer = motion_of(frame(observer));
+    auto       probe = frame_probe(quantity, [motion, of_observer](const State &state) {
+      return motion(state).seen_from(of_observer(state));
+    });
+    probe->name      = path + " seen from " + observer;
+    return *probe;
   }
 
 

@@ -101,8 +101,14 @@ main(int argc, char **argv)
   app.add_flag("--report", options.report, "Write report.html of a folder of results anew; of several folders one page of all");
   app.add_flag("--watch", options.watch, "Write report.html again and again while the model runs; a browser follows it");
   app.add_flag("--parameters", options.parameters, "Print every kind with its entries, as Markdown");
+  app.add_flag("--kinds", options.kinds, "All kinds of bodies, joints, ..., analyses and parts, on one screen");
+  app.add_option("--part", options.part, "The arguments of a part that models name: --part rotor/hub");
+  app.add_option("--new", options.begun, "A model to begin with, rotor, wing, mechanism, shaft or shell, into FILE");
   app.add_flag("--quiet", options.quiet, "Print warnings and errors only");
-  auto *const help = app.add_option("--help", options.help_about, "This text, or the entries of a kind: --help beam");
+  auto *const help =
+    app.add_option("--help",
+                   options.help_about,
+                   "This text, or the entries of a kind or of a subsection: --help beam, --help Study");
   help->expected(0, 1);
   auto *const version = app.add_flag("--version", "Print the version");
   try

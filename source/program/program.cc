@@ -529,11 +529,33 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** Where no model is to be run, but something to be told; whether that is so. */
+    bool
+    explains(const Options &options, Log &log)
+    {
+      if (options.parameters || !options.help_about.empty())
+        print_reference(std::cout, options.help_about);
+      else if (options.kinds)
+        print_kinds(std::cout);
+      else if (!options.part.empty())
+        print_part(std::cout, options.part);
+      else if (!options.begun.empty())
+        begin_model(options.begun, options.model, log);
+      else
+        return false;
+      return true;
+    }
+  } // namespace
+
+
+
   void
   run(const Options &options, Log &log)
   {
-    if (options.parameters || !options.help_about.empty())
-      return print_reference(std::cout, options.help_about);
+    if (explains(options, log))
+      return;
     if (options.model.empty())
       throw InputError("no input file is given; write samara model.prm, or samara --help");
     if (options.report)

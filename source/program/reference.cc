@@ -2,6 +2,7 @@
 #include <samara/base/tokens.h>
 #include <samara/base/units.h>
 #include <samara/input/input.h>
+#include <samara/input/parts.h>
 #include <samara/input/subsystems.h>
 #include <samara/program/program.h>
 #include <samara/study/study.h>
@@ -85,6 +86,15 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
 
 
 
+    /** A comment with a sketch as Markdown: what is indented keeps its lines. */
+    std::string
+    paragraphs_of(const std::string &head)
+    {
+      return head.empty() || head.back() != '\n' ? head + '\n' : head;
+    }
+
+
+
     void
     print_model(std::ostream &out, const Catalogue &catalogue)
     {
@@ -151,6 +161,107 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
 
 
 
+    /** A part: its head, a sketch in it, and its arguments. */
+    void
+    print_arguments(std::ostream &out, const std::string &name, const std::string &file)
+    {
+      Complaints complaints;
+      const auto content = Outline::of_file(file, complaints);
+      out << "### " << name << "\n\n" << paragraphs_of(head_of_file(file)) << "\n";
+      const Outline *const section = content.section("Arguments");
+      if (section == nullptr)
+        {
+          out << "It has no arguments.\n\n";
+          return complaints.throw_if_any();
+        }
+      out << "| argument | default | unit | meaning |\n|---|---|---|---|\n";
+      for (const auto &argument : arguments_of(*section, complaints))
+        out << "| " << argument.name << " | "
+            << (argument.is_required        ? "must be given" :
+                argument.standard == "none" ? "" :
+                                              argument.standard)
+            << " | " << (argument.unit == "1" ? "" : argument.unit) << " | " << argument.documentation() << " |\n";
+      out << '\n';
+      complaints.throw_if_any();
+    }
+
+
+
+    void
+    print_parts(std::ostream &out)
+    {
+      out
+        << "## Parts\n\n`set Part = rotor/hub` in a subsystem names one of these, or a file of your own; its arguments are "
+           "entries beside it. See the [manual](manual.md#parts).\n\n";
+      for (const auto &name : shipped_parts())
+        print_arguments(out, name, folder_of_parts() + "/" + name + ".prm");
+    }
+
+
+
+    /** Subsections that are no named objects, and what is told of each. */
+    const std::vector<std::pair<std::string, std::string>> settings = {
+      {"Constants",
+       "### Constants\n\n`set L = 6 m`: numbers with units that all entries may use; later ones may use earlier ones. A text in "
+       "quotes, `set profile = \"naca0012.c81\"`, stands in place of `${profile}`. See `samara --help language`.\n"},
+      {"Functions",
+       "### Functions\n\n`set way = t < 0 ? 0 m : 3 mm/s*t`: functions of time with names, usable wherever `t` may stand. They "
+       "may use constants and functions before them.\n"}};
+
+
+
+    /** The entries of a subsection of the model that is no named object, "Output"; whether there is one. */
+    bool
+    print_subsection(std::ostream &out, const Catalogue &catalogue, const std::string &about)
+    {
+      for (const auto &[name, text] : settings)
+        if (name == about)
+          {
+            out << text;
+            return true;
+          }
+      if (about == "language")
+        print_language(out);
+      else if (about == "Subsystems")
+        print_subsystems(out);
+      else if (about == "Study" || about == "Methods" || about == "Levels")
+        print_study(out);
+      else if (about == "model")
+        print_model(out, catalogue);
+      else if (about == "Output" || about == "Assembly")
+        {
+          Input      input;
+          Parameters parameters;
+          input.add_parameters(parameters, catalogue);
+          out << "### " << about << "\n\n";
+          parameters.subsection(about).document(out);
+        }
+      else
+        return false;
+      return true;
+    }
+
+
+
+    /** The name of a group, "Bodies", tells its kinds. */
+    bool
+    print_group(std::ostream &out, const Catalogue &catalogue, const std::string &about)
+    {
+      for (const auto &group : catalogue.groups)
+        if (group.subsection == about)
+          {
+            out << "### " << about << "\n\nEach " << group.noun
+                << " is a subsection with a name of its own. `set Type = ` one of:\n\n";
+            for (const auto &kind : group.kinds.kinds())
+              out << "- " << kind << ": " << group.kinds.what_it_is(kind) << '\n';
+            out << "\n`samara --help KIND` tells the entries of one.\n";
+            return true;
+          }
+      return false;
+    }
+
+
+
     void
     print_everything(std::ostream &out, const Catalogue &catalogue)
     {
@@ -164,6 +275,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
             print_kind(out, group.kinds, kind);
         }
       print_subsystems(out);
+      print_parts(out);
       out
         << "## Analyses\n\n`set Analyses = static, modal` says what to do, in this order. The entries of each stand in "
            "`subsection Static`, `subsection Modal`, ...\n\n";
@@ -184,15 +296,79 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
 
     if (catalogue.analyses.contains(about))
       return print_kind(out, catalogue.analyses, about);
+    if (print_subsection(out, catalogue, about) || print_group(out, catalogue, about))
+      return;
     std::vector<std::string> known = catalogue.analyses.kinds();
+    for (const auto &kind : catalogue.analyses.kinds())
+      {
+        if (subsection_of_analysis(kind) == about)
+          return print_kind(out, catalogue.analyses, kind);
+        known.push_back(subsection_of_analysis(kind));
+      }
+    for (const auto &part : shipped_parts())
+      {
+        if (part == about)
+          return print_part(out, part);
+        known.push_back(part);
+      }
+    for (const std::string topic :
+         {"language", "model", "Constants", "Functions", "Subsystems", "Output", "Assembly", "Study"})
+      known.push_back(topic);
     for (const auto &group : catalogue.groups)
       {
         if (group.kinds.contains(about))
           return print_kind(out, group.kinds, about);
+        known.push_back(group.subsection);
         for (const auto &kind : group.kinds.kinds())
           known.push_back(kind);
       }
-    throw InputError("there is no kind <" + about + ">" + did_you_mean(about, known) +
-                     " All kinds: samara --parameters");
+    throw InputError("there is no kind <" + about + ">" + did_you_mean(about, known) + " All kinds: samara --kinds");
+  }
+
+
+
+  void
+  print_kinds(std::ostream &out)
+  {
+    const Catalogue catalogue;
+    const auto      line = [&](const std::string &head, const std::vector<std::string> &names) {
+      constexpr std::size_t width = 100, indent = 14;
+      std::string           text  = head + std::string(indent - std::min(indent, head.size()), ' ');
+      std::size_t           begin = 0; // of the present line
+      for (std::size_t i = 0; i < names.size(); ++i)
+        {
+          const std::string word = names[i] + (i + 1 < names.size() ? ", " : "");
+          if (text.size() - begin + word.size() > width)
+            {
+              text += '\n';
+              begin = text.size();
+              text += std::string(indent, ' ');
+            }
+          text += word;
+        }
+      out << text << '\n';
+    };
+    for (const auto &group : catalogue.groups)
+      line(group.subsection, group.kinds.kinds());
+    line("Analyses", catalogue.analyses.kinds());
+    line("Integrators", catalogue.integrators->names());
+    line("Parts", shipped_parts());
+    line("Subsections", {"Constants", "Functions", "Subsystems", "Output", "Assembly", "Study"});
+    out << "samara --help KIND tells the entries of one, samara --help Bodies what each is.\n";
+  }
+
+
+
+  void
+  print_part(std::ostream &out, const std::string &name)
+  {
+    try
+      {
+        print_arguments(out, name, file_of_part(name, ""));
+      }
+    catch (const std::invalid_argument &problem)
+      {
+        throw InputError(problem.what());
+      }
   }
 } // namespace samara

@@ -211,7 +211,7 @@ namespace
     q.add_constant("L", "3 m", "a.prm:1", complaints);
     ASSERT_TRUE(complaints.empty());
     unsigned int line = 1;
-    for (const char *name : {"L", "m", "t", "pi", "sin", "", "2x", "blade mass", "a-b"})
+    for (const char *name : {"L", "%", "true", "pi", "sin", "", "2x", "blade mass", "a-b"})
       {
         q.add_constant(name, "3", "a.prm:" + std::to_string(++line), complaints);
         EXPECT_EQ(complaints.all().size(), line - 1) << name;
@@ -219,7 +219,7 @@ namespace
     q.add_constant("x", "3 + 2 m", "a.prm:77", complaints);
     q.add_constant("y", "3 z", "a.prm:78", complaints);
     EXPECT_EQ(complaints.all().size(), line + 1);
-    EXPECT_TRUE(contains(complaints.all()[1], "a.prm:3: constant <m>: there is a unit of that name"));
+    EXPECT_TRUE(contains(complaints.all()[2], "a.prm:4: constant <true>: there is already a constant of that name"));
     EXPECT_EQ(q.number("L", "m"), 3) << "the first one holds";
     EXPECT_THROW(q.number("2*x", "m"), FollowUp) << "there is a complaint about it already";
   }
@@ -267,8 +267,72 @@ namespace
     EXPECT_TRUE(complaints.empty());
     first.add_constant("L", "6 m", "a.prm:3", complaints);
     first.add_constant("pi", "3", "a.prm:4", complaints);
-    first.add_constant("m", "3", "a.prm:5", complaints);
-    EXPECT_EQ(complaints.all().size(), 3u) << "twice in one subsystem, a universal constant, a unit";
+    EXPECT_EQ(complaints.all().size(), 2u) << "twice in one subsystem, a universal constant";
+  }
+
+
+
+  TEST(Quantity, ConstantsMayHaveTheNamesOfUnits)
+  {
+    const auto q =
+      with_constants({{"m", "2 kg"}, {"h", "0.1 m"}, {"N", "4"}, {"e", "0.3 m"}, {"t", "5 s"}, {"P", "3"}});
+    EXPECT_DOUBLE_EQ(q.number("P*m", "kg"), 6);
+    EXPECT_DOUBLE_EQ(q.number("h/2", "m"), 0.05);
+    EXPECT_DOUBLE_EQ(q.number("-m*g0", "N"), -2 * 9.80665);
+    EXPECT_DOUBLE_EQ(q.number("2*m", "kg"), 4) << "nothing but a number directly before it makes a unit";
+    EXPECT_DOUBLE_EQ(q.number("2 m", "m"), 2);
+    EXPECT_DOUBLE_EQ(q.number("3m + h", "m"), 3.1);
+    EXPECT_DOUBLE_EQ(q.number("e + 1 m", "m"), 1.3);
+    EXPECT_DOUBLE_EQ(q.number("t/2", "s"), 2.5);
+    EXPECT_DOUBLE_EQ(q.number("(3 N*m)*P", "N*m"), 9) << "alone in parentheses all are units";
+    EXPECT_DOUBLE_EQ(q.number("(3 N)*h", "N*m"), 0.3);
+    for (const char *text : {"3 kN/m*h", "3 kN*m", "(1 + 2) N", "P m"})
+      try
+        {
+          q.number(text, "");
+          FAIL() << text;
+        }
+      catch (const std::invalid_argument &problem)
+        {
+          EXPECT_TRUE(contains(problem.what(), "is a unit and a constant of this model")) << problem.what();
+        }
+    EXPECT_THROW(q.expression("3 m/s*t", "m", {"t"}), std::invalid_argument) << "t is the time there";
+  }
+
+
+
+  TEST(Quantity, FunctionsOfTimeHaveNames)
+  {
+    auto       q = with_constants({{"v", "3 m/s"}});
+    Complaints complaints;
+    q.add_function("ramp", "t < 0.2 s ? t^2/(0.4 s) : t - 0.1 s", "a.prm:1", complaints);
+    q.add_function("way", "v*ramp", "a.prm:2", complaints);
+    ASSERT_TRUE(complaints.empty());
+    const FunctionOfTime way(q.expression("2*way + 1 m", "m", {"t"}));
+    for (const double t : {0.05, 0.15, 0.7})
+      {
+        const double ramp = t < 0.2 ? t * t / 0.4 : t - 0.1, rate = t < 0.2 ? t / 0.2 : 1, bend = t < 0.2 ? 5 : 0;
+        EXPECT_NEAR(way(t), 6 * ramp + 1, 1e-14);
+        EXPECT_NEAR(way.derivative(t), 6 * rate, 1e-13);
+        EXPECT_NEAR(way.second_derivative(t), 6 * bend, 1e-12);
+      }
+    EXPECT_THROW(q.expression("way", "N", {"t"}), std::invalid_argument);
+    EXPECT_THROW(q.number("way", "m"), std::invalid_argument) << "a number does not change";
+    EXPECT_THROW(q.expression("way*s", "m", {"s"}), std::invalid_argument);
+  }
+
+
+
+  TEST(Quantity, TextsStandInPlaceOfTheirNames)
+  {
+    const auto q =
+      with_constants({{"n", "3"}, {"file", "\"a b.csv\""}, {"kind", "n > 2 ? \"many\" : \"few\""}, {"L", "6 ft"}});
+    EXPECT_EQ(q.with_texts("${file}: x"), "a b.csv: x");
+    EXPECT_EQ(q.with_texts("${ kind } of ${kind}"), "many of many");
+    EXPECT_EQ(q.with_texts("${L}"), "1.8288") << "numbers are in SI units";
+    EXPECT_EQ(q.with_texts("none"), "none");
+    EXPECT_THROW(q.with_texts("${knd}"), std::invalid_argument);
+    EXPECT_THROW(q.with_texts("${kind"), std::invalid_argument);
   }
 
 

@@ -201,3 +201,39 @@ TEST(Subsystems, ProbesOfNumberedOutputs)
   ASSERT_EQ(probes.size(), 1u);
   EXPECT_EQ(probes[0].name, "sub:pilot_2");
 }
+
+
+
+// What is left out is not there; what stays is as in a file that never had it. An entry is taken back by <none>.
+TEST(Subsystems, ObjectsAreLeftOut)
+{
+  const std::string rest = "subsection weight\n set Type = rigid body\n set Mass = 7\n set Inertia = 1, 1, 1\n"
+                           " set Position = none\n set Active = n > 0\n end\nend\nsubsection Constants\n set n = ";
+  EXPECT_EQ(Scene(model("", rest + "0\nend\n")).system.model.nodes.size(), 2u) << "the ground and the hub";
+  const Scene both(model("", rest + "1\nend\n"));
+  EXPECT_EQ(both.system.model.nodes.size(), 3u);
+  expect_near(position(both, "weight.centre"), {0, 0, 0});
+  EXPECT_EQ(Scene(model("subsection arm\n" + arm + "set Active = false\nend\n")).system.model.nodes.size(), 2u);
+}
+
+
+
+// A point of an arm on a hub that is turned by 90 degrees about z: what moves with the observer stays where it was
+// drawn.
+TEST(Subsystems, ProbesAreSeenFromABody)
+{
+  const std::string joint =
+    "end\nsubsection Joints\n subsection axis\n set Type = revolute\n set Body A = ground\n"
+    " set Body B = hub\n set Axis = 0, 0, 1\n subsection rotation\n"
+    " set Prescribed = pi/2 + 3 rad/s*t\n end\n end\n"
+    " subsection clamp\n set Type = rigid\n set Body A = hub\n set Body B = weight\n end\nend\n";
+  const std::string weight = "subsection weight\n set Type = rigid body\n set Mass = 7\n set Inertia = 1, 1, 1\n"
+                             " set Position = 2, 0, 1\n end\n";
+  Scene             scene(model("", weight + joint));
+  scene.equilibrium();
+  expect_near(position(scene, "weight.centre"), {0, 2, 1});
+  EXPECT_NEAR(scene.value("weight.centre.position x seen from hub"), 2, 1e-14);
+  EXPECT_NEAR(scene.value("weight.centre.displacement y seen from hub"), 0, 1e-14);
+  EXPECT_NEAR(scene.value("weight.centre.rotation z seen from hub"), 0, 1e-12);
+  EXPECT_NEAR(scene.value("ground.position x seen from ground"), 0, 1e-14);
+}

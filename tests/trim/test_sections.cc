@@ -90,7 +90,6 @@ TEST(Sections, SameTrimAsWholePeriods)
 TEST(Sections, TwoBlades)
 {
   const std::vector<std::string> two = {"Subsystems/blade/Copies = 2 about z",
-                                        "Subsystems/blade/Constants/copy_angle = (copy - 1)*pi",
                                         "Constants/weight = 0.0032*rho*pi*R^2*(Omega*R)^2",
                                         "Output/Probes = blade 1:flap.rotation, blade 2:flap.rotation",
                                         few_stations,

@@ -36,6 +36,9 @@ namespace samara
     /** How far its ends are from the outermost stations, at most [m]. */
     virtual double beyond_stations() const = 0;
 
+    /** ∫ c ds in the reference configuration [m²] */
+    virtual double area() const = 0;
+
     /** The moment about @p centre [m]; power in axes that move with the velocity @p carried [m/s]. */
     virtual AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const = 0;
   };
@@ -63,6 +66,9 @@ namespace samara
 
     /** Whether disk and blades have different radii, or part of the disk is below the ground of a wind with shear. */
     std::vector<Doubt> doubts(const State &state) const override;
+
+    /** Mean speed of the surfaces about the thrust axis, positive about axis 3 [rad/s]. */
+    double speed(const State &state) const;
 
     /** The part of the disk that is on or below the ground of a wind with shear; 0 where there is no shear. */
     double part_below_ground(const State &state) const;
@@ -218,6 +224,9 @@ namespace samara
   private:
     std::vector<std::string> neighbour_names;
     std::vector<double>      neighbour_factors;
+
+    /** Rotor coefficients, "thrust coefficient"; nothing of another path. */
+    std::optional<Probe> coefficient_probe(const std::string &path) const;
 
     void find_neighbours(Model &model);
     void add_doubt_of_radius(const State &state, std::vector<Doubt> &doubts) const;

@@ -63,6 +63,7 @@ namespace samara
 
     void     see_flow(const State &state, FlowSeen &seen) const override;
     double   beyond_stations() const override;
+    double   area() const override;
     AirLoads air_loads(const State &state, const Vector3 &centre, const Vector3 &carried) const override;
     AirPower air_power(const Point<double> &point) const override;
     double   reach(const State &state, const Vector3 &centre, const Vector3 &axis) const override;

@@ -18,6 +18,7 @@ namespace samara
     std::array<Quantity, 2> readings;
     bool                    is_unit   = false;
     bool                    is_faulty = false; ///< a constant that could not be read: who uses it throws a FollowUp
+    std::string             of_time   = {};    ///< of a function of time with a name: its text in SI units
   };
 
 
@@ -34,6 +35,9 @@ namespace samara
 
     /** What a word stands for; null if it is not known. */
     const Meaning *find(const std::string &name) const;
+
+    /** The unit of that name, whatever constants hide it; null if there is none. */
+    const Meaning *find_unit(const std::string &name) const;
 
     /** Whether it stands in a layer around the innermost one, but not in the outermost: it may be hidden. */
     bool is_outer(const std::string &name) const;
@@ -58,7 +62,13 @@ namespace samara
 
 
 
-  /** One expression with units, ready to be evaluated and measured: a Formula whose variables are its words. */
+  /**
+   * One expression with units, ready to be evaluated and measured: a Formula whose variables are its words.
+   *
+   * A constant may have the name of a unit. Then the name is the unit directly behind a number, "3 m", and the constant
+   * elsewhere, "P*m", "h/2". What goes on from a unit, "3 N/m*h", or from parentheses by a blank, could be either, and
+   * is refused with both readings; "(3 N/m)", with nothing else in its parentheses, is in units.
+   */
   class Evaluation
   {
   public:
@@ -108,7 +118,7 @@ namespace samara
 
     void collect_words(const KnownWords &words, const std::map<std::string, Dimension> &variables);
 
-    const std::string  text;
+    const std::string  text; ///< as the user wrote it
     std::vector<Token> tokens;
     std::vector<Used>  used; ///< in the order of the formula's variables
     Formula            formula;

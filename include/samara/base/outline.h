@@ -13,7 +13,8 @@ namespace samara
    *
    * dealii::ParameterHandler wants every subsection declared before it parses. The outline comes first and says which
    * named bodies, joints and loads there are, so that they can be constructed and declare what they need. Values are
-   * raw text and never interpreted here, except for three words that concern the skeleton itself:
+   * raw text and never interpreted here, except for three words that concern the skeleton itself. A "{" stands in
+   * "${name}" only, for which the text of a constant is taken later.
    *
    * - `include file` (quotes optional) reads another file in its place. A relative name is relative to the including
    *   file. A file may override what it has included, but nothing may be set twice in one file.
@@ -62,10 +63,17 @@ namespace samara
     std::vector<std::string> section_names() const;
 
     /**
-     * Override one entry from the command line: "Bodies/shaft 1/Degree = 4". The subsections must exist, the entry need
-     * not. Copies follow their originals. To be called on the outline of a whole file.
+     * Override one entry from the command line: "Bodies/shaft 1/Degree = 4". A named object must exist; its entries and
+     * the subsections in it need not. Copies follow their originals. To be called on the outline of a whole file.
      */
     void set(const std::string &path_and_value, Complaints &complaints);
+
+    /** Take what @p other says, which has the last word: its entries, and its subsections into those of the same name.
+     */
+    void merge(const Outline &other);
+
+    /** Whether a text has a "{" that does not stand in "${name}". */
+    static bool has_stray_brace(const std::string &text);
 
     /** (Re-)do all `Copy of` below here: forget what was inherited, and inherit anew. */
     void resolve_copies(Complaints &complaints);

@@ -75,7 +75,8 @@ namespace samara
 
     /**
      * Read @p section into the variables. Everything that is wrong or not known goes to @p complaints; the variable
-     * then keeps its value. `Type` and `Copy of` are skipped unless they were added.
+     * then keeps its value. `Type`, `Copy of` and `Active` are skipped unless they were added. An entry that is `none`
+     * counts as not given, unless that is one of its choices.
      */
     void parse(const Outline &section, const Quantities &quantities, Complaints &complaints);
 

@@ -21,6 +21,7 @@ namespace samara
    * - Zero is zero in every unit.
    * - An angle is a number: N*m/rad is N*m. But deg, rev and rpm convert to rad and rad/s, and to give Hz for rad/s or
    *   rpm for Hz is refused, because nobody can tell whether a factor of 2 pi is meant.
+   * - A constant may have the name of a unit, see Evaluation.
    * - `lb` is a mass. If that contradicts the declared unit and a force agrees with it, it is a force.
    *
    * How dimensions are found is told at Formula::dimensions().
@@ -43,6 +44,25 @@ namespace samara
                       const std::string &where,
                       const Quantities  &reader,
                       Complaints        &complaints);
+
+    /**
+     * Define a function of time, which stands wherever t may stand, in the dimension that it has. It may use constants
+     * and functions defined before.
+     */
+    void
+    add_function(const std::string &name, const std::string &text, const std::string &where, Complaints &complaints);
+
+    /**
+     * Texts that stand in place of "${name}", of constants that are texts in quotes and of arguments of parts. Those of
+     * a subsystem hide those around it.
+     */
+    std::map<std::string, std::string> texts;
+
+    /**
+     * @p text with these texts, and with values of constants in SI units, in place of each "${name}".
+     * @throws std::invalid_argument saying what there is, FollowUp if the constant is faulty
+     */
+    std::string with_texts(const std::string &text) const;
 
     /** From now on constants may have the names of those that there are, and then hide them: a subsystem begins. */
     void begin_subsystem();
@@ -68,7 +88,10 @@ namespace samara
      */
     Law law(const std::string &text, const std::string &unit) const;
 
-    /** Why no state can be called @p name; "" if one can. */
+    /** The same of signals that somebody else has @p found in @p text, in the axes in which they are. */
+    Law law_of(const std::string &text, const std::vector<SignalNames::Found> &found, const std::string &unit) const;
+
+    /** Why no state, and no function, can be called @p name; "" if one can. */
     std::string fault_of_state(const std::string &name) const;
 
     /** What laws may name. */
@@ -89,6 +112,11 @@ namespace samara
   private:
     /** Why nothing can be called @p name; "" if it can. */
     std::string fault_of_name(const std::string &name) const;
+
+    Law law_of(const std::string                     &text,
+               const std::vector<SignalNames::Found> &found,
+               const std::string                     &unit,
+               const Placement                       &placement) const;
 
     std::string
     expression_of_table(const std::string &rows, const std::string &unit, const std::string &variable) const;

@@ -22,6 +22,7 @@ namespace samara
     Kind        kind;
     std::string text;
     bool        after_blank = false; ///< white space stands before it
+    bool        is_implied  = false; ///< a "*" that is not written
   };
 
   /**

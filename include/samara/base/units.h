@@ -33,7 +33,7 @@ namespace samara
   /** All units a number may have. `lb` is the mass. */
   const std::vector<Unit> &units();
 
-  /** The constants everybody has: pi, e, g0. */
+  /** The constants everybody has: pi, e, g0, true, false. */
   const std::vector<Unit> &universal_constants();
 
   /** "a length [m]", "a number", or just "[kg/s^2]" for what has no name. */

@@ -14,13 +14,13 @@ namespace samara
    *     s [in], EA [lbf], EI2 [lb*in^2], twist [deg]
    *
    * One column is the abscissa: `x` without a unit is relative, 0 at the start of the beam and 1 at its end; `x [m]`,
-   * `s` and `r` are lengths. Two lines with the same abscissa make a jump. Without a unit a number is in SI units; what
-   * stands behind # is left out.
+   * `s` and `r` are lengths, and `r/R` is a part of a radius. A column `chord` is for others. Two lines with the same
+   * abscissa make a jump. Without a unit a number is in SI units; what stands behind # is left out.
    */
   struct PropertyTable
   {
-    /** @throws std::invalid_argument saying file, line and word. */
-    explicit PropertyTable(const std::string &file);
+    /** With the radius [m] of a column `r/R`; 0: none. @throws std::invalid_argument saying file, line and word. */
+    explicit PropertyTable(const std::string &file, double radius = 0);
 
     bool                                       is_relative = true; ///< or the abscissae are lengths [m]
     std::vector<double>                        abscissae;          ///< ascending
@@ -32,7 +32,8 @@ namespace samara
     double at(const std::string &column, double x, bool from_below) const;
 
   private:
-    std::vector<std::string> names;   ///< of the columns; the abscissa is ""
+    double                   radius = 0; ///< [m]
+    std::vector<std::string> names;      ///< of the columns; the abscissa is ""
     std::vector<double>      factors; ///< to SI units
 
     void read_header(const std::string &line);

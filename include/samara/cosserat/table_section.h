@@ -36,7 +36,7 @@ namespace samara
   private:
     std::string                           file_names;
     std::vector<std::string>              station_texts, files;
-    double                                start = 0;
+    double                                start = 0, radius = 0; ///< [m]
     std::vector<SectionStations::Station> stations;           ///< with x [m] if they are not relative
     bool                                  is_relative = true; ///< the stations
     std::vector<PropertyTable>            tables;

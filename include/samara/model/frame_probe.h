@@ -17,6 +17,14 @@ namespace samara
     /** Of a frame that was at @p x_reference with axes @p D_reference; not accelerated if the state does not know. */
     static FrameMotion
     of(const Frame &frame, const Vector3 &x_reference, const Matrix3 &D_reference, const State &state);
+
+    /**
+     * The same as an observer sees it who moves with @p other, in axes that were the inertial ones in the reference
+     * configuration: what moves with the observer stays where it was drawn. With Q the turn of the observer, r = x − x₀
+     * and ω₀ its angular velocity, x' = x₀ᵣ + Qᵀ r, v' = Qᵀ(v − v₀ − ω₀ × r), a' = Qᵀ(a − a₀ − α₀ × r − ω₀ × (ω₀ × r))
+     * − 2 Qᵀω₀ × v'.
+     */
+    FrameMotion seen_from(const FrameMotion &other) const;
   };
 
   /** Of a frame, in inertial axes: D (v̇ + Ω × v) [m/s²], then D Ω̇ [rad/s²]; zero if the state does not know them. */

@@ -13,6 +13,8 @@
 
 namespace samara
 {
+  struct FrameMotion;
+
   /** A piece of a body along which loads act: everything on it is a polynomial through its frames. */
   struct Span
   {
@@ -98,6 +100,13 @@ namespace samara
     /** A frame by its path: "ground", "shaft 1.start". @throws std::invalid_argument saying what is known. */
     Frame frame(const std::string &path) const;
 
+    /** Whether there is an item of that full name. */
+    bool
+    is_item(const std::string &full_name) const
+    {
+      return !named(full_name).empty();
+    }
+
     /** An item by name, as the type that is wanted. @throws std::invalid_argument, FollowUp if it is faulty */
     template <typename Kind>
     Kind &find(const std::string &name, const std::string &noun) const;
@@ -161,14 +170,33 @@ namespace samara
 
     /**
      * The subsystem from which names are looked up, "rotor:blade 1:", or "": first those in it, "rotor:blade 1:flap",
-     * then those around it, "rotor:flap", then "flap".
+     * then those around it, "rotor:flap", then "flap". A name with a colon in front, ":flap", is one of the model.
      */
     std::string scope;
 
     /** Names of what could not even be constructed; there is a complaint about each. */
     std::unordered_set<std::string> unmade;
 
+    /** Full names of objects that are left out, and where that is said; of all in a subsystem it is "blade:". */
+    std::map<std::string, std::string> inactive;
+
+    /** What "hub" stands for where that is the name of a subsystem: the body in it on which others are mounted,
+     * "hub:hub". */
+    std::map<std::string, std::string> mounts;
+
   private:
+    /** What a name stands for: of a subsystem with a mount that is no object itself the mount. */
+    std::string mounted(const std::string &name) const;
+
+    /** The probe of a point as a body sees it, "blade.end.position z" of "blade.end.position z seen from hub". */
+    Probe probe_seen_from(const std::string &path, const std::string &observer) const;
+
+    /** A frame after close(), its motion as that of the state. */
+    std::function<FrameMotion(const State &)> motion_of(const Frame &frame) const;
+
+    /** Where it is said that an object is left out; "" of one that is not. */
+    std::string where_inactive(const std::string &full_name) const;
+
     /** All items of that full name, in their order. Items are added, and never taken away nor renamed. */
     const std::vector<Item *> &named(const std::string &name) const;
 

@@ -11,6 +11,9 @@ namespace samara
   struct Options
   {
     std::string              model, output, help_about;
+    std::string              part; ///< of which the arguments are asked for
+    std::string begun; ///< the kind of model that is begun; `model` is then the file, or empty: it is printed
+    bool        kinds = false;
     std::vector<std::string> overrides;
     std::vector<std::string> several; ///< models, where there are more than one: see execute_all()
     bool                     check = false, parameters = false, quiet = false, restart = false;
