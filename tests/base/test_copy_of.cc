@@ -173,7 +173,7 @@ namespace
                        "--set: <Bodys/shaft 1/Degree>: there is no subsection <Bodys>; did you mean <Bodies>?",
                        "--set: <Bodies/shaft 9/Degree>: there is no subsection <shaft 9>; did you mean <shaft 1>?",
                        "--set: <Bodies/shaft 1/ = 4> does not name an entry.",
-                       "--set: <Bodies/shaft 1/Degree>: a value must not contain '{'."}));
+                       "--set: <Bodies/shaft 1/Degree>: a value must not contain '{', except in <${name}>."}));
     EXPECT_EQ(body(outline, "shaft 1").value("Degree"), "3");
   }
 } // namespace

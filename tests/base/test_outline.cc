@@ -80,7 +80,7 @@ namespace
                                "subsection open\n"
                                "  subsection deep\n"),
               (Strings{"a.prm:1: this 'set' has no '='.",
-                       "a.prm:2: <Brace>: a value must not contain '{'.",
+                       "a.prm:2: <Brace>: a value must not contain '{', except in <${name}>.",
                        "a.prm:3: expected 'set', 'subsection', 'end' or 'include', found <hello world>.",
                        "a.prm:4: this 'end' closes no subsection of this file.",
                        "a.prm:6: <Twice> was already set at a.prm:5.",

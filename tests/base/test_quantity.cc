@@ -326,10 +326,10 @@ namespace
   TEST(Quantity, TextsStandInPlaceOfTheirNames)
   {
     const auto q =
-      with_constants({{"n", "3"}, {"file", "\"a b.csv\""}, {"kind", "n > 2 ? \"many\" : \"few\""}, {"L", "6 ft"}});
+      with_constants({{"n", "3"}, {"file", "\"a b.csv\""}, {"kind", "n > 2 ? \"many\" : \"few\""}, {"L", "0.25 km"}});
     EXPECT_EQ(q.with_texts("${file}: x"), "a b.csv: x");
     EXPECT_EQ(q.with_texts("${ kind } of ${kind}"), "many of many");
-    EXPECT_EQ(q.with_texts("${L}"), "1.8288") << "numbers are in SI units";
+    EXPECT_EQ(q.with_texts("${L}"), "250") << "numbers are in SI units";
     EXPECT_EQ(q.with_texts("none"), "none");
     EXPECT_THROW(q.with_texts("${knd}"), std::invalid_argument);
     EXPECT_THROW(q.with_texts("${kind"), std::invalid_argument);

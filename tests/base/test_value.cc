@@ -79,7 +79,12 @@ namespace
     EXPECT_TRUE(b);
     EXPECT_EQ(read("false", b), Strings());
     EXPECT_FALSE(b);
-    EXPECT_TRUE(is_refused<bool>("1"));
+    EXPECT_EQ(read("2 > 1", b), Strings());
+    EXPECT_TRUE(b) << "a condition is 1 or 0";
+    EXPECT_EQ(read("0", b), Strings());
+    EXPECT_FALSE(b);
+    EXPECT_TRUE(is_refused<bool>("2"));
+    EXPECT_TRUE(is_refused<bool>("maybe"));
   }
 
 

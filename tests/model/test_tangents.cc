@@ -373,7 +373,7 @@ TEST(Tangents, EveryKindOfTheCatalogueIsTested)
     "isotropic", "orthotropic", "anisotropic", "layup", "ellipse", "box", "I", "C", "mesh", "airfoil", "file", "BeamDyn",
     "PID", "transfer function", "state space", "delay", "control",
     "analytic", "C81", "AeroDyn", "air", "prescribed inflow", "uniform inflow", "Pitt-Peters inflow", "Peters-He inflow", "annular inflow", "helical wake",
-    "lifting line"};
+    "lifting line", "expression"};
   for (const auto &group : Catalogue().groups)
     for (const auto &kind : group.kinds.kinds())
       EXPECT_EQ(tested.count(kind) + elsewhere.count(kind), 1u) << "there is no scene for the kind <" << kind << ">";
