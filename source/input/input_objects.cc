@@ -150,9 +150,36 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** A path with the body on which others are mounted in place of the name of its subsystem, before a dot or at the end. */
+    std::string
+    with_mounts(const std::string &path, const std::map<std::string, std::string> &mounts)
+    {
+      const std::string seen_from = " seen from ";
+      const auto        seen      = path.rfind(seen_from);
+      const auto        replaced  = [&](const std::string &part) {
+        const auto dot   = part.find('.');
+        const auto mount = mounts.find(trim(part.substr(0, dot)));
+        return mount == mounts.end() ? part : mount->second + (dot == std::string::npos ? "" : part.substr(dot));
+      };
+      return seen == std::string::npos ?
+               replaced(path) :
+               replaced(path.substr(0, seen)) + seen_from + replaced(trim(path.substr(seen + seen_from.size())));
+    }
+  } // namespace
+
+
+
   void
   Input::add_probes_of(const Subsystems &subsystems)
   {
+    if (!subsystems.mounts.empty() && !probes.empty())
+      {
+        for (auto &path : probes) // what is printed has no subsystems
+          path = with_mounts(path, subsystems.mounts);
+        root.subsection("Output").assign("Probes", probes);
+      }
     for (const auto &[path, where] : subsystems.probes)
       {
         probes.push_back(path);

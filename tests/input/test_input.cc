@@ -63,6 +63,21 @@ end
 
 
 
+// A subsystem that stands for a body is none any more in what is printed.
+TEST(UsedPrm, NamesTheBodiesOfParts)
+{
+  const Scene       original("prm/rotorcraft/articulated_rotor.prm",
+                       {"Output/Probes = blade 1:blade.end.position z seen from hub, hub.position z"});
+  const std::string text = used(original);
+  EXPECT_EQ(text.find("seen from hub,"), std::string::npos) << text;
+  const Scene again(text);
+  EXPECT_EQ(used(again), text);
+  EXPECT_EQ(again.value("blade 1:blade.end.position z seen from hub:hub"),
+            original.value("blade 1:blade.end.position z seen from hub"));
+}
+
+
+
 TEST(UsedPrm, IsTheSameModel)
 {
   std::vector<std::string> models = {turning_hub};
