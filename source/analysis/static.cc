@@ -396,7 +396,7 @@ namespace samara
     State reported = state;
     if (context.least_norm && !reported.left_out.empty())
       RedundantRows(context.system).make_least(reported);
-    meshes.check(context, state, "static, load factor " + short_text(state.factor));
+    meshes.check(context, state, "static, " + what);
     if (history)
       history->add(values_of(context, reported, state.factor));
     // of a sweep one at each speed
@@ -414,7 +414,7 @@ namespace samara
           pictures->add(std::move(drawing), at);
       }
     if (context.page != nullptr)
-      context.page->watch("static, load factor " + short_text(state.factor));
+      context.page->watch("static, " + what);
   }
 
 
