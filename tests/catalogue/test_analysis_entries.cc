@@ -307,5 +307,20 @@ TEST_F(Catalogued, Subsystems)
          {"Rotation", "0.3, 0.2, 0.1"},
          {"Rotation sequence", "123"},
          {"Copies", "3 about z"},
-         {"Arguments", "length = 2 m"}});
+         {"Arguments", "length = 2 m"},
+         {"Active", "false", {}, true},
+         {"Part", "rotor/hub", {}, true}});
+}
+
+
+
+TEST_F(Catalogued, Quantities)
+{
+  check("expression",
+        "set Analyses = dynamic\nsubsection Bodies\n subsection arm\n set Type = rigid body\n set Mass = 1\n"
+        " set Inertia = 1, 1, 1\n set Position = 1, 2, 0\n end\nend\nsubsection Quantities\n subsection it\n"
+        " set Value = 2*arm.position x\n set Unit = m\n end\nend\nsubsection Output\n set Probes = it\nend\n" +
+          std::string(models::two_steps),
+        "Quantities/it",
+        {{"Value", "2*arm.position y"}, {"Unit", "mm"}});
 }

@@ -126,6 +126,7 @@ TEST_F(Catalogued, AllKinds)
                                    "trim",
                                    "verification",
                                    "section",
+                                   "expression",
                                    "subsystem",
                                    "study",
                                    "method"}));

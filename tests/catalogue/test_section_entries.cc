@@ -3,7 +3,6 @@
 #include <samara/cosserat/beamdyn_file.h>
 #include <samara/cosserat/section_file.h>
 
-
 #include "catalogued.h"
 
 using namespace samara;
@@ -169,12 +168,17 @@ TEST_F(Catalogued, Sections)
   const std::string folder = ScratchFolder().path; // that of the runs
   files["table.csv"]       = "x,EA,GA2,GA3,GJ,EI2,EI3,mass,I2,I3\n0,1e4,1e4,1e4,30,20,20,2,.01,.01\n"
                              "1,1e4,1e4,1e4,30,20,20,2,.01,.01\n";
+  files["ratio.csv"]       = "r/R,EA,GA2,GA3,GJ,EI2,EI3,mass,I2,I3\n0,1e4,1e4,1e4,30,20,20,2,.01,.01\n"
+                             "9,3e4,3e4,3e4,90,60,60,6,.03,.03\n";
   check("table",
         models::beam(models::table),
         "Sections/it",
         {{"Stations", "other at 0, thick at 1"},
          {"Start", "0.5", {"Sections/it/Stations = other at 0 m, thick at 2 m"}},
-         {"File", folder + "/table.csv", {}, false, {"Sections/it/Stations = "}}});
+         {"File", folder + "/table.csv", {}, false, {"Sections/it/Stations = "}},
+         {"Radius",
+          "2",
+          {"Sections/it/File = " + folder + "/ratio.csv", "Sections/it/Stations = ", "Sections/it/Radius = 1"}}});
 
   for (const double stiffness : {1., 2.})
     {
