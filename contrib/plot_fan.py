@@ -1,75 +1,61 @@
 """Modes and multipliers against the speed of rotation, drawn by contrib/plot: one curve a family."""
 
 import collections
-import csv
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.transforms import ScaledTranslation
+
+from plot_style import COLORS, DASHES, MARKERS, RED, Skip, finish, legend, panels
+from plot_tables import numbers, texts
 
 EQUAL = 5e-3  # of the frequency: branches of one family that are nearer than this everywhere are one curve
-MOST_LINES = 12  # of n/rev
+MOST_LINES = 6  # of n/rev
+MOST_NAMED = 12  # curves; of more only the families have names
 NO_SWING = 0.95  # damping ratio: what has more at all speeds, as lags of the air have, is not drawn in a fan
 MAPS = {"flap": "Blues", "lag": "Reds", "torsion": "Greens", "support": "Greys", "": "turbo"}
-DASHES = {"collective": "-", "progressive": "--", "regressive": ":", "differential": "-."}
-
-
-def beside(ax):
-    """Where a legend stands: to the right of the axis in Hz and of its label, whatever the width."""
-    to_the_right = ScaledTranslation(0.75, 0, ax.figure.dpi_scale_trans)
-    return {"loc": "upper left", "bbox_to_anchor": (1, 1), "bbox_transform": ax.transAxes + to_the_right, "borderaxespad": 0}
+OF_PATTERN = {"collective": "-", "progressive": "--", "regressive": ":", "differential": "-."}
+HERTZ = (lambda w: w / (2 * np.pi), lambda f: 2 * np.pi * f)
 
 
 class Curve:
     """Rows of a branch, or of several that are equal, by speed."""
 
-    def __init__(self, rows, frequency, growth):
-        rows = sorted(rows, key=lambda row: float(row["speed [rad/s]"]))
-        self.speed = np.array([float(row["speed [rad/s]"]) for row in rows])
-        self.frequency = np.array([float(row[frequency]) for row in rows])
-        self.growth = np.array([float(row[growth]) for row in rows])
-        self.damping = np.array([float(row.get("damping ratio") or "nan") for row in rows])
-        self.branches = {rows[0]["branch"]}
-        self.family, self.pattern = (
-            collections.Counter(row.get(name) or "" for row in rows).most_common(1)[0][0] for name in ("family", "pattern")
-        )
-        names = [", ".join(filter(None, (row.get("family"), row.get("pattern")))) for row in rows]
+    def __init__(self, branch, rows, frequency, growth):
+        rows = rows.assign(speed=numbers(rows["speed [rad/s]"])).sort_values("speed")
+        self.speed, self.frequency, self.growth = (numbers(rows[name]) for name in ("speed", frequency, growth))
+        self.damping = numbers(rows.get("damping ratio", rows[growth]))
+        self.branches = {int(float(branch))}
+        families, patterns = ([*rows.get(name, [""] * len(rows))] for name in ("family", "pattern"))
+        self.family, self.pattern = (collections.Counter(words).most_common(1)[0][0] for words in (families, patterns))
+        names = [", ".join(filter(None, pair)) for pair in zip(families, patterns)]
         self.way = " to ".join(dict.fromkeys([names[0], names[-1]]))
         if not self.pattern:  # of one blade, or by content alone: flap 2 to flap-torsion
-            words = [row["family"] for row in rows if row.get("family")]
+            words = [family for family in families if family]
             self.family = " to ".join(dict.fromkeys(words[:: max(1, len(words) - 1)]))
+        self.kind = self.family.split(" ")[0].split("-")[0]
 
     def is_as(self, other):
         if self.family != other.family or not np.array_equal(self.speed, other.speed):
             return False
-        size = np.abs(self.frequency + 1j * self.growth) + 1e-300
-        change = np.abs(self.frequency - other.frequency + 1j * (self.growth - other.growth))
-        return bool(np.all(change <= EQUAL * size))
+        mine, its = (curve.frequency + 1j * curve.growth for curve in (self, other))
+        return bool(np.all(np.abs(mine - its) <= EQUAL * (np.abs(mine) + 1e-300)))
 
     def label(self, of_family):
         if not self.family:
-            numbers = sorted(int(float(branch)) for branch in self.branches)
-            return f"mode {numbers[0]}" if len(numbers) == 1 else f"modes {numbers[0]} – {numbers[-1]}"
-        if not self.pattern:
-            return self.family
-        if of_family == 1:
-            return self.family + (f" ({len(self.branches)} patterns)" if len(self.branches) > 1 else f", {self.pattern}")
-        return f"{self.family}, {self.pattern}"
+            first, last = min(self.branches), max(self.branches)
+            return f"mode {first}" if first == last else f"modes {first} – {last}"
+        if self.pattern and of_family == 1 and len(self.branches) > 1:
+            return f"{self.family} ({len(self.branches)} patterns)"
+        return ", ".join(filter(None, (self.family, self.pattern)))
 
 
-def read_curves(path, frequency, growth, skip):
-    if not path.exists():
-        raise skip(f"no {path.name}")
-    with open(path, encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    if len({row["speed [rad/s]"] for row in rows}) < 2:
-        raise skip(f"{path.name} has fewer than two speeds")
-    branches = collections.defaultdict(list)
-    for row in rows:
-        branches[row["branch"]].append(row)
+def read_curves(path, frequency, growth):
+    rows = texts(path)
+    if rows["speed [rad/s]"].nunique() < 2:
+        raise Skip(f"{path.name} has fewer than two speeds")
     curves = []
-    for rows_of_branch in branches.values():
-        curve = Curve(rows_of_branch, frequency, growth)
+    for branch, of_branch in rows.groupby("branch", sort=False):
+        curve = Curve(branch, of_branch, frequency, growth)
         same = next((other for other in curves if other.is_as(curve)), None)
         if same:
             same.branches |= curve.branches
@@ -80,164 +66,116 @@ def read_curves(path, frequency, growth, skip):
 
 def styled(curves):
     """Curves with color, dashes and label."""
-    kinds = collections.defaultdict(list)
-    for curve in curves:
-        kinds[curve.family.split(" ")[0].split("-")[0]].append(curve)
     count = collections.Counter(curve.family for curve in curves)
     labels = [curve.label(count[curve.family]) for curve in curves]
     # two branches that most speeds call alike: by what they begin and end as, by their numbers if that does not help
-    ways = collections.Counter(curve.way for curve in curves)
-    often = collections.Counter(labels)
-    for i, curve in enumerate(curves):
-        if often[labels[i]] > 1:
-            number = min(int(float(branch)) for branch in curve.branches)
-            labels[i] = curve.way if ways[curve.way] == 1 else f"{labels[i]} (branch {number})"
+    ways, often = (collections.Counter(words) for words in ([curve.way for curve in curves], labels))
     for curve, label in zip(curves, labels):
-        kind = curve.family.split(" ")[0].split("-")[0]
-        names = sorted({other.family or str(sorted(other.branches)) for other in kinds[kind]})
-        place = names.index(curve.family or str(sorted(curve.branches)))
-        tint = 0.9 - 0.5 * place / max(1, len(names) - 1) if kind else 0.05 + 0.87 * place / max(1, len(names) - 1)
-        color = plt.get_cmap(MAPS.get(kind, "Purples"))(tint)
-        dashes = DASHES.get(curve.pattern, "-") if count[curve.family] > 1 else "-"
-        if label == curve.way and " to " in label:
-            dashes = (0, (6, 1, 1, 1, 1, 1))
-        yield curve, color, dashes, label
+        if often[label] > 1:
+            label = curve.way if ways[curve.way] == 1 else f"{label} (branch {min(curve.branches)})"
+        names = sorted({c.family or str(sorted(c.branches)) for c in curves if c.kind == curve.kind})
+        place = names.index(curve.family or str(sorted(curve.branches))) / max(1, len(names) - 1)
+        color = plt.get_cmap(MAPS.get(curve.kind, "Purples"))(0.9 - 0.5 * place if curve.kind else 0.05 + 0.87 * place)
+        dashes = OF_PATTERN.get(curve.pattern, "-") if count[curve.family] > 1 else "-"
+        yield curve, color, (0, (6, 1, 1, 1, 1, 1)) if label == curve.way and " to " in label else dashes, label
 
 
-def draw_fan(folder, skip, full):
-    everything = read_curves(folder / "fan.csv", "frequency [rad/s]", "real [1/s]", skip)
-    curves = [curve for curve in everything if not np.all(np.abs(curve.damping) > NO_SWING)]
+def looks(runs, all_curves):
+    """Curves of all runs with color, dashes, marker and label; of several runs each has a colour."""
+    named = set()
+    for r, (run, curves) in enumerate(zip(runs, all_curves)):
+        for k, (curve, color, dashes, label) in enumerate(styled(curves)):
+            if len(runs) == 1:
+                if len(curves) > MOST_NAMED:
+                    label = None if curve.family in named else curve.family
+                    named.add(curve.family)
+                yield curve, color, dashes, "o", label
+            else:
+                yield curve, COLORS[r % 8], DASHES[r % 4], MARKERS[r % 12], None if k else run.name
+
+
+def draw_speeds(file, runs, options):
+    """Frequencies above, damping ratios or growth rates below, against the speed."""
+    of_fan = file == "fan.csv"
+    growth, lower = ("real [1/s]", "damping") if of_fan else ("growth rate [1/s]", "growth")
+    title = "Frequencies against the speed of rotation" if of_fan else "Floquet exponents against the speed of rotation"
+    everything = [read_curves(run.folder / file, "frequency [rad/s]", growth) for run in runs]
+    all_curves = [[c for c in curves if not of_fan or not np.all(np.abs(c.damping) > NO_SWING)] for curves in everything]
+    curves = sum(all_curves, [])
     if not curves:
-        raise skip("nothing swings")
-    with_damping = any(np.nanmax(np.abs(curve.damping), initial=0) > 1e-9 for curve in curves)
-    figure, axes = plt.subplots(
-        1 + with_damping,
-        1,
-        figsize=(9, 9.5 if with_damping else 6.5),
-        sharex=True,
-        squeeze=False,
-        layout="constrained",
-        gridspec_kw={"height_ratios": [5, 3][: 1 + with_damping]},
-    )
-    top = axes[0, 0]
+        raise Skip("nothing swings")
+    two = max(np.nanmax(np.abs(getattr(curve, lower)), initial=0) for curve in curves) > 1e-9
+    figure, axes = panels(options, 1 + two, title, 60 if two else 80, [5, 3][: 1 + two])
+    top, bottom = axes[0], axes[-1]
     fastest = max(curve.speed[-1] for curve in curves)
-    for curve, color, dashes, label in styled(curves):
-        end = f"  {curve.frequency[-1] / curve.speed[-1]:.2f}/rev" if curve.speed[-1] == fastest > 0 else ""
-        top.plot(curve.speed, curve.frequency, ls=dashes, marker="o", ms=3, color=color, label=label + end)
-        if with_damping:
-            axes[1, 0].plot(curve.speed, curve.damping, ls=dashes, marker="o", ms=3, color=color)
+    for curve, color, dashes, marker, label in looks(runs, all_curves):
+        end = f" {curve.frequency[-1] / curve.speed[-1]:.2f}/rev" if of_fan and curve.speed[-1] == fastest > 0 and len(curves) <= MOST_NAMED else ""
+        look = {"ls": dashes, "marker": marker, "ms": 1.8, "color": color} if len(runs) == 1 else {"ls": dashes, "marker": marker, "ms": 2.5, "mfc": "none", "mew": 0.5, "color": color}
+        top.plot(curve.speed, curve.frequency, label=label + end if label and len(runs) == 1 else label, **look)
+        if two:
+            bottom.plot(curve.speed, getattr(curve, lower), **look)
+    top.set(xlim=(min(curve.speed[0] for curve in curves), 1.01 * fastest), ylabel="frequency [rad/s]")
     top.set_ylim(0, 1.05 * max(max(curve.frequency.max() for curve in curves), 1e-9))
-    top.set_xlim(min(curve.speed[0] for curve in curves), 1.01 * fastest)
-    top.set_ylabel("frequency [rad/s]")
-    handles, labels = top.get_legend_handles_labels()
-    if len(curves) <= 24:
-        top.legend(handles[::-1], labels[::-1], **beside(top))
     draw_revolutions(top)
-    hertz = top.secondary_yaxis("right", functions=(lambda w: w / (2 * np.pi), lambda f: 2 * np.pi * f))
-    hertz.set_ylabel("[Hz]")
-    if full:
-        share = top.secondary_xaxis("top", functions=(lambda w: 100 * w / full, lambda p: p * full / 100))
-        share.set_xlabel(f"speed [% of {full:g} rad/s]")
-    if with_damping:
-        axes[1, 0].set_ylabel("damping ratio [–]")
-        least = min(np.nanmin(curve.damping) for curve in curves)
-        if least < 0:
-            axes[1, 0].axhspan(1.1 * least, 0, color="#d1495b", alpha=0.08, lw=0)
-            axes[1, 0].text(0.015, 0.03, "unstable", transform=axes[1, 0].transAxes, color="#b23", fontsize=10, va="bottom")
-        axes[1, 0].axhline(0, color="0.4", lw=0.8)
-    axes[-1, 0].set_xlabel("speed [rad/s]")
-    left_out = sum(len(curve.branches) for curve in everything) - sum(len(curve.branches) for curve in curves)
-    figure.suptitle(
-        "Frequencies against the speed of rotation"
-        + (f" ({left_out} motions that do not swing are left out)" if left_out > 1 else "")
-        + (" (1 motion that does not swing is left out)" if left_out == 1 else "")
-    )
-    figure.align_ylabels(axes[:, 0])
-    return figure
+    top.secondary_yaxis("right", functions=HERTZ).set_ylabel("frequency [Hz]")
+    if options.full:
+        share = top.secondary_xaxis("top", functions=(lambda w: 100 * w / options.full, lambda p: p * options.full / 100))
+        share.set_xlabel(f"speed [% of {options.full:g} rad/s]")
+    if two:
+        bottom.set_ylabel("damping ratio [–]" if of_fan else "growth rate [1/s]")
+        bottom.axhline(0, color="0.4", lw=0.6)
+        (low, high), sign = bottom.get_ylim(), 1 if of_fan else -1
+        if min(np.nanmin(sign * getattr(curve, lower)) for curve in curves) < -1e-4 * (high - low):
+            bottom.axhspan(0, low if sign > 0 else high, color=RED, alpha=0.08, lw=0)
+            bottom.text(0.015, 0.03 if sign > 0 else 0.88, "unstable", transform=bottom.transAxes, color="#b23", fontsize=7)
+            bottom.set_ylim(low, high)
+    left_out = sum(len(c.branches) for c in sum(everything, [])) - sum(len(c.branches) for c in curves)
+    if left_out:
+        options.say(f"{left_out} motion{'s' * (left_out > 1)} that do{'es' * (left_out == 1)} not swing")
+    return finish(options, figure, axes, "speed [rad/s]", above=10 if options.full else 0)
 
 
 def draw_revolutions(ax):
-    """Light lines at 1, 2, ... a revolution, each with its name where it leaves the panel."""
+    """Light lines at 1, 2, ... a revolution, each with its name where it leaves the panel, not nearer than letters are high."""
     (x_low, x_high), (y_low, y_high) = ax.get_xlim(), ax.get_ylim()
-    for n in range(1, min(MOST_LINES, int(np.ceil(y_high / x_high))) + 1 if x_high > 0 else 0):
-        ax.axline((x_low, n * x_low), slope=n, ls="--", color="0.75", lw=1, zorder=1)
+    step = next((s for s in (1, 2, 5, 10, 20, 50) if s * x_high > 0.1 * y_high), 0)
+    last = np.inf
+    for n in step * np.arange(1, MOST_LINES + 1):
         at_top = n * x_high > y_high
-        x = 0.97 * y_high / n if at_top else x_low + 0.975 * (x_high - x_low)
-        if x <= x_low:
-            continue
-        ax.text(
-            x,
-            n * x,
-            f"{n}/rev",
-            color="0.45",
-            fontsize=9,
-            ha="center" if at_top else "right",
-            va="top" if at_top else "center",
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1, "alpha": 0.8},
-            zorder=1.5,
-        )
+        x = 0.96 * y_high / n if at_top and n else x_high - 0.02 * (x_high - x_low)
+        if not n or x <= x_low + 0.03 * (x_high - x_low) or last - x < 0.45 / ax.figure.get_figwidth() * (x_high - x_low) and at_top:
+            break
+        last = x if at_top else last
+        ax.axline((x_low, n * x_low), slope=n, ls="--", color="0.75", lw=0.6, zorder=1)
+        ax.text(x, n * x, f"{n}/rev", color="0.45", fontsize=6.5, ha="center" if at_top else "right", va="center", zorder=1.5,
+                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
 
 
-def draw_growth(folder, skip, full):
-    curves = read_curves(folder / "floquet_speeds.csv", "frequency [rad/s]", "growth rate [1/s]", skip)
-    figure, axes = plt.subplots(2, 1, figsize=(9, 9), sharex=True, layout="constrained")
-    for curve, color, dashes, label in styled(curves):
-        axes[0].plot(curve.speed, curve.frequency, ls=dashes, marker="o", ms=3, color=color, label=label)
-        axes[1].plot(curve.speed, curve.growth, ls=dashes, marker="o", ms=3, color=color)
-    axes[0].set_ylabel("frequency [rad/s]")
-    axes[0].set_ylim(0, 1.05 * max(max(curve.frequency.max() for curve in curves), 1e-9))
-    axes[0].set_xlim(min(curve.speed[0] for curve in curves), max(curve.speed[-1] for curve in curves))
-    if len(curves) <= 24:
-        axes[0].legend(**beside(axes[0]))
-    draw_revolutions(axes[0])
-    axes[0].secondary_yaxis("right", functions=(lambda w: w / (2 * np.pi), lambda f: 2 * np.pi * f)).set_ylabel("[Hz]")
-    if full:
-        share = axes[0].secondary_xaxis("top", functions=(lambda w: 100 * w / full, lambda p: p * full / 100))
-        share.set_xlabel(f"speed [% of {full:g} rad/s]")
-    axes[1].axhline(0, color="0.4", lw=0.8)
-    axes[1].set(xlabel="speed [rad/s]", ylabel="growth rate [1/s]")
-    figure.suptitle("Floquet exponents against the speed of rotation")
-    return figure
-
-
-def mark_speeds(ax, curves, full):
-    """At the ends of each curve, and where it grows fastest, how many per cent of the full speed it turns with."""
-    for curve in curves:
-        for i in sorted({0, len(curve.speed) - 1, int(np.argmax(curve.growth))}):
-            ax.annotate(
-                f"{100 * curve.speed[i] / full:.0f} %",
-                (curve.growth[i], curve.frequency[i]),
-                xytext=(4, 3),
-                textcoords="offset points",
-                fontsize=7,
-                color="0.35",
-            )
-
-
-def draw_locus(folder, skip, full):
+def draw_locus(runs, options):
     """Exponents in their plane; dots grow with the speed."""
-    if (folder / "floquet_speeds.csv").exists():
-        curves = read_curves(folder / "floquet_speeds.csv", "frequency [rad/s]", "growth rate [1/s]", skip)
-    else:
-        curves = read_curves(folder / "fan.csv", "imaginary [rad/s]", "real [1/s]", skip)
-    size = max(np.abs(curve.growth + 1j * curve.frequency).max() for curve in curves)
-    if max(np.abs(curve.growth).max() for curve in curves) <= 1e-9 * size:
-        raise skip("nothing grows or decays")
-    figure, ax = plt.subplots(figsize=(9, 6.5), layout="constrained")
-    speeds = np.concatenate([curve.speed for curve in curves])
-    for curve, color, dashes, label in styled(curves):
-        ax.plot(curve.growth, curve.frequency, ls=dashes, color=color, lw=1, label=label)
-        ax.scatter(curve.growth, curve.frequency, s=6 + 30 * (curve.speed - speeds.min()) / np.ptp(speeds), color=color)
-    ax.axvline(0, color="0.4", lw=0.8)
+    of_floquet = (runs[0].folder / "floquet_speeds.csv").exists()
+    names = ("floquet_speeds.csv", "frequency [rad/s]", "growth rate [1/s]") if of_floquet else ("fan.csv", "imaginary [rad/s]", "real [1/s]")
+    all_curves = [read_curves(run.folder / names[0], *names[1:]) for run in runs]
+    roots = [curve.growth + 1j * curve.frequency for curve in sum(all_curves, [])]
+    size = max(np.abs(root).max() for root in roots)
+    if max(np.abs(root.real).max() for root in roots) <= 1e-9 * size:
+        raise Skip("nothing grows or decays")
+    if not options.figures and max(np.abs(root - root[0]).max() for root in roots) < 0.05 * size:
+        raise Skip("no root moves")
+    figure, axes = panels(options, 1, "", 80)
+    ax, speeds = axes[0], np.concatenate([curve.speed for curve in sum(all_curves, [])])
+    for curve, color, dashes, _, label in looks(runs, all_curves):
+        ax.plot(curve.growth, curve.frequency, ls=dashes, color=color, lw=0.8, label=label)
+        ax.scatter(curve.growth, curve.frequency, s=2 + 14 * (curve.speed - speeds.min()) / np.ptp(speeds), color=color, lw=0)
+        if options.full and len(roots) <= MOST_NAMED:  # the speed at the ends, in per cent
+            for i in (0, -1):
+                ax.annotate(f"{100 * curve.speed[i] / options.full:.0f} %", (curve.growth[i], curve.frequency[i]), (3, 2),
+                            textcoords="offset points", fontsize=6, color="0.35")
+    ax.axvline(0, color="0.4", lw=0.6)
     if ax.get_xlim()[1] > 0:
-        ax.axvspan(0, ax.get_xlim()[1], color="#d1495b", alpha=0.08, lw=0)
-    ax.secondary_yaxis("right", functions=(lambda w: w / (2 * np.pi), lambda f: 2 * np.pi * f)).set_ylabel("[Hz]")
-    if full:
-        per_rev = ax.secondary_yaxis(1.1, functions=(lambda w: w / full, lambda n: n * full))
-        per_rev.set_ylabel(f"[/rev of {full:g} rad/s]")
-        mark_speeds(ax, curves, full)
+        ax.axvspan(0, ax.get_xlim()[1], color=RED, alpha=0.08, lw=0)
+    ax.secondary_yaxis("right", functions=HERTZ).set_ylabel("frequency [Hz]")
     ax.set(xlabel="growth rate [1/s]", ylabel="frequency [rad/s]")
-    if len(curves) <= 24:
-        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2, borderaxespad=0)
-    ax.set_title(f"Root locus from {speeds.min():g} to {speeds.max():g} rad/s, dots grow with the speed")
+    legend(ax)
+    figure.suptitle(f"Root locus from {speeds.min():g} to {speeds.max():g} rad/s, dots grow with the speed")
     return figure

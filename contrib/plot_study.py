@@ -1,255 +1,101 @@
 """Figures of a parameter study, from study.csv and study_ladder.csv; drawn by contrib/plot."""
 
-import csv
+import textwrap
 
 import matplotlib.pyplot as plt
 import numpy as np
 
-MARKERS = "osD^vP*Xhd<>"
-COLORS = ["#1f5fa8", "#d1495b", "#2a9d5c", "#e08e1b", "#7b4fa3", "#17a2b8", "#8c564b", "#666666"]
-CHOSEN = "#2a9d5c"
-FAILING = "#b22"
-MAX_REASON = 110  # letters
+from plot_style import COLORS, MARKERS, MM, Skip, legend, panels
+from plot_tables import numbers, texts
+
+CHOSEN, FAILING, OTHER = "#2a9d5c", "#b22", "#8a98a6"
 
 
-class NoStudy(Exception):
-    """There is nothing to draw; says why."""
-
-
-def number(text):
-    try:
-        return float(text)
-    except ValueError:
-        return np.nan
-
-
-def read_rows(path):
-    if not path.exists():
-        raise NoStudy(f"no {path.name}")
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def methods_of(rows):
-    """method -> its rows, the reference run left out if it is no member of a method"""
-    groups = {}
-    for row in rows:
-        if not (row["method"] == "reference" and row["role"] == "reference"):
-            groups.setdefault(row["method"], []).append(row)
-    return groups
-
-
-def varied_entry(rows):
-    """Name of the entry that is varied if it is the same for all, otherwise nothing."""
-    names = {row["member"].split(" = ")[0] for row in rows if " = " in row["member"]}
-    return names.pop() if len(names) == 1 else ""
-
-
-def title_of(folder):
+def title_of(run):
     """What the study is, and what it compares: the first lines of its text."""
-    path = folder / "study.txt"
+    path = run.folder / "study.txt"
     lines = path.read_text(encoding="utf-8").split("\n\n")[0].splitlines() if path.exists() else []
     return "\n".join(lines[:2])
 
 
-def shortened(text):
-    return text if len(text) <= MAX_REASON else text[: MAX_REASON - 1].rstrip() + "…"
-
-
-def logarithmic_if_positive(ax, axis, values):
-    values = np.array(values, dtype=float)
+def logarithmic(axis, values):
+    """If all are positive; of few decades with ticks 1 3 10."""
     values = values[np.isfinite(values)]
     if len(values) and values.min() > 0:
-        getattr(ax, f"set_{axis}scale")("log")
-        if values.max() < 20 * values.min():  # few decades: ticks of their own, 1 2 4 8
-            getattr(ax, f"{axis}axis").set_major_locator(plt.LogLocator(base=10, subs=(1, 2, 5)))
-            getattr(ax, f"{axis}axis").set_major_formatter(plt.FuncFormatter(lambda x, _: f"{x:g}"))
-            getattr(ax, f"{axis}axis").set_minor_formatter(plt.NullFormatter())
+        axis._set_axes_scale("log")
+        if values.max() < 20 * values.min():
+            axis.set_major_locator(plt.LogLocator(base=10, subs=(1, 3)))
+            axis.set_major_formatter(plt.FuncFormatter(lambda x, _: f"{x:g}"))
+            axis.set_minor_formatter(plt.NullFormatter())
 
 
-def draw_slopes(ax, curves):
-    """The rate of the last two members of each curve, written beside it: what the table says, at a glance."""
-    for x, error, color in curves:
-        good = np.isfinite(x) & np.isfinite(error) & (error > 0) & (x > 0)
-        x, error = x[good], error[good]
-        if len(x) < 2 or x[-1] == x[-2]:
-            continue
-        slope = np.log(error[-1] / error[-2]) / np.log(x[-1] / x[-2])
-        ax.annotate(
-            f"{slope:.1f}",
-            (np.sqrt(x[-1] * x[-2]), np.sqrt(error[-1] * error[-2])),
-            xytext=(6, 6 if slope < 0 else -11),
-            textcoords="offset points",
-            color=color,
-            fontsize=9,
-        )
-
-
-def draw_curves(folder, column, label, slopes):
-    rows = read_rows(folder / "study.csv")
-    groups = methods_of(rows)
-    figure, ax = plt.subplots(figsize=(9.5, 6), layout="constrained")
-    curves, failures, all_x, all_error = [], [], [], []
-    for i, (name, members) in enumerate(groups.items()):
-        color = COLORS[i % len(COLORS)]
-        x = np.array([number(row[column]) for row in members])
-        error = np.array([number(row["error"]) for row in members])
-        error[error == 0] = np.nan  # equal to the reference: nowhere on a logarithmic axis
-        failing = [row for row in members if row["outcome"].startswith("fails")]
-        failures += [(name, row, number(row[column]), color) for row in failing]
-        curves.append((x, error, color))
-        all_x += list(x[np.isfinite(error)])
-        all_error += list(error)
-        shown = np.isfinite(x) & np.isfinite(error)
-        if not shown.any() and not failing:
-            continue
-        ax.plot(
-            x[shown],
-            error[shown],
-            marker=MARKERS[i % len(MARKERS)],
-            ms=6,
-            ls="-",
-            color=color,
-            label=name,
-        )
-    if not np.isfinite(all_x).any():
-        plt.close(figure)
-        raise NoStudy(f"study.csv has no errors over '{column}'")
-    logarithmic_if_positive(ax, "x", all_x)
-    logarithmic_if_positive(ax, "y", all_error)
-    ax.set_xlabel(label)
-    ax.set_ylabel("error")
-    ax.set_title(title_of(folder), loc="left")
-    if slopes:
-        draw_slopes(ax, curves)
-    draw_failures(ax, failures)
-    if len(groups) > 1 or failures:
-        ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1), borderaxespad=0)
+def draw_errors(column, label, runs, options):
+    """Errors against a column, a curve a method; beside it the rate of its last two members."""
+    rows = texts(runs[0].folder / "study.csv")
+    rows = rows[~((rows["method"] == "reference") & (rows["role"] == "reference"))]
+    rows = rows.assign(x=numbers(rows[column]), error=np.where(numbers(rows["error"]) == 0, np.nan, numbers(rows["error"])))
+    drawn = rows[np.isfinite(rows["x"]) & np.isfinite(rows["error"])]
+    if not drawn.groupby("method")["x"].nunique().max() > 1:
+        raise Skip(f"study.csv has no errors over several '{column}' of a method")
+    varied = {member.split(" = ")[0] for member in rows["member"] if " = " in member}
+    failures = rows[rows["outcome"].str.startswith("fails")]
+    figure, (ax,) = panels(options, 1, title_of(runs[0]), 70)
+    colors = {}
+    for k, method in enumerate(rows["method"].unique()):
+        own = drawn[drawn["method"] == method]
+        colors[method] = COLORS[k % 8]
+        if len(own):
+            ax.plot(own["x"], own["error"], "-", marker=MARKERS[k % 12], color=COLORS[k % 8], label=method)
+        x, error = own["x"].to_numpy()[-2:], own["error"].to_numpy()[-2:]
+        if column != "time [s]" and len(x) == 2 and x[0] != x[1] and min(x) > 0 and min(error) > 0:
+            slope = np.log(error[1] / error[0]) / np.log(x[1] / x[0])
+            if abs(slope) > 0.3:
+                ax.annotate(f"{slope:.1f}", np.sqrt([x[0] * x[1], error[0] * error[1]]), (4, 3 if slope < 0 else -8),
+                            textcoords="offset points", color=COLORS[k % 8], fontsize=7)
+    logarithmic(ax.xaxis, drawn["x"].to_numpy())
+    logarithmic(ax.yaxis, drawn["error"].to_numpy())
+    ax.set(xlabel=label or (varied.pop() if len(varied) == 1 else "varied entry"), ylabel="error [–]")
+    # what fails: crosses at the top where the place is known, and the reasons in words
+    for k, (_, row) in enumerate(failures[np.isfinite(failures["x"]) & (failures["x"] > 0)].iterrows()):
+        ax.plot(row["x"], 0.98 - 0.04 * k % 0.4, "x", ms=5, color=colors[row["method"]], transform=ax.get_xaxis_transform())
+    lines = []
+    for (method, reason), own in failures.groupby(["method", "outcome"], sort=False):
+        lines += [f"✕ {': '.join(filter(None, [method, ', '.join(filter(None, own['member']))]))}"]
+        lines += textwrap.wrap(reason, int(options.width * 22), max_lines=2, placeholder=" …")
+    if lines:
+        figure.supxlabel("\n".join(lines[:18]), fontsize=7, color=FAILING, x=0.01, ha="left")
+    legend(ax)
     return figure
 
 
-def draw_failures(ax, failures):
-    """Members that fail: crosses at the top where their place on the axis is known, and the reason of each in words."""
-    if not failures:
-        return
-    low, high = ax.get_xlim()
-    stacked = {}
-    for _, _, x, color in failures:
-        if np.isfinite(x) and (x > 0 or ax.get_xscale() != "log"):
-            stacked[x] = stacked.get(x, 0) + 1
-            ax.plot([x], [1.01 - 0.04 * stacked[x]], "x", ms=9, mew=2, color=color, transform=ax.get_xaxis_transform(), clip_on=False)
-            low, high = min(low, x), max(high, x)
-    ax.set_xlim(low, high)
-    reasons = {}
-    for name, row, _, _ in failures:
-        reasons.setdefault((name, row["outcome"]), []).append(row["member"])
-    lines = [
-        f"✕ {': '.join(filter(None, [name, ', '.join(filter(None, what))]))}\n   {shortened(reason)}"
-        for (name, reason), what in reasons.items()
-    ]
-    more = [f"… and {len(lines) - 8} more, in study.csv"] if len(lines) > 8 else []
-    ax.annotate(
-        "\n".join(lines[:8] + more),
-        (0, 0),
-        xycoords="axes fraction",
-        xytext=(0, -48),
-        textcoords="offset points",
-        va="top",
-        fontsize=9,
-        color=FAILING,
-        annotation_clip=False,
-    )
-
-
-def draw_unknowns(folder):
-    rows = read_rows(folder / "study.csv")
-    if len({row["unknowns"] for row in rows if number(row["unknowns"]) > 0}) < 2:
-        raise NoStudy("all members of the study have as many unknowns")
-    return draw_curves(folder, "unknowns", "unknowns", slopes=True)
-
-
-def draw_value(folder):
-    rows = read_rows(folder / "study.csv")
-    name = varied_entry(rows)
-    if len({row["value"] for row in rows if np.isfinite(number(row["value"]))}) < 2:
-        raise NoStudy("no number is varied in the study")
-    return draw_curves(folder, "value", name or "varied entry", slopes=True)
-
-
-def draw_time(folder):
-    return draw_curves(folder, "time [s]", "time to solution, of one processor [s]", slopes=False)
-
-
-def draw_ladder(folder):
-    """What each level costs, and how good it is, with the tolerance and the level that is chosen."""
-    rows = read_rows(folder / "study_ladder.csv")
-    tolerance = number(rows[0]["tolerance"]) if rows and "tolerance" in rows[0] else np.nan
-    cost = "cost [s]" if rows and "cost [s]" in rows[0] else "cost"
-    places = np.arange(len(rows))
-    error = np.array([number(row["error"]) for row in rows])
-    price = np.array([number(row[cost]) for row in rows])
+def draw_ladder(runs, options):
+    """How good each level is and what it costs, with the tolerance and the level that is chosen."""
+    rows = texts(runs[0].folder / "study_ladder.csv").iloc[::-1]
+    error, cost = numbers(rows["error"]), numbers(rows["cost [s]"] if "cost [s]" in rows else rows["cost"])
+    tolerance = numbers(rows["tolerance"])[0] if "tolerance" in rows else np.nan
     if not np.isfinite(error).any():
-        raise NoStudy("no level of the study has an error")
-    figure, (upper, lower) = plt.subplots(
-        2, 1, figsize=(max(7, 1.15 * len(rows) + 2), 7.5), sharex=True, layout="constrained"
-    )
-    colors = [
-        CHOSEN if row["verdict"] == "cheapest" else COLORS[0] if row["verdict"] == "meets" else "#b9c3cd" for row in rows
-    ]
-    for ax, values, label in ((upper, error, "error"), (lower, price, cost)):
-        shown = np.isfinite(values) & (values > 0)
-        ax.set_ylabel(label)
-        ax.grid(axis="x", visible=False)
-        if not shown.any():
-            continue
-        low = min(values[shown].min(), tolerance if ax is upper and tolerance > 0 else np.inf) / 3
-        ax.set_yscale("log")
-        ax.set_ylim(low, 4 * max(values[shown].max(), tolerance if ax is upper and tolerance > 0 else 0))
-        for place, value, color in zip(places[shown], values[shown], np.array(colors)[shown]):
-            ax.bar(place, value - low, bottom=low, width=0.62, color=color)
-            ax.annotate(
-                f"{value:.2g}", (place, value), xytext=(0, 4), textcoords="offset points", ha="center", fontsize=9,
-                bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8}, zorder=3
-            )
+        raise Skip("no level of the study has an error")
+    chosen = [level for level, verdict in zip(rows["level"], rows["verdict"]) if verdict == "cheapest"]
+    best = f"Cheapest level that meets the tolerance: {chosen[0]}" if chosen else "No level meets the tolerance"
+    figure, axes = plt.subplots(1, 2, figsize=(options.width, (8 * len(rows) + 28) * MM), sharey=True, layout="constrained")
+    places = np.arange(len(rows))
+    colors = [{"cheapest": CHOSEN, "meets": COLORS[0]}.get(verdict, OTHER) for verdict in rows["verdict"]]
+    for ax, values, label in zip(axes, (error, cost), ("error [–]", "cost [s]")):
+        ax.scatter(values, places, c=colors, s=18, zorder=3)
+        for x, y, color in zip(values, places, colors):
+            if np.isfinite(x):
+                ax.annotate(f"{x:.2g}", (x, y), (0, 4), textcoords="offset points", ha="center", fontsize=6.5, color=color)
+        logarithmic(ax.xaxis, np.append(values, tolerance if ax is axes[0] else np.nan))
+        ax.margins(x=0.3)
+        ax.set_xlabel(label)
     if tolerance > 0:
-        upper.axhline(tolerance, color=FAILING, lw=1.2, ls="--")
-        upper.annotate(
-            f"tolerance {tolerance:g}",
-            (1, tolerance),
-            xycoords=("axes fraction", "data"),
-            xytext=(-2, 3),
-            textcoords="offset points",
-            ha="right",
-            color=FAILING,
-            fontsize=9,
-        )
-    for place, row in zip(places, rows):
-        if row["verdict"].startswith("fails"):
-            upper.annotate(
-                "✕ " + shortened(row["verdict"]),
-                (place, 0.03),
-                xycoords=("data", "axes fraction"),
-                rotation=90,
-                ha="center",
-                va="bottom",
-                color=FAILING,
-                fontsize=9,
-            )
-    lower.set_xticks(places)
-    labels = [row["level"] + ("\n" + row["member"] if row["member"] else "") for row in rows]
-    slanted = max(len(line) for label in labels for line in label.split("\n")) > 14
-    lower.set_xticklabels(labels, rotation=30 if slanted else 0, ha="right" if slanted else "center")
-    chosen = [row["level"] for row in rows if row["verdict"] == "cheapest"]
-    figure.suptitle(title_of(folder), fontsize=12)
-    upper.set_title(
-        f"Cheapest level that meets the tolerance: {chosen[0]}" if chosen else "No level meets the tolerance"
-    )
+        axes[0].axvline(tolerance, color=FAILING, lw=0.8, ls="--")
+        axes[0].set_title(f"tolerance {tolerance:g}", color=FAILING, fontsize=7)
+    for place, verdict in zip(places, rows["verdict"]):
+        if verdict.startswith("fails"):
+            axes[0].text(0.02, place, "✕ " + textwrap.shorten(verdict, 60, placeholder=" …"), transform=axes[0].get_yaxis_transform(), color=FAILING,
+                         fontsize=6.5, va="center")
+    axes[0].set_yticks(places, [level + ("\n" + member if member else "") for level, member in zip(rows["level"], rows["member"])])
+    axes[0].set_ylim(-0.6, len(rows) - 0.4)
+    figure.suptitle("\n".join(filter(None, [title_of(runs[0]), best])))
     return figure
-
-
-FIGURES = {
-    "study_unknowns": draw_unknowns,
-    "study_value": draw_value,
-    "study_time": draw_time,
-    "study_ladder": draw_ladder,
-}
