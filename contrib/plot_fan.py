@@ -109,9 +109,10 @@ def draw_speeds(file, runs, options):
     top, bottom = axes[0], axes[-1]
     fastest = max(curve.speed[-1] for curve in curves)
     for curve, color, dashes, marker, label in looks(runs, all_curves):
-        end = f" {curve.frequency[-1] / curve.speed[-1]:.2f}/rev" if of_fan and curve.speed[-1] == fastest > 0 and len(curves) <= MOST_NAMED else ""
-        look = {"ls": dashes, "marker": marker, "ms": 1.8, "color": color} if len(runs) == 1 else {"ls": dashes, "marker": marker, "ms": 2.5, "mfc": "none", "mew": 0.5, "color": color}
-        top.plot(curve.speed, curve.frequency, label=label + end if label and len(runs) == 1 else label, **look)
+        if of_fan and len(runs) == 1 and len(curves) <= MOST_NAMED and curve.speed[-1] == fastest > 0:
+            label += f" {curve.frequency[-1] / curve.speed[-1]:.2f}/rev"
+        look = {"ls": dashes, "marker": marker, "ms": 2, "mew": 0.5, "mfc": color if len(runs) == 1 else "none", "color": color}
+        top.plot(curve.speed, curve.frequency, label=label, **look)
         if two:
             bottom.plot(curve.speed, getattr(curve, lower), **look)
     top.set(xlim=(min(curve.speed[0] for curve in curves), 1.01 * fastest), ylabel="frequency [rad/s]")

@@ -15,7 +15,7 @@ def draw_multipliers(runs, options):
     """One run: the least damped ones with their frequencies. Several: a colour a run."""
     tables = [run.table("floquet.csv") for run in runs]
     side = min(options.width, 80 * MM)
-    figure, ax = plt.subplots(figsize=(options.width, side * (1 if options.width > 110 * MM else 1.45)), layout="constrained")
+    figure, ax = plt.subplots(figsize=(options.width, side * (1 if options.width > 110 * MM else 1.3)), layout="constrained")
     ax.add_patch(plt.Circle((0, 0), 1, facecolor="#2e8b57", alpha=0.07, lw=0))
     ax.add_patch(plt.Circle((0, 0), 1, fill=False, color="0.4", lw=0.8))
     reach = 1.08

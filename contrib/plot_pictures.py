@@ -4,7 +4,6 @@ Models are seen along parallel rays and painted from back to front into plain ax
 which the 3D axes of matplotlib cannot.
 """
 
-import re
 import xml.etree.ElementTree as xml
 
 import matplotlib.pyplot as plt
@@ -125,19 +124,16 @@ def slenderness(points):
     return height / max(width, 1e-9)
 
 
-def model_figure(options, points, title):
-    """A figure with room for the model, a scale, the directions and bars at the right: its axes and those of two bars."""
-    width = options.width
-    below, above = 14 * MM, 7 * MM * (not options.no_title) + 1 * MM
-    height = max(0.76 * width * min(slenderness(points), 1.2), 40 * MM)
-    figure = plt.figure(figsize=(width, below + height + above))
-    total = below + height + above
-    ax = figure.add_axes([0.01, below / total, 0.76, height / total])
-    bars = [figure.add_axes([0.8, (below + 0.55 * height * k) / total, 0.02, 0.42 * height / total]) for k in (1, 0)]
+def model_figure(options, points, title, n_bars):
+    """A figure with room for the model, a scale, the directions and bars at the right: it, the axes of the model and of the bars."""
+    below, height = 14 * MM, max(0.76 * options.width * min(slenderness(points), 1.2), max(40, 28 * n_bars) * MM)
+    total = below + height + (1 if options.no_title else 8) * MM
+    figure = plt.figure(figsize=(options.width, total))
     figure.suptitle(title)
-    side = 13 * MM
-    draw_directions(figure, [0.01, 0.01, side / width, side / total])
-    return figure, ax, bars
+    ax = figure.add_axes([0.01, below / total, 0.76, height / total])
+    tall = height / total / n_bars
+    draw_directions(figure, [0.01, 0.01, 13 * MM / options.width, 13 * MM / total])
+    return figure, ax, [figure.add_axes([0.8, below / total + tall * k, 0.02, 0.86 * tall]) for k in reversed(range(n_bars))]
 
 
 def draw_directions(figure, place):
@@ -168,16 +164,13 @@ def draw_shape(runs, options):
     if not len(picture.points):
         raise Skip("the last picture of static.pvd is empty")
     undeformed = picture.points - picture.displacement
-    figure, ax, (bar, free) = model_figure(options, np.vstack([picture.points, undeformed]), "Deformed model, the undeformed one in grey")
+    figure, ax, bars = model_figure(options, np.vstack([picture.points, undeformed]), "Deformed model, the undeformed one in grey", 1)
     largest = draw_model(ax, picture, undeformed, COLORS, ghost=0.25)
     draw_scale(figure, ax)
-    free.remove()
-    low, _, width, height = bar.get_position().bounds
-    bar.set_position([low, free.get_position().y0, width, 0.97 * (bar.get_position().y1 - free.get_position().y0)])
     if largest > 0:
-        colour_bar(figure, bar, plt.Normalize(0, largest), COLORS, "displacement [m]")
+        colour_bar(figure, bars[0], plt.Normalize(0, largest), COLORS, "displacement [m]")
     else:
-        bar.remove()
+        bars[0].remove()
     return figure
 
 
@@ -288,13 +281,10 @@ def draw_surfaces(picture, options):
     name = options.field or "lift coefficient"
     means = cells_of(picture, name)
     title = f"Surfaces by their {name}" + (", disks by the inflow" if means["disks"] else "")
-    figure, ax, bars = model_figure(options, picture.points, title)
+    figure, ax, bars = model_figure(options, picture.points, title, 1 + bool(means["disks"]))
     corners = [picture.points[p] for p in picture.cells]
     colors = {}
     for bar, kind, label, map_ in zip(bars, ("surfaces", "disks"), (name, "inflow"), (LOAD_COLORS, FLOW_COLORS)):
-        if not means[kind]:
-            bar.remove()
-            continue
         norm = plt.Normalize(*limits(np.array(list(means[kind].values()))))
         colors |= {k: map_(norm(value)) for k, value in means[kind].items()}
         colour_bar(figure, bar, norm, map_, f"{label} [{FIELDS[label]}]", extend="both")
@@ -335,7 +325,8 @@ def azimuths(folder):
         pictures = [Picture(file) for _, file in files]
         number = surfaces_of(pictures[0])[0]
     except (Skip, IndexError):
-        raise Wrong(f"{folder.name}: no probe has an azimuth, nor has a blade in the pictures; --abscissa takes a probe of an angle") from None
+        text = "no probe has an azimuth, nor has a blade in the pictures; --abscissa takes a probe of an angle"
+        raise Wrong(f"{folder.name}: {text}") from None
     return np.array([time for time, _ in files]), turned([p.fields["azimuth"][stations_of(p, number)[-1]] for p in pictures])
 
 

@@ -93,8 +93,8 @@ def draw_ladder(runs, options):
         axes[0].set_title(f"tolerance {tolerance:g}", color=FAILING, fontsize=7)
     for place, verdict in zip(places, rows["verdict"]):
         if verdict.startswith("fails"):
-            axes[0].text(0.02, place, "✕ " + textwrap.shorten(verdict, 60, placeholder=" …"), transform=axes[0].get_yaxis_transform(), color=FAILING,
-                         fontsize=6.5, va="center")
+            axes[0].text(0.02, place, "✕ " + textwrap.shorten(verdict, 60, placeholder=" …"), color=FAILING, fontsize=6.5, va="center",
+                         transform=axes[0].get_yaxis_transform())
     axes[0].set_yticks(places, [level + ("\n" + member if member else "") for level, member in zip(rows["level"], rows["member"])])
     axes[0].set_ylim(-0.6, len(rows) - 0.4)
     figure.suptitle("\n".join(filter(None, [title_of(runs[0]), best])))

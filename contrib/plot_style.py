@@ -12,37 +12,14 @@ MARKERS = "osD^vP*Xhd<>"
 RED = "#d1495b"
 
 STYLE = {  # of the figures of the pages
-    "font.size": 11,
-    "axes.titlesize": 12,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.color": "0.9",
-    "axes.edgecolor": "0.4",
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.prop_cycle": plt.cycler(linestyle=DASHES[:2]) * plt.cycler(color=COLORS),
-    "lines.linewidth": 1.6,
-    "legend.frameon": False,
-    "legend.fontsize": 10,
-    "svg.hashsalt": "samara",
-    "agg.path.chunksize": 20000,
+    "font.size": 11, "axes.titlesize": 12, "axes.grid": True, "axes.axisbelow": True, "grid.color": "0.9", "axes.edgecolor": "0.4",
+    "axes.spines.top": False, "axes.spines.right": False, "axes.prop_cycle": plt.cycler(linestyle=DASHES[:2]) * plt.cycler(color=COLORS),
+    "lines.linewidth": 1.6, "legend.frameon": False, "legend.fontsize": 10, "svg.hashsalt": "samara", "agg.path.chunksize": 20000,
 }
 PRINT = STYLE | {  # drawn as large as they are printed
-    "font.size": 8,
-    "axes.titlesize": 8,
-    "axes.labelsize": 8,
-    "figure.titlesize": 8,
-    "xtick.labelsize": 7,
-    "ytick.labelsize": 7,
-    "legend.fontsize": 7,
-    "lines.linewidth": 1,
-    "lines.markersize": 3,
-    "axes.linewidth": 0.6,
-    "grid.linewidth": 0.5,
-    "axes.formatter.useoffset": False,
-    "axes.formatter.limits": (-3, 4),
-    "axes.formatter.use_mathtext": True,
-    "pdf.fonttype": 42,
+    "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "figure.titlesize": 8, "xtick.labelsize": 7, "ytick.labelsize": 7,
+    "legend.fontsize": 7, "lines.linewidth": 1, "lines.markersize": 3, "axes.linewidth": 0.6, "grid.linewidth": 0.5,
+    "axes.formatter.useoffset": False, "axes.formatter.limits": (-3, 4), "axes.formatter.use_mathtext": True, "pdf.fonttype": 42,
 }
 MAX_VECTOR_POINTS = 20000  # longer lines become pixels in SVG and PDF
 MM = 1 / 25.4

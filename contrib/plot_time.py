@@ -239,16 +239,13 @@ def mark_peaks(ax, tops, right, options):
 
 # ----------------------------------------------------------------------------------------- orbits, energies
 
-DIRECTIONS = [("y", "z"), ("x", "y"), ("z", "x"), ("2", "3")]
-
-
 def transverse_pairs(table):
     """Pairs of columns: one quantity of one point in two directions, those of three in which it moves most."""
     ranges = np.nan_to_num(np.ptp(table.values, axis=0))
     found = {}
     for a, name in enumerate(table.names):
         what, _, direction = name.rpartition(" ")
-        for first, second in DIRECTIONS:
+        for first, second in (("y", "z"), ("x", "y"), ("z", "x"), ("2", "3")):
             if direction == first and f"{what} {second}" in table.names:
                 b = table.names.index(f"{what} {second}")
                 found.setdefault(what, []).append((a, b))
