@@ -22,9 +22,10 @@ namespace samara
   FreeMotion::rate(const PairValues<double> &pair,
                    const PairRates          &change,
                    const double              coordinate,
-                   const double              coordinate_rate) const
+                   const double              coordinate_rate,
+                   const bool                turns) const
   {
-    if (is_angle() && is_on_both && pair.is_reciprocal())
+    if (is_angle() && is_on_both && turns)
       return coordinate_rate + change.spin_a(axis) - change.spin_b(axis);
     const auto of     = derivatives(pair, coordinate);
     double     result = of.slope * coordinate_rate + of.first * first.rate(pair, change);
@@ -521,13 +522,13 @@ namespace samara
   void
   Joint::Constraints::rates(const Point<double> &point, double *rates) const
   {
-    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, point.q_of_forces(), joint.with_axes_of_b);
+    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
     const PairRates          change(pair, point.y);
     const auto              &used = joint.used;
     double                  *g    = rates + joint.first_multiplier;
     if (joint.rows_on_b)
       {
-        const PairValues<double> seen = joint.seen_from_b(point);
+        const PairValues<double> seen(joint.frame_b, joint.frame_a, point.q, false);
         const PairRates          change_of_seen(seen, point.y);
         set_rows_on_b(g, [&](const PairFunction &gap) { return -gap.rate(seen, change_of_seen); });
       }
@@ -538,7 +539,8 @@ namespace samara
         ++g;
       }
     for (const auto *m : used)
-      *g++ = m->rate(pair, change, point.coordinates[m->coordinate], point.rates[m->coordinate]);
+      *g++ = m->rate(
+        pair, change, point.coordinates[m->coordinate], point.rates[m->coordinate], point.reciprocal != nullptr);
     for (const auto *m : used)
       if (m->is_prescribed)
         *g++ = point.rates[m->coordinate] - m->prescribed_rate(point);
@@ -546,11 +548,10 @@ namespace samara
       *g++ = point.rates[used[0]->coordinate] - joint.pitch * point.rates[used[1]->coordinate];
     if (joint.no_slip.empty())
       return;
-    const PairValues<double> moving(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
     for (const auto &s : joint.no_slip)
       {
         Vector12 b = Vector12::Zero();
-        s.velocity.add_coefficients(moving, 1., b);
+        s.velocity.add_coefficients(pair, 1., b);
         *g++ = b.head<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * joint.frame_a.node)) +
                b.tail<6>().dot(Eigen::Map<const Vector6>(point.y + 6 * joint.frame_b.node));
       }

@@ -251,7 +251,11 @@ namespace samara
     if (turns && !rotation)
       rotation = std::make_unique<StageRotation>(system, state);
     for (Stage &stage : stages)
-      stage.reciprocal.resize(turns ? state.q.size() : 0);
+      {
+        stage.reciprocal.resize(turns ? state.q.size() : 0);
+        stage.nearest.resize(turns && !air.is_empty() ? state.q.size() : 0);
+        stage.momenta.resize(turns ? state.y.size() : 0);
+      }
   }
 
 

@@ -256,11 +256,11 @@ namespace samara
 
 
 
-  std::vector<StageAcceleration::Part>
+  std::vector<Anderson::Part>
   StageIntegrator::iterated_parts()
   {
-    std::vector<StageAcceleration::Part> parts;
-    const auto add = [&](std::vector<double> &values, const unsigned int first, const bool counts) {
+    std::vector<Anderson::Part> parts;
+    const auto                  add = [&](std::vector<double> &values, const unsigned int first, const bool counts) {
       parts.push_back({values.data() + first, static_cast<unsigned int>(values.size() - first), counts});
     };
     for (Stage &stage : stages)
@@ -311,7 +311,7 @@ namespace samara
         if (progress.n > 0)
           if (const Verdict verdict = judge_residuals(progress, h); verdict != Verdict::open)
             return verdict == Verdict::converged;
-        std::vector<StageAcceleration::Part> parts;
+        std::vector<Anderson::Part> parts;
         if (may_accelerate && progress.n >= plain_corrections)
           {
             parts = iterated_parts();

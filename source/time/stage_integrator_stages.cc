@@ -2,6 +2,7 @@
 
 #include <samara/base/dense.h>
 #include <samara/base/threads.h>
+#include <samara/rotation/nearest_rotation.h>
 #include <samara/time/four_nodes.h>
 #include <samara/time/stage_integrator.h>
 
@@ -228,6 +229,8 @@ namespace samara
               store(nodes, x, D[k], stages[k].q);
               if (turns)
                 store(nodes, x, reciprocal_axes(D[k]), stages[k].reciprocal);
+              if (turns && !air.is_empty())
+                store(nodes, x, nearest_rotation(D[k]), stages[k].nearest);
             }
           store(nodes, x_final, D_final, final_q);
         }
@@ -247,6 +250,8 @@ namespace samara
         std::copy_n(state.q.begin(), 12, stage.q.begin()); // the ground
         if (turns)
           std::copy_n(state.q.begin(), 12, stage.reciprocal.begin());
+        if (!stage.nearest.empty())
+          std::copy_n(state.q.begin(), 12, stage.nearest.begin());
         stage.coordinates = state.coordinates;
       }
     final_q.resize(state.q.size());
@@ -368,9 +373,9 @@ namespace samara
 
     Point<double> end = stages[0].point();
     end.q             = final_q.data();
-    end.reciprocal    = nullptr;
-    end.coordinates   = final_coordinates.data();
-    final_states      = state.states;
+    end.reciprocal = end.nearest = nullptr;
+    end.coordinates              = final_coordinates.data();
+    final_states                 = state.states;
     for (unsigned int k = 0; k < s; ++k)
       for (unsigned int i = 0; i < final_states.size(); ++i)
         final_states[i] += final_weights(k) * (stages[k].states[i] - state.states[i]);
@@ -415,7 +420,8 @@ namespace samara
     const unsigned int i       = correction.multiplier;
     const double       gap     = constraints_at_end[system.layout.of_multiplier(i)];
     const bool         is_open = gap_scale[i] * std::abs(gap) > closed * length;
-    return force_of<double>(tableau, h, unit_of(correction), rate, multiplier, mean_rates[i] - (is_open ? gap / h : 0.));
+    return force_of<double>(
+      tableau, h, unit_of(correction), rate, multiplier, mean_rates[i] - (is_open ? gap / h : 0.));
   }
 
 
@@ -467,6 +473,8 @@ namespace samara
                     acceleration[i] += Lane(tableau.w(k, l) / h) * (y[l][i] - start[i]);
                 }
               multiply_symmetric(M, y[k], p);
+              if (turns)
+                nodes.store(6, p, stages[k].momenta);
               multiply_symmetric(M, acceleration, forces);
               nodes.load_unknowns(stages[k].residual, r);
               Lane twice_energy = 0.;
@@ -573,12 +581,16 @@ namespace samara
   {
     for (Stage &stage : stages)
       {
-        time_rates.resize(system.layout.n_multipliers);
-        system.constraint_time_rates(stage.point(), time_rates.data());
-        rotation->subtract_powers_of_constraints(
-          stage.multipliers.data(), stage.constraint_rates.data(), time_rates.data(), stage.powers.data());
-        rotation->take_back(
-          stage.q.data(), stage.reciprocal.data(), stage.y.data(), stage.powers.data(), stage.residual.data());
+        rotation->subtract_powers_of_constraints(stage.multipliers.data(),
+                                                 stage.constraint_rates.data(),
+                                                 stage.rates.data(),
+                                                 stage.powers.data());
+        rotation->take_back(stage.q.data(),
+                            stage.reciprocal.data(),
+                            stage.y.data(),
+                            stage.momenta.data(),
+                            stage.powers.data(),
+                            stage.residual.data());
       }
   }
 } // namespace samara

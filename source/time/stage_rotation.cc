@@ -1,6 +1,7 @@
 // What makes steady rotation an equilibrium of a step: reciprocal triads of stages, and the work that is taken back.
 
 #include <samara/base/disjoint_sets.h>
+#include <samara/rotation/nearest_rotation.h>
 #include <samara/time/stage_rotation.h>
 
 #include <algorithm>
@@ -54,15 +55,47 @@ namespace samara
 
 
 
+  namespace
+  {
+    /** @p axes of the triads of all nodes but the ground, with 12 numbers a node like @p q. */
+    template <typename Number, typename Axes>
+    void
+    set_axes(const Number *q, const unsigned int n_nodes, const Axes &axes, std::vector<Number> &result)
+    {
+      result.resize(12 * n_nodes, Number(0));
+      std::copy_n(q, 12, result.begin()); // the ground
+      for (unsigned int node = 1; node < n_nodes; ++node)
+        Eigen::Map<Mat3<Number>>{result.data() + 12 *node + 3} =
+          axes(Mat3<Number>(Eigen::Map<const Mat3<Number>>(q + 12 * node + 3)));
+    }
+
+    template <typename Number>
+    Number
+    sum_of_products(const unsigned int n, const Number *a, const Number *b)
+    {
+      using Vector = Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, 1>>;
+      return Vector(a, n).cwiseProduct(Vector(b, n)).sum();
+    }
+  } // namespace
+
+
+
   template <typename Number>
   void
   StageRotation::set_reciprocal(const Number *q, const unsigned int n_nodes, std::vector<Number> &reciprocal)
   {
-    reciprocal.resize(12 * n_nodes, Number(0));
-    std::copy_n(q, 12, reciprocal.begin()); // the ground
-    for (unsigned int node = 1; node < n_nodes; ++node)
-      Eigen::Map<Mat3<Number>>{reciprocal.data() + 12 *node + 3} =
-        reciprocal_axes(Mat3<Number>(Eigen::Map<const Mat3<Number>>(q + 12 * node + 3)));
+    set_axes(
+      q, n_nodes, [](const Mat3<Number> &D) { return reciprocal_axes(D); }, reciprocal);
+  }
+
+
+
+  template <typename Number>
+  void
+  StageRotation::set_nearest(const Number *q, const unsigned int n_nodes, std::vector<Number> &nearest)
+  {
+    set_axes(
+      q, n_nodes, [](const Mat3<Number> &D) { return nearest_rotation(D); }, nearest);
   }
 
 
@@ -152,17 +185,18 @@ namespace samara
   void
   StageRotation::add_powers_of_rows(const Number *y, const Number *rates, const Number *r, Number *powers) const
   {
-    const Layout &layout = system.layout;
-    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+    const Layout       &layout = system.layout;
+    const unsigned int  n = 6 * (layout.n_nodes - 1), n_coordinates = layout.n_coordinates;
+    const Number *const of_coordinates = r + layout.of_coordinate(0);
+    if (n_sets() == 1) // as most models are: two products of all numbers
       {
-        const Number *const own = y + 6 * node, *const row = r + 6 * (node - 1);
-        Number sum = own[0] * row[0];
-        for (int i = 1; i < 6; ++i)
-          sum += own[i] * row[i];
-        powers[set_of_node[node]] += sum;
+        powers[0] += sum_of_products(n, y + 6, r) + sum_of_products(n_coordinates, rates, of_coordinates);
+        return;
       }
-    for (unsigned int i = 0; i < layout.n_coordinates; ++i)
-      powers[set_of_coordinate[i]] += rates[i] * r[layout.of_coordinate(i)];
+    for (unsigned int node = 1; node < layout.n_nodes; ++node)
+      powers[set_of_node[node]] += sum_of_products(6, y + 6 * node, r + 6 * (node - 1));
+    for (unsigned int i = 0; i < n_coordinates; ++i)
+      powers[set_of_coordinate[i]] += rates[i] * of_coordinates[i];
   }
 
 
@@ -178,74 +212,110 @@ namespace samara
   void
   StageRotation::subtract_powers_of_constraints(const double *multipliers,
                                                 const double *constraint_rates,
-                                                const double *time_rates,
+                                                const double *rates,
                                                 double       *powers) const
   {
-    for (unsigned int i = 0; i < set_of_multiplier.size(); ++i)
-      powers[set_of_multiplier[i]] -= multipliers[i] * (constraint_rates[i] - time_rates[i]);
+    const unsigned int n = set_of_multiplier.size();
+    if (n_sets() == 1)
+      powers[0] -= sum_of_products(n, multipliers, constraint_rates);
+    else
+      for (unsigned int i = 0; i < n; ++i)
+        powers[set_of_multiplier[i]] -= multipliers[i] * constraint_rates[i];
+    for (const auto &[coordinate, i] : system.model.prescribed)
+      powers[set_of_multiplier[i]] += multipliers[i] * (constraint_rates[i] - rates[coordinate]);
   }
 
 
 
   template <typename Number>
   void
-  StageRotation::take_back(const Number *q, const Number *reciprocal, const Number *y, const Number *powers, Number *r)
-    const
+  StageRotation::subtract_mean_motion(const Number *q,
+                                      const Number *reciprocal,
+                                      const Number *momenta,
+                                      Number       *relative) const
   {
+    // the velocity of the centre of mass: (Σ D m D⁻¹) V = Σ D p, m and p of a node in its own axes
     const unsigned int n_nodes = system.layout.n_nodes;
-    const auto         inertia = [&](const unsigned int node, const Vec6<Number> &twist) {
-      return Vec6<Number>(system.model.nodes[node].inertia.template cast<Number>() * twist);
-    };
-    const auto twist = [&](const unsigned int node) { return Eigen::Map<const Vec6<Number>>(y + 6 * node); };
-    const auto triad = [](const Number *at, const unsigned int node) {
+    const auto         triad   = [](const Number *at, const unsigned int node) {
       return Eigen::Map<const Mat3<Number>>(at + 12 * node + 3);
     };
-    // of what is free the velocity of the centre of mass: (Σ D m D⁻¹) V = Σ D p, m and p of a node in its own axes
+    const auto mass_of = [&](const unsigned int node) {
+      return Eigen::Matrix<Number, 6, 3>(
+        system.model.nodes[node].inertia.template leftCols<3>().template cast<Number>());
+    };
     static thread_local std::vector<Vec3<Number>> V, momentum;
     static thread_local std::vector<Mat3<Number>> mass;
-    static thread_local std::vector<Number>       weights;
     V.assign(n_sets(), Vec3<Number>::Zero());
+    momentum.assign(n_sets(), Vec3<Number>::Zero());
+    mass.assign(n_sets(), Mat3<Number>::Zero());
+    for (unsigned int node = 1; node < n_nodes; ++node)
+      if (const unsigned int set = set_of_node[node]; is_free[set])
+        {
+          const Mat3<Number> D = triad(q, node);
+          momentum[set] += D * Eigen::Map<const Vec3<Number>>(momenta + 6 * node);
+          mass[set] += D * mass_of(node).template topRows<3>() * triad(reciprocal, node).transpose();
+        }
+    for (unsigned int set = 0; set < n_sets(); ++set)
+      if (is_free[set] && std::real(mass[set].trace()) > 0)
+        V[set] = reciprocal_axes(mass[set]).transpose() * momentum[set];
+    for (unsigned int node = 1; node < n_nodes; ++node)
+      if (const unsigned int set = set_of_node[node]; is_free[set])
+        Eigen::Map<Vec6<Number>>(relative + 6 * node) -=
+          mass_of(node) * Vec3<Number>(triad(reciprocal, node).transpose() * V[set]);
+  }
+
+
+
+  template <typename Number>
+  void
+  StageRotation::take_back(const Number *q,
+                           const Number *reciprocal,
+                           const Number *y,
+                           const Number *momenta,
+                           const Number *powers,
+                           Number       *r) const
+  {
+    const unsigned int                      n_nodes = system.layout.n_nodes;
+    static thread_local std::vector<Number> of_free, weights;
     if (std::find(is_free.begin(), is_free.end(), true) != is_free.end())
       {
-        momentum.assign(n_sets(), Vec3<Number>::Zero());
-        mass.assign(n_sets(), Mat3<Number>::Zero());
-        for (unsigned int node = 1; node < n_nodes; ++node)
-          if (const unsigned int set = set_of_node[node]; is_free[set])
-            {
-              const Mat3<Number>
-                D = triad(q, node),
-                m = system.model.nodes[node].inertia.template topLeftCorner<3, 3>().template cast<Number>();
-              momentum[set] += D * inertia(node, twist(node)).template head<3>();
-              mass[set] += D * m * triad(reciprocal, node).transpose();
-            }
-        for (unsigned int set = 0; set < n_sets(); ++set)
-          if (is_free[set] && std::real(mass[set].trace()) > 0)
-            V[set] = reciprocal_axes(mass[set]).transpose() * momentum[set];
+        of_free.assign(momenta, momenta + 6 * n_nodes);
+        subtract_mean_motion(q, reciprocal, momenta, of_free.data());
+        momenta = of_free.data();
       }
-    const auto relative_momentum = [&](const unsigned int node) {
-      Vec6<Number> relative = twist(node);
-      if (is_free[set_of_node[node]])
-        relative.template head<3>() -= triad(reciprocal, node).transpose() * V[set_of_node[node]];
-      return inertia(node, relative);
-    };
     weights.assign(n_sets(), Number(0));
     for (unsigned int node = 1; node < n_nodes; ++node)
-      weights[set_of_node[node]] += dot(relative_momentum(node), twist(node));
+      weights[set_of_node[node]] += sum_of_products(6, momenta + 6 * node, y + 6 * node);
+    for (unsigned int set = 0; set < n_sets(); ++set)
+      weights[set] = std::real(weights[set]) > 0 ? Number(powers[set] / weights[set]) : Number(0); // c_k
     for (unsigned int node = 1; node < n_nodes; ++node)
-      if (const unsigned int set = set_of_node[node]; std::real(weights[set]) > 0)
-        Eigen::Map<Vec6<Number>>(r + 6 * (node - 1)) -= powers[set] / weights[set] * relative_momentum(node);
+      {
+        const Number c = weights[set_of_node[node]];
+        for (unsigned int i = 0; i < 6; ++i)
+          r[6 * (node - 1) + i] -= c * momenta[6 * node + i];
+      }
   }
 
 
 
   template void StageRotation::set_reciprocal(const double *, unsigned int, std::vector<double> &);
+  template void StageRotation::set_nearest(const double *, unsigned int, std::vector<double> &);
   template void StageRotation::add_powers_of_rows(const double *, const double *, const double *, double *) const;
-  template void
-  StageRotation::take_back(const double *, const double *, const double *, const double *, double *) const;
+  template void StageRotation::take_back(const double *,
+                                         const double *,
+                                         const double *,
+                                         const double *,
+                                         const double *,
+                                         double *) const;
 
   using Complex = std::complex<double>;
   template void StageRotation::set_reciprocal(const Complex *, unsigned int, std::vector<Complex> &);
+  template void StageRotation::set_nearest(const Complex *, unsigned int, std::vector<Complex> &);
   template void StageRotation::add_powers_of_rows(const Complex *, const Complex *, const Complex *, Complex *) const;
-  template void
-  StageRotation::take_back(const Complex *, const Complex *, const Complex *, const Complex *, Complex *) const;
+  template void StageRotation::take_back(const Complex *,
+                                         const Complex *,
+                                         const Complex *,
+                                         const Complex *,
+                                         const Complex *,
+                                         Complex *) const;
 } // namespace samara

@@ -121,6 +121,8 @@ namespace samara
       {
         system.strain_rates(stage.point(), stage.strain_rates.data());
         system.constraint_rates(stage.point(), stage.constraint_rates.data());
+        if (turns)
+          find_momenta(stage.y.data() + 6, stage.momenta);
       }
     StageIntegrator::find_products(integrator.products, tableau, h, strains, stages);
     for (unsigned int k = 0; k < s; ++k)
@@ -135,6 +137,18 @@ namespace samara
         for (unsigned int node = 1; node < n_nodes; ++node)
           rates_of_node(&stages[k].q[12 * node], &stages[k].y[6 * node], &q_rates[k][12 * node]);
       }
+  }
+
+
+
+  void
+  StepTangent::find_momenta(const double *twists, Vector &momenta) const
+  {
+    const unsigned int n_nodes = system.layout.n_nodes;
+    momenta.resize(6 * n_nodes);
+    for (unsigned int node = 1; node < n_nodes; ++node)
+      Eigen::Map<Vector6>(&momenta[6 * node]).noalias() =
+        system.model.nodes[node].inertia * Eigen::Map<const Vector6>(twists + 6 * (node - 1));
   }
 
 
@@ -332,15 +346,9 @@ namespace samara
     point.states      = moved_states.data();
     point.state_rates = moved_state_rates.data();
     if (turns)
-      {
-        StageRotation::set_reciprocal(moved_q.data(), layout.n_nodes, moved_reciprocal);
-        point.reciprocal = moved_reciprocal.data();
-      }
-    // behind them what is prescribed of them, whose power is none of the bodies'
-    result.assign((turns ? 2 : 1) * layout.n_multipliers, 0.);
+      point.reciprocal = stage.reciprocal.data(); // that there are some is all that rates look at
+    result.assign(layout.n_multipliers, 0.);
     system.constraint_rates(point, result.data());
-    if (turns)
-      system.constraint_time_rates(point, result.data() + layout.n_multipliers);
   }
 
 
@@ -365,14 +373,13 @@ namespace samara
     for (unsigned int i = 0; !at_end && i < n_velocities; ++i)
       speed = std::max(speed, std::abs(X[k * system.size() + i]));
     motion = std::max(motion, 1e-3 * h * speed);
-    const unsigned int n_values = (turns && !at_end ? 2 : 1) * layout.n_multipliers;
-    result.assign(n_values, 0.);
+    result.assign(layout.n_multipliers, 0.);
     if (!(motion > 0))
       return;
 
     // central differences of sixth order, (3/4, −3/20, 1/60), with two steps that must agree
     static const std::array<double, 3> weights = {{0.75, -0.15, 1. / 60}};
-    Vector                             values, finer(n_values, 0.);
+    Vector                             values, finer(layout.n_multipliers, 0.);
     for (const bool is_finer : {false, true})
       {
         if (is_finer && !checks)
@@ -430,6 +437,11 @@ namespace samara
       {
         StageRotation::set_reciprocal(z_q.data(), layout.n_nodes, z_reciprocal);
         point.reciprocal = z_reciprocal.data();
+        if (!stage.nearest.empty())
+          {
+            StageRotation::set_nearest(z_q.data(), layout.n_nodes, z_nearest);
+            point.nearest = z_nearest.data();
+          }
       }
     system.add_bonds(point, z_residual.data());
     if (turns)
@@ -446,25 +458,32 @@ namespace samara
   {
     const StageRotation &rotation   = *integrator.rotation;
     const Stage         &stage      = stages[k];
-    const unsigned int   n          = system.layout.n_multipliers;
-    const double *const  rates      = change.constraint_rates[k].data();
-    const double *const  multiplier = X + k * system.size() + system.layout.of_multiplier(0);
+    const double *const  of_stage   = X + k * system.size();
+    const double *const  multiplier = of_stage + system.layout.of_multiplier(0);
     z_powers.assign(rotation.n_sets(), Complex());
     rotation.add_powers_of_rows(point.y, point.rates, z_residual.data(), z_powers.data());
     // what is subtracted is bilinear
-    Vector values(rotation.n_sets(), 0.), changes(rotation.n_sets(), 0.), time_rates(n, 0.);
-    system.constraint_time_rates(stage.point(), time_rates.data());
+    Vector values(rotation.n_sets(), 0.), changes(rotation.n_sets(), 0.);
     rotation.subtract_powers_of_strains(stage.stress.data(), stage.strain_rates.data(), values.data());
     rotation.subtract_powers_of_strains(change.stress[k].data(), stage.strain_rates.data(), changes.data());
     rotation.subtract_powers_of_strains(stage.stress.data(), change.strain_rates[k].data(), changes.data());
-    rotation.subtract_powers_of_constraints(
-      stage.multipliers.data(), stage.constraint_rates.data(), time_rates.data(), values.data());
-    rotation.subtract_powers_of_constraints(
-      multiplier, stage.constraint_rates.data(), time_rates.data(), changes.data());
-    rotation.subtract_powers_of_constraints(stage.multipliers.data(), rates, rates + n, changes.data());
+    rotation.subtract_powers_of_constraints(stage.multipliers.data(),
+                                            stage.constraint_rates.data(),
+                                            stage.rates.data(),
+                                            values.data());
+    rotation.subtract_powers_of_constraints(multiplier,
+                                            stage.constraint_rates.data(),
+                                            stage.rates.data(),
+                                            changes.data());
+    rotation.subtract_powers_of_constraints(stage.multipliers.data(),
+                                            change.constraint_rates[k].data(),
+                                            of_stage + system.layout.of_coordinate(0),
+                                            changes.data());
     for (unsigned int set = 0; set < values.size(); ++set)
       z_powers[set] += Complex(values[set], epsilon * changes[set]);
-    rotation.take_back(point.q, point.reciprocal, point.y, z_powers.data(), z_residual.data());
+    find_momenta(of_stage, momenta);
+    shift(stage.momenta, momenta, z_momenta);
+    rotation.take_back(point.q, point.reciprocal, point.y, z_momenta.data(), z_powers.data(), z_residual.data());
   }
 
 

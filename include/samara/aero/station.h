@@ -140,6 +140,8 @@ namespace samara
   Mat3<Number>
   axes_in_air(const Frame &frame, const Point<Number> &point)
   {
+    if (point.nearest != nullptr)
+      return frame.triad(point.nearest);
     const Mat3<Number> D = frame.triad(point.q);
     return point.reciprocal == nullptr ? D : nearest_rotation(D);
   }

@@ -126,9 +126,15 @@ namespace samara
                       const Number             &lambda,
                       PairForces<Number>       &forces) const;
 
-    /** The rate of the constraint while the pair moves with @p change and the coordinate with @p coordinate_rate. */
-    double
-    rate(const PairValues<double> &pair, const PairRates &change, double coordinate, double coordinate_rate) const;
+    /**
+     * The rate of the constraint while the pair moves with @p change and the coordinate with @p coordinate_rate; @p
+     * turns: in a stage whose forces are seen in reciprocal axes.
+     */
+    double rate(const PairValues<double> &pair,
+                const PairRates          &change,
+                double                    coordinate,
+                double                    coordinate_rate,
+                bool                      turns) const;
 
     /** The angle between −π and π at which the two frames are. */
     template <typename Number>
@@ -426,7 +432,8 @@ namespace samara
     Model *model = nullptr;
 
     /** @name Parts of draw(), for kinds with shapes of their own @{ */
-    /** Thin bars from the origins of what is joined to the joint, where these are far from it; bodies are held there. */
+    /** Thin bars from the origins of what is joined to the joint, where these are far from it; bodies are held there.
+     */
     void draw_arms(const State &state, Drawing &drawing) const;
     /**
      * What A gets from B, as far as probes know it, at all samples from @p first on: "joint force" [N], "joint moment"

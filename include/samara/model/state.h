@@ -49,7 +49,12 @@ namespace samara
      */
     const Number *reciprocal = nullptr;
 
-    /** In whose triads forces take their components that are linear in the directors (doc/theory/steady_rotation.md). */
+    /** 12 a node like q, where these are: the rotations nearest to the triads, in which air is seen. Null: not known.
+     */
+    const Number *nearest = nullptr;
+
+    /** In whose triads forces take their components that are linear in the directors (doc/theory/steady_rotation.md).
+     */
     const Number *
     q_of_forces() const
     {

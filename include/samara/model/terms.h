@@ -162,10 +162,13 @@ namespace samara
       residual(point, r);
     }
 
-    /** ġ = G y + ∂g/∂t, into the global array of multipliers. */
+    /**
+     * ġ = G y + ∂g/∂t, into the global array of multipliers. Places alone say what it is: of reciprocal axes it may
+     * only ask whether the point has them, where a rate is defined otherwise then.
+     */
     virtual void rates(const Point<double> &, double *) const = 0;
 
-    /** The part ∂g/∂t alone. */
+    /** The part ∂g/∂t alone: of rows that are among Model::prescribed. */
     virtual void
     time_rates(const Point<double> &, double *) const
     {}

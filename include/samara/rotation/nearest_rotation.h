@@ -1,6 +1,7 @@
 #ifndef samara_rotation_nearest_rotation_h
 #define samara_rotation_nearest_rotation_h
 
+#include <samara/base/lanes.h>
 #include <samara/rotation/rotation.h>
 
 #include <algorithm>
@@ -9,6 +10,24 @@
 
 namespace samara
 {
+  namespace internal
+  {
+    /** The largest size of what a complex step starts from, or of four numbers. @{ */
+    template <typename Number>
+    double
+    largest_size(const Number &a)
+    {
+      return std::abs(std::real(a));
+    }
+
+    inline double
+    largest_size(const FourDoubles &a)
+    {
+      return std::max({std::abs(a.values[0]), std::abs(a.values[1]), std::abs(a.values[2]), std::abs(a.values[3])});
+    }
+    /** @} */
+  } // namespace internal
+
   /**
    * R of D = R S with S symmetric: the rotation nearest to @p D, by X ← (X + X⁻ᵀ)/2 (Higham 1986). It converges
    * quadratically, and so does what a complex step finds with it.
@@ -25,7 +44,7 @@ namespace samara
         const Mat3<Number> better = Number(0.5) * (D + reciprocal_axes(D));
         change                    = 0;
         for (int k = 0; k < 9; ++k)
-          change = std::max(change, std::abs(std::real(better.data()[k] - D.data()[k])));
+          change = std::max(change, internal::largest_size(Number(better.data()[k] - D.data()[k])));
         D = better;
       }
     return D;

@@ -2,13 +2,13 @@
 #define samara_time_stage_integrator_h
 
 #include <samara/model/strain_products.h>
+#include <samara/solvers/anderson.h>
 #include <samara/solvers/linear.h>
 #include <samara/solvers/redundant_rows.h>
 #include <samara/time/exact_stages.h>
 #include <samara/time/four_nodes.h>
 #include <samara/time/integrator.h>
 #include <samara/time/projection.h>
-#include <samara/time/stage_acceleration.h>
 #include <samara/time/stage_bristles.h>
 #include <samara/time/stage_contacts.h>
 #include <samara/time/stage_history.h>
@@ -125,8 +125,10 @@ namespace samara
       std::vector<double> stress; ///< σ_k as iterated
       std::vector<double> excess; ///< what the configuration's stress has more than it
       std::vector<double> strain_rates, residual, constraint_rates;
-      std::vector<double> factors; ///< of strain products, as the stages integrate them
+      std::vector<double> factors;    ///< of strain products, as the stages integrate them
       std::vector<double> reciprocal; ///< triads of forces in steps that turn, else empty; see StageRotation
+      std::vector<double> nearest;    ///< rotations in steps that turn in air, else empty; see Point::nearest
+      std::vector<double> momenta;    ///< M y in steps that turn, 6 a node
       std::vector<double> powers;     ///< of its sets: of the forces in them [W]
       double              time;
       bool                stops = false; ///< these act in all stages at once
@@ -137,6 +139,8 @@ namespace samara
         Point<double> point = point_of(*this, time, 1., false, stops);
         if (!reciprocal.empty())
           point.reciprocal = reciprocal.data();
+        if (!nearest.empty())
+          point.nearest = nearest.data();
         return point;
       }
 
@@ -145,13 +149,13 @@ namespace samara
       point_of_matrices() const
       {
         Point<double> result = point();
-        result.reciprocal    = nullptr;
+        result.reciprocal = result.nearest = nullptr;
         return result;
       }
     };
     std::vector<Stage> stages;
 
-    std::unique_ptr<StageRotation> rotation; ///< made by the first step that turns
+    std::unique_ptr<StageRotation> rotation;      ///< made by the first step that turns
     bool                           turns = false; ///< whether this one does
 
     /** Whether the step turns, and what that needs. */
@@ -223,7 +227,7 @@ namespace samara
     std::vector<unsigned int>         constraint_entries; ///< in the pattern of the factors
     Eigen::VectorXd                   final_weights;      ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
     Eigen::VectorXd                   mode_weights;       ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
-    std::vector<double>               x_real, x_rates, x_states, e, mean_rates, no_multipliers, time_rates, force;
+    std::vector<double>               x_real, x_rates, x_states, e, mean_rates, no_multipliers, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
     std::vector<std::vector<double>>  d_exact;               ///< those of the exact matrix, or residuals for it
     std::vector<double>               extrapolated;
@@ -262,13 +266,13 @@ namespace samara
     /** With the factors there are; gives up if corrections shrink by less than the factor @p slow. */
     bool iterate(const State &state, double h, double slow, StepResult &result);
     void judge_factors(unsigned int iterations);
-    /** Whether the iteration may be accelerated: what stops, rubs, touches or switches changes sides, which a combination
-     * of iterations does not know. */
+    /** Whether the iteration may be accelerated: what stops, rubs, touches or switches changes sides, which a
+     * combination of iterations does not know. */
     bool can_accelerate() const;
     /** All that is iterated. */
-    std::vector<StageAcceleration::Part> iterated_parts();
-    StageAcceleration                    acceleration;
-    std::vector<double>                  acceleration_weights; ///< of velocities, as they are measured
+    std::vector<Anderson::Part> iterated_parts();
+    Anderson                    acceleration;
+    std::vector<double>         acceleration_weights; ///< of velocities, as they are measured
     /** @} */
     void predict(const State &state, double h);
     void extrapolate(double x, std::vector<double> &y, std::vector<double> &rates, std::vector<double> &states) const;
@@ -340,13 +344,12 @@ namespace samara
      * the size of the coordinate that matters, 1 of an angle and the model's length of a slide.
      */
     template <typename Number, typename Rate, typename Multiplier>
-    static Number
-    force_of(const Tableau    &tableau,
-             double            h,
-             double            unit,
-             const Rate       &rate,
-             const Multiplier &multiplier,
-             const Number     &mean_rate);
+    static Number force_of(const Tableau    &tableau,
+                           double            h,
+                           double            unit,
+                           const Rate       &rate,
+                           const Multiplier &multiplier,
+                           const Number     &mean_rate);
     double
     unit_of(const Layout::Correction &correction) const
     {
@@ -398,13 +401,13 @@ namespace samara
       std::vector<double>               real;
       std::vector<std::complex<double>> complex;
     };
-    std::vector<Column>       columns;
-    std::vector<unsigned int> touched, touched_ports; ///< devices that act, and their ports
-    Eigen::VectorXd           device_forces_now;      ///< of all ports
-    mutable std::vector<double> values_of_ports;      ///< of one device, as long as that of the most ports needs
-    std::vector<double>       states_at_start;        ///< deflections of bristles among them
-    Eigen::VectorXd           touched_free, port_changes, force_changes;
-    Eigen::MatrixXd           touched_compliance, touched_slopes, touched_matrix;
+    std::vector<Column>         columns;
+    std::vector<unsigned int>   touched, touched_ports; ///< devices that act, and their ports
+    Eigen::VectorXd             device_forces_now;      ///< of all ports
+    mutable std::vector<double> values_of_ports;        ///< of one device, as long as that of the most ports needs
+    std::vector<double>         states_at_start;        ///< deflections of bristles among them
+    Eigen::VectorXd             touched_free, port_changes, force_changes;
+    Eigen::MatrixXd             touched_compliance, touched_slopes, touched_matrix;
 
     void          make_devices();
     void          start_stops(const State &state);

@@ -36,6 +36,10 @@ namespace samara
     template <typename Number>
     static void set_reciprocal(const Number *q, unsigned int n_nodes, std::vector<Number> &reciprocal);
 
+    /** The same with the rotations nearest to the triads, see Point::nearest. */
+    template <typename Number>
+    static void set_nearest(const Number *q, unsigned int n_nodes, std::vector<Number> &nearest);
+
     unsigned int
     n_sets() const
     {
@@ -48,22 +52,30 @@ namespace samara
 
     /** @name Subtract what they ought to be @{ */
     void subtract_powers_of_strains(const double *stress, const double *strain_rates, double *powers) const; ///< Σ σᵀė
-    /** Σ λ (ġ − ∂g/∂t) */
+    /** Σ λ (ġ − ∂g/∂t): a row that prescribes a coordinate has its rate for G y. */
     void subtract_powers_of_constraints(const double *multipliers,
                                         const double *constraint_rates,
-                                        const double *time_rates,
+                                        const double *rates,
                                         double       *powers) const;
     /** @} */
 
-    /** Add −c_k M (y − ȳ) to @p r, with the powers that are left. */
+    /** Add −c_k M (y − ȳ) to @p r, with the powers that are left; @p momenta: M y, 6 a node. */
     template <typename Number>
-    void take_back(const Number *q, const Number *reciprocal, const Number *y, const Number *powers, Number *r) const;
+    void take_back(const Number *q,
+                   const Number *reciprocal,
+                   const Number *y,
+                   const Number *momenta,
+                   const Number *powers,
+                   Number       *r) const;
 
   private:
     const System             &system;
     std::vector<unsigned int> set_of_node, set_of_coordinate, set_of_multiplier, set_of_strain;
     std::vector<bool>         is_free; ///< of sets: no row feels a displacement of all its bodies
 
+    /** The momenta of @p momenta against those of the sets' centres of mass, where these are free. */
+    template <typename Number>
+    void subtract_mean_motion(const Number *q, const Number *reciprocal, const Number *momenta, Number *relative) const;
     void find_sets(const State &state);
     void find_free_sets(const State &state);
   };

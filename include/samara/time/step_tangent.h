@@ -67,7 +67,7 @@ namespace samara
     std::vector<Stage>  stages; ///< with the stresses of their configurations
     Vector              end_q, end_coordinates, end_states, mean_rates;
     std::vector<bool>   is_active;
-    const bool          turns;     ///< whether forces are seen in reciprocal triads, see StageRotation
+    const bool          turns;    ///< whether forces are seen in reciprocal triads, see StageRotation
     std::vector<Vector> q_rates;  ///< q̇ at the stages, 12 a node
     std::vector<double> inverses; ///< of the matrices of each node's stage triads, (3s)² a node
     Vector              scale;    ///< of the unknowns of the stages, for the norm of GMRES
@@ -82,14 +82,16 @@ namespace samara
 
     // work space
     std::vector<std::complex<double>> z_q, z_coordinates, z_y, z_rates, z_states, z_state_rates, z_multipliers,
-      z_stress, z_strain, z_strain_2, z_residual, z_reciprocal, z_powers;
-    Vector e, moved_q, moved_reciprocal, moved_coordinates, moved_y, moved_rates, moved_states, moved_state_rates;
+      z_stress, z_strain, z_strain_2, z_residual, z_reciprocal, z_nearest, z_momenta, z_powers;
+    Vector e, momenta, moved_q, moved_coordinates, moved_y, moved_rates, moved_states, moved_state_rates;
 
     /**
      * R_x x + J X: the change of the residuals of all stages, in the order of the layout; @p x null: zero. If @p
      * checks, constraints that are not smooth along it are refused.
      */
     void residual(const double *x, const double *X, Vector &result, bool checks = false);
+    /** M times twists, 6 a node without the ground; 6 a node with it, zero there. */
+    void find_momenta(const double *twists, Vector &momenta) const;
     void move_nodes(const double *x, const double *X);
     void move_others(const double *x, const double *X);
     void find_stresses(const double *x, const double *X);
