@@ -449,10 +449,18 @@ namespace samara
   StrainRows
   System::strain_rows(const State &state, const Part part) const
   {
+    return strain_rows(state.point(), part);
+  }
+
+
+
+  StrainRows
+  System::strain_rows(const Point<double> &point, const Part part) const
+  {
     StrainRows rows(size());
     for (const auto *d : layout.deformations)
       if (is_in(*d, part))
-        d->strain_rows(state.point(), rows);
+        d->strain_rows(point, rows);
     return rows;
   }
 

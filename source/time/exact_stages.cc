@@ -26,6 +26,9 @@ namespace samara
       return pattern;
     }
 
+    /** Of the step, by which rates along a motion are found as differences; exact for what is quadratic. */
+    constexpr double part_of_step = 0.1;
+
     /** The pattern of a layout with more couplings. */
     std::shared_ptr<const Pattern>
     with_pairs(const System &system, const ExactStages::Couplings &couplings)
@@ -147,8 +150,8 @@ namespace samara
 
 
 
-  void
-  ExactStages::constraints_moved(const Point<double> &stage, const double dt, SparseMatrix &result)
+  Point<double>
+  ExactStages::moved(const Point<double> &stage, const double dt)
   {
     const Layout &layout = system.layout;
     moved_q.assign(stage.q, stage.q + 12 * layout.n_nodes);
@@ -162,11 +165,19 @@ namespace samara
       }
     for (unsigned int i = 0; i < layout.n_coordinates; ++i)
       moved_coordinates[i] += dt * stage.rates[i];
-    Point<double> moved = stage;
-    moved.q             = moved_q.data();
-    moved.coordinates   = moved_coordinates.data();
+    Point<double> result = stage;
+    result.q             = moved_q.data();
+    result.coordinates   = moved_coordinates.data();
+    return result;
+  }
+
+
+
+  void
+  ExactStages::constraints_moved(const Point<double> &stage, const double dt, SparseMatrix &result)
+  {
     result.clear();
-    system.add_constraint_tangent(moved, result);
+    system.add_constraint_tangent(moved(stage, dt), result);
   }
 
 
@@ -177,12 +188,14 @@ namespace samara
     const Layout &layout = system.layout;
     K.clear();
     C.clear();
-    system.add_tangent(stage, K);
-    system.add_damping(stage, C);
+    Point<double> at_fixed_stress = stage;
+    at_fixed_stress.material      = false;
+    system.add_tangent(at_fixed_stress, K);
+    system.add_damping(at_fixed_stress, C);
     system.add_state_damping(C);
     // rows of constraints: G to C, Ġ to K. G N is quadratic in q, or nearly so, and differences along q̇ are its
     // derivative
-    const double dt = 0.1 * h;
+    const double dt = part_of_step * h;
     constraints_moved(stage, dt, K_ahead);
     constraints_moved(stage, -dt, K_behind);
     const Pattern &pattern     = *K.pattern;
@@ -218,7 +231,7 @@ namespace samara
         const auto      block = [&](const Eigen::MatrixXd &A) { return A.block(width * k, width * l, width, width); };
         Eigen::MatrixXd change(n_rows, width);
         change.topRows(n_forces) =
-          h * (K_here.topRows(n_forces) * block(of.U_alpha) + C_here.topRows(n_forces) * block(of.V));
+          h * (K_here.topRows(n_forces) * block(of.U) + C_here.topRows(n_forces) * block(of.V));
         change.bottomRows(n_constraints) =
           K_here.bottomRows(n_constraints) * block(of.U) + C_here.bottomRows(n_constraints) * block(of.V);
         for (unsigned int j = 0; j < width; ++j)
@@ -228,6 +241,99 @@ namespace samara
               matrix.values[place(k, start + i, l, first + j)] += change(i, j) + tableau.w(k, l) * M.values[start + i];
           }
       }
+  }
+
+
+
+  void
+  ExactStages::gather(const StrainRows            &rows,
+                      const unsigned int           stage,
+                      const double                 factor,
+                      std::vector<Eigen::MatrixXd> Strains::Block::*which,
+                      std::vector<Strains>                         &strains) const
+  {
+    const unsigned int n_in_nodes = system.layout.of_coordinate(0);
+    for (unsigned int g = 0; g < rows.points.size(); ++g)
+      {
+        Strains                 &s = strains[g];
+        const StrainRows::Point &p = rows.points[g];
+        for (unsigned int i = 0; i < p.size; ++i)
+          for (unsigned int k = rows.B.start[p.first_row + i]; k < rows.B.start[p.first_row + i + 1]; ++k)
+            {
+              const unsigned int column = rows.B.columns[k], width = column < n_in_nodes ? 6 : 1,
+                                 first = column < n_in_nodes ? column - column % 6 : column;
+              auto block =
+                std::find_if(s.blocks.begin(), s.blocks.end(), [&](const auto &b) { return b.first == first; });
+              if (block == s.blocks.end())
+                {
+                  const std::vector<Eigen::MatrixXd> none(tableau.s, Eigen::MatrixXd::Zero(p.size, width));
+                  block = s.blocks.insert(s.blocks.end(), {first, width, none, none, {}});
+                }
+              ((*block).*which)[stage](i, column - first) += factor * rows.B.values[k];
+            }
+      }
+  }
+
+
+
+  void
+  ExactStages::add_material(const std::vector<Point<double>> &stages)
+  {
+    const double            dt = part_of_step * h;
+    std::vector<Strains>    strains;
+    std::vector<StrainRows> rows;
+    for (unsigned int l = 0; l < tableau.s; ++l)
+      {
+        rows.push_back(system.strain_rows(stages[l]));
+        strains.resize(rows[l].points.size());
+        gather(rows[l], l, 1., &Strains::Block::B, strains);
+        for (const double side : {dt, -dt})
+          gather(system.strain_rows(moved(stages[l], side)), l, 0.5 / side, &Strains::Block::B_dot, strains);
+      }
+    for (unsigned int g = 0; g < strains.size(); ++g)
+      {
+        strains[g].of = rows[0].points[g];
+        add_material(rows, strains[g]);
+      }
+  }
+
+
+
+  void
+  ExactStages::add_material(const std::vector<StrainRows> &rows, Strains &strains)
+  {
+    const unsigned int s       = tableau.s;
+    const Pattern     &pattern = *K.pattern;
+    for (auto &block : strains.blocks)
+      {
+        const Kinematics &of = kinematics_of(block.first);
+        const int         w  = block.width;
+        for (unsigned int l = 0; l < s; ++l)
+          for (unsigned int m = 0; m < s; ++m)
+            block.rates.push_back(block.B[l] * of.V.block(w * l, w * m, w, w) +
+                                  block.B_dot[l] * of.U.block(w * l, w * m, w, w));
+      }
+    for (const auto &columns : strains.blocks)
+      for (unsigned int k = 0; k < s; ++k)
+        for (unsigned int m = 0; m < s; ++m)
+          {
+            Eigen::MatrixXd change = Eigen::MatrixXd::Zero(strains.of.size, columns.width);
+            for (unsigned int l = 0; l < s; ++l)
+              change += h * tableau.a_alpha(k, l) * columns.rates[s * l + m];
+            const Eigen::MatrixXd stress =
+              h * strains.of.weight *
+              (rows[k].C(strains.of) * change + rows[k].C_d(strains.of) * columns.rates[s * k + m]);
+            for (const auto &of_rows : strains.blocks)
+              {
+                const Eigen::MatrixXd forces = of_rows.B[k].transpose() * stress;
+                for (unsigned int j = 0; j < columns.width; ++j)
+                  {
+                    const int at = place(k, pattern.position(of_rows.first, columns.first + j), m, columns.first + j);
+                    for (unsigned int i = 0; i < of_rows.width; ++i)
+                      matrix.values[at + i] += forces(i, j);
+                  }
+              }
+          }
   }
 
 
@@ -259,6 +365,7 @@ namespace samara
           for (int p = pattern.column_start[j]; p < pattern.column_start[j + 1]; ++p)
             matrix.values[place(k, p, k, j)] += K.values[p];
       }
+    add_material(stages);
     make_solver_of(is_active);
     for (unsigned int i = 0; i < active.size(); ++i)
       if (const int j = layout.of_multiplier(i); !active[i])

@@ -46,10 +46,11 @@ namespace samara
   StageContacts::evaluate(const std::vector<Point<double>> &stages,
                           const double *const               end,
                           const double                      h,
-                          const std::vector<double *>      &residuals)
+                          const std::vector<double *>      &residuals,
+                          const std::vector<double *>      &in_axes)
   {
     for (Near &pair : near)
-      evaluate(pair, stages, end, h, residuals);
+      evaluate(pair, stages, end, h, residuals, in_axes);
   }
 
 
@@ -98,7 +99,8 @@ namespace samara
                           const std::vector<Point<double>> &stages,
                           const double *const               end,
                           const double                      h,
-                          const std::vector<double *>      &residuals)
+                          const std::vector<double *>      &residuals,
+                          const std::vector<double *>      &in_axes)
   {
     const ContactGroup &group = *n.group;
     const PairShape     shape = group.shape(n.pair);
@@ -151,13 +153,10 @@ namespace samara
           forces.add_rub(m, of_bristles[k]);
         if (along_way != 0)
           forces.add_rub(m, along_way * m.whole);
-        group.add_forces(
-          n.pair,
-          sides_of_stages[k],
-          forces,
-          stages[k].q,
-          [&](const unsigned int node) { return system.layout.of_node(node); },
-          residuals[k]);
+        const auto of_node = [&](const unsigned int node) { return system.layout.of_node(node); };
+        group.add_forces(n.pair, sides_of_stages[k], forces, stages[k].q_of_forces(), of_node, residuals[k]);
+        if (!in_axes.empty())
+          group.add_forces(n.pair, sides_of_stages[k], forces, stages[k].q, of_node, in_axes[k]);
       }
   }
 

@@ -8,13 +8,40 @@ namespace samara
   StageIntegrator::evaluate_contacts(const double h)
   {
     points_of_stages.clear();
+    for (const Stage &stage : stages)
+      points_of_stages.push_back(stage.point());
+    if (turns)
+      return evaluate_contacts_that_turn(h);
     residuals_of_stages.clear();
     for (Stage &stage : stages)
-      {
-        points_of_stages.push_back(stage.point());
-        residuals_of_stages.push_back(stage.residual.data());
-      }
+      residuals_of_stages.push_back(stage.residual.data());
     contacts.evaluate(points_of_stages, final_q.data(), h, residuals_of_stages);
+  }
+
+
+
+  void
+  StageIntegrator::evaluate_contacts_that_turn(const double h)
+  {
+    // bodies that touch need not be of one set: each set gets back what its own sides have done too much
+    std::vector<std::vector<double>> forces(2 * tableau.s, std::vector<double>(system.size() + 6, 0.));
+    std::vector<double *>            seen, in_axes;
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        seen.push_back(forces[k].data());
+        in_axes.push_back(forces[tableau.s + k].data());
+      }
+    contacts.evaluate(points_of_stages, final_q.data(), h, seen, in_axes);
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        Stage &stage = stages[k];
+        for (unsigned int i = 0; i < stage.residual.size(); ++i)
+          {
+            stage.residual[i] += seen[k][i];
+            seen[k][i] -= in_axes[k][i];
+          }
+        rotation->add_powers_of_rows(stage.y.data(), stage.rates.data(), seen[k], stage.powers.data());
+      }
   }
 
 

@@ -164,6 +164,7 @@ namespace samara
 
     /** B, C and C_d of all strains at the state. */
     StrainRows strain_rows(const State &state, Part part = Part::all) const;
+    StrainRows strain_rows(const Point<double> &point, Part part = Part::all) const;
     void       mass(SparseMatrix &M) const;
 
     /**

@@ -16,14 +16,17 @@ namespace samara
    *
    *     δQ_k = h Σ_l a_kl [ N(δQ_l) y_l + N(Q_l) δy_l ],        ζ̇_k = δy_k − ad_{y_k} ζ_k
    *
-   * With C_k and K_k of all terms at stage k, and ζ_α as ζ but with a_α for a in what the stress sees,
+   * With C_k and K_k of all terms at stage k at fixed stress, and the stresses of strains that are integrated from
+   * their rates, e_k = e_i + h Σ_l a_α,kl ė_l,
    *
-   *     δr_k = M Σ_l w_kl δy_l/h + δ(−ad*_{y_k} M y_k) + C_k ζ̇_k + K_k ζ_α,k + G_kᵀ δλ_k
+   *     δr_k = M Σ_l w_kl δy_l/h + δ(−ad*_{y_k} M y_k) + C_k ζ̇_k + K_k ζ_k + B_kᵀ δσ_k + G_kᵀ δλ_k
+   *     δσ_k = C h Σ_l a_α,kl δė_l + C_d δė_k       δė_l = B_l ζ̇_l + Ḃ_l ζ_l
    *     δġ_k = G_k ζ̇_k + Ġ_k ζ_k
    *
    * States of first order have ż as unknowns, δz_k = h Σ_l a_α,kl δż_l.
    *
-   * (Stage triads are orthonormal to O(h^{s+1}), and only as far is the matrix that of the equations.)
+   * Forces that are seen in reciprocal triads (StageRotation) are linearised in the triads themselves: in steps that
+   * turn the matrix is that of the equations to 1 − r_k.
    */
   class ExactStages
   {
@@ -55,7 +58,7 @@ namespace samara
      */
     void solve(std::vector<std::vector<double>> &residuals);
 
-    /** ζ_α and ζ̇ of stage @p k, twists and coordinates, that belong to the changes solve() found. */
+    /** ζ of what the stress sees, with a_α in place of a, and ζ̇ of stage @p k: of the changes that solve() found. */
     void displacements(unsigned int                            k,
                        const std::vector<std::vector<double>> &changes,
                        std::vector<double>                    &zeta_alpha,
@@ -74,6 +77,18 @@ namespace samara
     double                        h = 0;
     std::vector<double>           x, moved_q, moved_coordinates;
 
+    /** B and Ḃ of the strains of one point of material at all stages, by blocks of columns: nodes and coordinates. */
+    struct Strains
+    {
+      StrainRows::Point of;
+      struct Block
+      {
+        unsigned int                 first, width;    ///< unknowns
+        std::vector<Eigen::MatrixXd> B, B_dot, rates; ///< of stages; rates: δė_l by δy_m, number s l + m
+      };
+      std::vector<Block> blocks;
+    };
+
     /** Blocks [k][l] of the displacements and their rates by changes of velocities: of one node, or of one coordinate.
      */
     struct Kinematics
@@ -86,8 +101,25 @@ namespace samara
     Eigen::MatrixXd displacement_of_node(const std::vector<Point<double>> &stages, unsigned int node) const;
     void            find_kinematics(const std::vector<Point<double>> &stages);
     void            linearize(const Point<double> &stage);
-    void            constraints_moved(const Point<double> &stage, double dt, SparseMatrix &result);
-    void            add_columns(unsigned int k, unsigned int first, unsigned int width, const Kinematics &kinematics);
+    /** Add BᵀC δe + BᵀC_d δė of all strains. */
+    void add_material(const std::vector<Point<double>> &stages);
+    void add_material(const std::vector<StrainRows> &rows, Strains &strains);
+    /** Add @p factor times the rows of a stage to B or Ḃ of all points' strains. */
+    void gather(const StrainRows            &rows,
+                unsigned int                 stage,
+                double                       factor,
+                std::vector<Eigen::MatrixXd> Strains::Block::*which,
+                std::vector<Strains>                         &strains) const;
+    const Kinematics &
+    kinematics_of(const unsigned int unknown) const
+    {
+      return unknown < static_cast<unsigned int>(system.layout.of_coordinate(0)) ? kinematics[unknown / 6] :
+                                                                                   of_coordinates;
+    }
+    /** The stage, @p dt along its velocities. */
+    Point<double> moved(const Point<double> &stage, double dt);
+    void          constraints_moved(const Point<double> &stage, double dt, SparseMatrix &result);
+    void          add_columns(unsigned int k, unsigned int first, unsigned int width, const Kinematics &kinematics);
     /** Places in the layout's pattern, and in that of one stage. */
     int place(unsigned int k, int position, unsigned int l, unsigned int column) const;
     int place_in_single(unsigned int k, int position, unsigned int l, unsigned int column) const;

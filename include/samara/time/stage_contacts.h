@@ -41,11 +41,15 @@ namespace samara
     /** Bristles of what touches at the end of the step that was accepted. */
     void finish(State &state) const;
 
-    /** Add the forces to the residuals; @p end: places at the end of the step. */
+    /**
+     * Add the forces to the residuals; @p end: places at the end of the step. In steps that turn they are seen in
+     * reciprocal axes; @p in_axes gets them in the axes of nodes, too, where their work is what it ought to be.
+     */
     void evaluate(const std::vector<Point<double>> &stages,
                   const double                     *end,
                   double                            h,
-                  const std::vector<double *>      &residuals);
+                  const std::vector<double *>      &residuals,
+                  const std::vector<double *>      &in_axes = {});
 
     /** Why this step is no good, of which evaluate() was the last iteration; empty if it is. @p allowed: energy [J]. */
     std::string refusal(const std::vector<Point<double>> &stages, const double *end, double allowed) const;
@@ -126,7 +130,8 @@ namespace samara
                          const std::vector<Point<double>> &stages,
                          const double                     *end,
                          double                            h,
-                         const std::vector<double *>      &residuals);
+                         const std::vector<double *>      &residuals,
+                         const std::vector<double *>      &in_axes);
     std::string moved_too_far(const std::vector<Point<double>> &stages, const double *end) const;
     std::string passed_unseen(const std::vector<Point<double>> &stages, const double *end) const;
     std::string energy_missing(const double *end, double allowed) const;

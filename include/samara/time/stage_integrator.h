@@ -458,6 +458,7 @@ namespace samara
     };
     std::vector<EntryOfPairs>      entries_of_pairs;
     void                           evaluate_contacts(double h);
+    void                           evaluate_contacts_that_turn(double h);
     bool                           accept_contacts(StepResult &result);
     void                           add_contacts_to_matrices();
     void                           add_contacts_to_exact_matrix(double h);
