@@ -227,7 +227,7 @@ namespace samara
     std::vector<unsigned int>         constraint_entries; ///< in the pattern of the factors
     Eigen::VectorXd                   final_weights;      ///< y_f = y_i + Σ final_weights_k (y_k − y_i)
     Eigen::VectorXd                   mode_weights;       ///< h Σ b_k p_k ẏ_k = Σ mode_weights_k (y_k − y_i)
-    std::vector<double>               x_real, x_rates, x_states, e, mean_rates, no_multipliers, force;
+    std::vector<double>               x_real, x_rates, x_states, e, mean_rates, no_multipliers, time_rates, force;
     std::vector<std::vector<double>>  dz, dz_rate, d_lambda; ///< increments of the stages
     std::vector<std::vector<double>>  d_exact;               ///< those of the exact matrix, or residuals for it
     std::vector<double>               extrapolated;
