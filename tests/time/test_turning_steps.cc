@@ -111,11 +111,11 @@ namespace
   const std::string ends = "set Body A = hub.seat\n set Body B = b.root\n set Position = 1, 0, 0\n";
 
   /** A body that slides outwards on the hub, until its ball touches. */
-  const std::string slide = systems::joint("j",
-                                           "prismatic",
-                                           ends + " set Axis = 1, 0.2, 0.3\n" +
-                                             systems::motion("displacement", systems::spring("30", "0"))),
-                    ball  = "set Balls = b\n set Ball radius = 0.1\n set Overlap = allowed\n set Stiffness = 2e4\n";
+  const std::string sliding_out = systems::joint("j",
+                                                 "prismatic",
+                                                 ends + " set Axis = 1, 0.2, 0.3\n" +
+                                                   systems::motion("displacement", systems::spring("30", "0"))),
+                    ball = "set Balls = b\n set Ball radius = 0.1\n set Overlap = allowed\n set Stiffness = 2e4\n";
 } // namespace
 
 
@@ -184,11 +184,12 @@ TEST(TurningSteps, KeepTheForcesOfAllJoints)
                     "spring",
                     "set Body A = hub.up\n set Body B = b.aside\n" + motion("length", spring("40000", "0", "0.75"))))},
     {"ball on a plane of a group",
-     hub_with(slide + joint("wall", "contacts", ball + " set Planes = hub at 1.6 0 0 normal -1 0.1 0.2\n"))},
+     hub_with(sliding_out + joint("wall", "contacts", ball + " set Planes = hub at 1.6 0 0 normal -1 0.1 0.2\n"))},
     {"ball in a tube of a group",
-     hub_with(slide + joint("wall", "contacts", ball + " set Tubes = hub at 1.2 0 0 axis 0.1 0.2 1 radius 0.4\n"))},
+     hub_with(sliding_out +
+              joint("wall", "contacts", ball + " set Tubes = hub at 1.2 0 0 axis 0.1 0.2 1 radius 0.4\n"))},
     {"ball on a ball of a group",
-     hub_with(slide + joint("wall", "contacts", ball + " set Hollow balls = hub at 1.2 0 0 radius 0.4\n"))},
+     hub_with(sliding_out + joint("wall", "contacts", ball + " set Hollow balls = hub at 1.2 0 0 radius 0.4\n"))},
     {"gears about a turning pin",
      hub_with(
        joint("j", "revolute", ends + " set Axis = 0, 1, 0.2\n") +
