@@ -90,6 +90,27 @@ namespace samara
       forces.work_defect = std::abs(forces.work_defect) + std::abs(mean * missing);
       return mean * missing / (h * squares);
     }
+
+    /**
+     * Places of stages that turn are as much too near as their triads are too short: there φ is integrated from its
+     * rates, as strains are, and constant in steady rotation.
+     */
+    void
+    integrate_gaps(const PairShape                        &shape,
+                   const Tableau                          &tableau,
+                   const double                            phi_at_start,
+                   const double                            h,
+                   const std::vector<PairMeasure<double>> &measures,
+                   std::array<double, 3>                  &gaps)
+    {
+      for (unsigned int k = 0; k < tableau.s; ++k)
+        {
+          double phi = phi_at_start;
+          for (unsigned int l = 0; l < tableau.s; ++l)
+            phi += h * tableau.a(k, l) * measures[l].rate;
+          gaps[k] = shape.gap_at(phi);
+        }
+    }
   } // namespace
 
 
@@ -132,6 +153,8 @@ namespace samara
         gaps[k]  = measures[k].gap;
         rates[k] = scale * measures[k].rate;
       }
+    if (stages[0].reciprocal != nullptr)
+      integrate_gaps(shape, tableau, shape.phi_at(n.gap), h, measures, gaps);
     const StepGaps in_step(tableau, n.gap, gaps.data(), at_end.gap, rates.data(), h);
     n.forces               = contact_forces(group.law_of(n.pair), tableau, in_step, rates.data(), h);
     const double part      = group.part_of(n.pair),

@@ -81,7 +81,7 @@ namespace
     const State  &start;
     const Tableau t;
     const double  h;
-    Vectors q = Vectors(3), coordinates = Vectors(3), twists = Vectors(3), coordinate_rates = Vectors(3),
+    Vectors       q = Vectors(3), coordinates = Vectors(3), twists = Vectors(3), coordinate_rates = Vectors(3),
             multipliers = Vectors(3), stress = Vectors(3);
 
     /** q_k = q_i + h Σ a_kl N(q_l) y_l, by passes that gain the turn of a step each. */
@@ -132,9 +132,9 @@ TEST(ExactStages, AreTheDerivativeOfTheEquations)
 {
   // the screw of a light body is what the matrix without Ḃ was worst at
   const std::string beam =
-    "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = 2e4\n set GA 2 = 8e3\n"
-    " set GA 3 = 7e3\n set GJ = 30\n set EI 2 = 40\n set EI 3 = 50\n set Mass = 0.5\n set Inertia 2 = 1e-3\n"
-    " set Inertia 3 = 2e-3\n end\nend\n"
+    "subsection Sections\n subsection s\n set Type = engineering constants\n set EA = 2e4\n set GA2 = 8e3\n"
+    " set GA3 = 7e3\n set GJ = 30\n set EI2 = 40\n set EI3 = 50\n set Mass = 0.5\n set I2 = 1e-3\n"
+    " set I3 = 2e-3\n end\nend\n"
     "subsection Bodies\n subsection rod\n set Type = beam\n set Points = 0, 0, 0; 1, 0.2, 0\n set Section = s\n"
     " set Elements = 2\n set Degree = 2\n set Damping = 2e-3\n end\n"
     " subsection nut\n set Type = rigid body\n set Mass = 0.2\n set Inertia = 1e-3, 2e-3, 1.5e-3\n"

@@ -41,6 +41,23 @@ namespace samara
     {
       return hollow ? 1. : -1.;
     }
+
+    /** φ and the gap that belong to one another. @{ */
+    double
+    phi_at(const double gap) const
+    {
+      const double distance = hollow ? gap + radius_a - radius_b : radius_a + radius_b - gap;
+      return kind == plane ? radius_b - gap : 0.5 * distance * distance;
+    }
+    double
+    gap_at(const double phi) const
+    {
+      if (kind == plane)
+        return radius_b - phi;
+      const double distance = std::sqrt(2 * phi);
+      return hollow ? distance + radius_b - radius_a : radius_a + radius_b - distance;
+    }
+    /** @} */
   };
 
 
