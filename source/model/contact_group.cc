@@ -245,7 +245,8 @@ namespace samara
                                       variable(p.spin_a, 18),
                                       variable(p.axis_rate, 21),
                                       variable(p.v_b, 9),
-                                      variable(p.spin_b, 12)};
+                                      variable(p.spin_b, 12),
+                                      variable(p.axis, 6)};
         const PairShape         shape = group.shape(pair);
         const PairMeasure<Dual> measure(shape, places);
         is_touched               = measure.gap.value() > 0;

@@ -149,7 +149,8 @@ namespace samara
         n.is_touched = !n.is_lost;
         if (n.is_lost)
           return;
-        measures.emplace_back(shape, group.places(n.pair, sides_of_stages[k], stages[k].q, stages[k].y));
+        measures.emplace_back(shape,
+                              group.places(n.pair, sides_of_stages[k], stages[k].q, stages[k].y, stages[k].reciprocal));
         gaps[k]  = measures[k].gap;
         rates[k] = scale * measures[k].rate;
       }

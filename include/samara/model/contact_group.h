@@ -166,7 +166,11 @@ namespace samara
     /** Where a pair is, and how it moves if @p y is not null. Places on lines move with their material; of complex
      * numbers, moved by imaginary steps from where the sides were found, to where they are nearest then. */
     template <typename Number>
-    PairPlaces<Number> places(const Pair &pair, const Sides &sides, const Number *q, const Number *y) const;
+    PairPlaces<Number> places(const Pair   &pair,
+                              const Sides  &sides,
+                              const Number *q,
+                              const Number *y,
+                              const Number *q_of_forces = nullptr) const;
 
     /** The gap alone, for what is not moved; NaN if there is none. */
     double gap(const Pair &pair, const double *q) const;
@@ -271,11 +275,15 @@ namespace samara
 
   template <typename Number>
   PairPlaces<Number>
-  ContactGroup::places(const Pair &pair, const Sides &sides, const Number *q, const Number *y) const
+  ContactGroup::places(const Pair   &pair,
+                       const Sides  &sides,
+                       const Number *q,
+                       const Number *y,
+                       const Number *q_of_forces) const
   {
     PairPlaces<Number> p;
     const Vec3<Number> none = Vec3<Number>::Zero();
-    p.x_b = p.v_b = p.spin_b = p.x_a = p.v_a = p.spin_a = p.axis = p.axis_rate = none;
+    p.x_b = p.v_b = p.spin_b = p.x_a = p.v_a = p.spin_a = p.axis = p.axis_rate = p.dual_axis = none;
     const auto turned = [&](const unsigned int node, const Vec3<Number> &v) -> Vec3<Number> {
       return Frame{node}.triad(q) * v;
     };
@@ -312,6 +320,7 @@ namespace samara
     const Frame       &a = sides.a[0].frame;
     const Vec3<Number> e = a.rotation.col(2).cast<Number>();
     p.axis               = turned(a.node, e);
+    p.dual_axis          = q_of_forces != nullptr ? Vec3<Number>(Frame{a.node}.triad(q_of_forces) * e) : p.axis;
     if (y != nullptr)
       p.axis_rate = turned(a.node, cross_of(spin_of(a.node), e));
     return p;

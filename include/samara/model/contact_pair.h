@@ -68,6 +68,7 @@ namespace samara
   {
     Vec3<Number> x_a, axis, x_b;                      ///< [m], [1], [m]
     Vec3<Number> v_a, spin_a, axis_rate, v_b, spin_b; ///< [m/s], [rad/s], [1/s], [m/s], [rad/s]
+    Vec3<Number> dual_axis; ///< in stages that turn D⁻ᵀ of the axis in A: what is along it is seen as at rest; else E
   };
 
 
@@ -135,10 +136,10 @@ namespace samara
           phi      = Number(0.5 * dot(delta, delta));
           if (shape.kind == PairShape::cylinder)
             {
-              const Number along = dot(p.axis, delta);
+              const Number along = dot(p.dual_axis, delta);
               of_place -= along * p.axis;
               of_axis = -along * delta;
-              phi -= 0.5 * along * along;
+              phi -= 0.5 * along * dot(p.axis, delta);
             }
           distance = Number(sqrt(Number(2. * phi)));
           gap      = shape.hollow ? Number(distance + shape.radius_b - shape.radius_a) :
