@@ -72,7 +72,7 @@ namespace samara
                            const double                            h,
                            StopForces                             &forces)
     {
-      constexpr double part_of_force = 0.01;
+      constexpr double part_of_force = 0.01, round_off = 1e-14;
       if (!pair.a_is_line && group.shape(pair).kind != PairShape::cylinder)
         return 0; // φ is quadratic: the work is exact to round-off
       const double mean    = group.law_of(pair).mean(gaps.start, gaps.end).force,
@@ -84,6 +84,9 @@ namespace samara
           squares += tableau.b(k) * speed * speed;
           fastest = std::max(fastest, speed);
         }
+      // what rests against the other misses round-off alone, and has no velocity that could do it
+      if (std::abs(missing) < round_off * measures[0].distance)
+        return 0;
       if (mean == 0 || !(std::abs(missing) * fastest < part_of_force * h * squares))
         return 0;
       forces.elastic += mean * missing;

@@ -19,6 +19,7 @@ namespace
   {
     double       stress = 0, multiplier = 0, iterations = 0;
     unsigned int n_steps = 0;
+    std::string  refusal; ///< of the step that was not
   };
 
   Changes
@@ -39,6 +40,7 @@ namespace
     for (; result.n_steps < 20; ++result.n_steps)
       {
         const StepResult step = integrator.step(state, h);
+        result.refusal        = step.refusal;
         if (!step.converged)
           break;
         State now = state;
@@ -80,7 +82,7 @@ TEST(TurningSteps, KeepTheForcesOfEquilibria)
               continue;
             SCOPED_TRACE("a step turns by " + std::to_string(turn) + " rad");
             const Changes c = changes_of(scene.system, start, tableau, turn / model.speed, 1e-10);
-            EXPECT_EQ(c.n_steps, 20u);
+            EXPECT_EQ(c.n_steps, 20u) << c.refusal;
             EXPECT_LT(c.stress, 1e-8);
             if (!model.rows_turn)
               EXPECT_LT(c.multiplier, 1e-8);
@@ -207,14 +209,16 @@ TEST(TurningSteps, KeepTheForcesOfAllJoints)
       SCOPED_TRACE(name);
       Scene       scene(text);
       const State start = scene.equilibrium();
+      // forces of contacts are differences of places, known to round-off
+      const double tolerance = scene.system.layout.contact_groups.empty() ? 1e-12 : 1e-10;
       for_all_members([&](const Tableau &tableau) {
         for (const double turn : {0.25, 0.5, 1.})
           {
             if (tableau.s == 1 && turn > 0.5)
               continue;
             SCOPED_TRACE("a step turns by " + std::to_string(turn) + " rad");
-            const Changes c = changes_of(scene.system, start, tableau, turn / 10, 1e-12);
-            EXPECT_EQ(c.n_steps, 20u);
+            const Changes c = changes_of(scene.system, start, tableau, turn / 10, tolerance);
+            EXPECT_EQ(c.n_steps, 20u) << c.refusal;
             EXPECT_LT(c.multiplier, 1e-8);
           }
       });
@@ -238,7 +242,7 @@ TEST(TurningSteps, KeepTheForcesUnderLoadsThatFollow)
   const State start = scene.equilibrium();
   for_all_members([&](const Tableau &tableau) {
     const Changes c = changes_of(scene.system, start, tableau, 1. / 30, 1e-11);
-    EXPECT_EQ(c.n_steps, 20u);
+    EXPECT_EQ(c.n_steps, 20u) << c.refusal;
     EXPECT_LT(c.stress, 1e-8);
   });
 }
