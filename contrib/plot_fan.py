@@ -64,8 +64,9 @@ def looks(ax, runs, all_curves):
     several, crowded, shown = len(runs) > 1, len(all_curves[0]) > MOST_NAMED, {None}
     for r, curve in ((r, curve) for r, curves in enumerate(all_curves) for curve in curves):
         how = look(r, len(runs), 0 if several else curve.colour)
-        how |= {"marker": MARKERS[r % 12], "ms": 2 + 1.5 * (len(runs) - 1 - r), "mew": 0.5, "mfc": "none" if several else how["color"]}
-        how["ls"] = how["ls"] if several else OF_PATTERN.get(curve.pattern, how["ls"])
+        mark = MARKERS[(r if several else curve.colour // 8) % 12]  # of more families than colours
+        how |= {} if several else {"ls": OF_PATTERN.get(curve.pattern, how["ls"])}
+        how |= {"marker": mark, "ms": 2 + 1.5 * (len(runs) - 1 - r), "mew": 0.5, "mfc": "none" if several else how["color"]}
         label = None if several else (crowded and curve.family) or curve.label
         yield curve, how, label if label not in shown else None
         shown.add(label)

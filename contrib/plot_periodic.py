@@ -30,8 +30,7 @@ def draw_multipliers(runs, options):
             look = {"color": COLORS[k % 8], "marker": MARKERS[k % 12], "ls": "", "ms": 4 + r, "mew": 0.8}
             ax.plot([*x, *x], [*y, *-y], mfc="none", label=label, **look)
             ax.plot([*x[unstable], *x[unstable]], [*y[unstable], *-y[unstable]], **look)
-    ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal", xlabel="Re μ [–]", ylabel="Im μ [–]")
-    ax.locator_params(nbins=5)
+    ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal", xlabel="Re μ [–]", ylabel="Im μ [–]", xticks=(-1, -0.5, 0, 0.5, 1))
     ax.legend(borderaxespad=0, loc="center left" if wide else "lower left", bbox_to_anchor=(1.02, 0.5) if wide else (0, 1.01))
     figure.suptitle("Multipliers of the periodic motion in the unit circle, filled if unstable")
     return figure
