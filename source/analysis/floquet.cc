@@ -1,5 +1,6 @@
 #include <samara/analysis/floquet.h>
 #include <samara/analysis/period_of_rotors.h>
+#include <samara/analysis/progress.h>
 #include <samara/analysis/slow_modes.h>
 #include <samara/analysis/start_of_motion.h>
 #include <samara/base/errors.h>
@@ -32,6 +33,27 @@ namespace samara
 
     /** Up to this many columns all of them are cheaper than Arnoldi's method. */
     constexpr int most_columns = 60;
+
+
+
+    /** Does @p work with the map while the log says how far that is. */
+    template <typename Work>
+    void
+    listen(const Context &context, SectionMap &map, const Work &work)
+    {
+      Progress progress(context.log, "floquet", "the motion over a period", context.page);
+      map.listener = progress.teller();
+      try
+        {
+          work();
+        }
+      catch (...)
+        {
+          map.listener = {};
+          throw;
+        }
+      map.listener = {};
+    }
 
 
 
@@ -300,22 +322,30 @@ namespace samara
                    parts);
     try
       {
-        map.settle(first, most_periods, settled_gap);
-        const State settled = map.map.states().front();
-        map.correct(most_corrections, settled_gap);
+        State settled;
+        listen(context, map, [&]() {
+          map.settle(first, most_periods, settled_gap);
+          settled = map.map.states().front();
+          map.correct(most_corrections, settled_gap);
+        });
         tell_corrections(context, map, settled);
         check_gap(context, map);
         check_corners(context, map);
         check_switches(context, map);
-        check_behind(map, map.difference_behind());
-        gap                = map.gap.size;
-        orbit              = map.map.states().front();
-        FloquetModes found = find(map);
-        n_columns          = found.n_columns;
-        if (found.found.empty())
-          throw NotConverged("floquet analysis: nothing moves that could grow or decay");
-        describe(map, named, found, found.n_looked_for > 0 ? found.found.size() : wanted);
-        modes = found.found;
+        FloquetModes found;
+        listen(context, map, [&]() {
+          map.begin("whether the motion is periodic behind the period, too", std::max(1u, parts.n() - 1));
+          check_behind(map, map.difference_behind());
+          found = find(map);
+          if (found.found.empty())
+            throw NotConverged("floquet analysis: nothing moves that could grow or decay");
+          map.begin("harmonics and names of " + std::to_string(found.found.size()) + " modes");
+          describe(map, named, found, found.n_looked_for > 0 ? found.found.size() : wanted);
+        });
+        gap       = map.gap.size;
+        orbit     = map.map.states().front();
+        n_columns = found.n_columns;
+        modes     = found.found;
         report(context, found, T);
       }
     catch (const NotConverged &problem)
@@ -325,9 +355,9 @@ namespace samara
       }
     if (!context.sweep.empty())
       add_to_speeds(context, T);
-    if ((context.pictures || (context.page != nullptr && context.page->draws())) && context.is_shown() && !context.folder.empty())
-      for (unsigned int k = 0; k < std::min<unsigned int>(n_animations, modes.size()); ++k)
-        animate(context, map, k);
+    if ((context.pictures || (context.page != nullptr && context.page->draws())) && context.is_shown() &&
+        !context.folder.empty())
+      animate(context, map);
   }
 
 

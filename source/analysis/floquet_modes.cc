@@ -237,6 +237,7 @@ namespace samara
   {
     const Eigen::MatrixXd B = map.basis();
     Eigen::MatrixXd       images(B.rows(), B.cols());
+    map.begin("all columns of the map", B.cols());
     for (int j = 0; j < B.cols(); ++j)
       apply_scaled(map, B.col(j).data(), images.col(j).data());
     const Eigen::MatrixXd A         = B.transpose() * images;
@@ -272,6 +273,7 @@ namespace samara
     settings.largest_basis = 2 * wanted + 10;
     settings.most_products = 1000;
     EigenPairs pairs;
+    map.begin("the largest " + std::to_string(std::min(wanted, n)) + " multipliers", settings.most_products);
     try
       {
         pairs = arnoldi(

@@ -1,6 +1,7 @@
 // What a Floquet analysis tells: floquet.csv and its lines, the motion it was left with, pictures.
 
 #include <samara/analysis/floquet.h>
+#include <samara/analysis/progress.h>
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/model/probe_needs.h>
@@ -258,6 +259,23 @@ namespace samara
                           modes[i].content.family,
                           modes[i].content.pattern,
                           i + 1});
+  }
+
+
+
+  void
+  FloquetAnalysis::animate(const Context &context, SectionMap &map) const
+  {
+    const unsigned int n = std::min<unsigned int>(n_animations, modes.size());
+    Progress           progress(context.log, "floquet", "drawings", nullptr);
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const std::string doing = "drawing of mode " + std::to_string(k + 1) + " of " + std::to_string(n);
+        progress(doing);
+        if (context.page != nullptr)
+          context.page->watch("floquet: " + doing);
+        animate(context, map, k);
+      }
   }
 
 

@@ -4,6 +4,7 @@
 #include <samara/analysis/mode_families.h>
 #include <samara/analysis/mode_names.h>
 #include <samara/analysis/moving_axes.h>
+#include <samara/analysis/progress.h>
 #include <samara/base/errors.h>
 #include <samara/solvers/newton.h>
 #include <samara/solvers/steady_motion.h>
@@ -70,7 +71,14 @@ namespace samara
     if (!state.left_out.empty())
       RedundantRows(system).choose(state);
 
-    Linearization linearization(system, state);
+    const auto linearized = [&](const std::vector<Vector3> &spins) {
+      const Progress progress(context.log,
+                              "modal",
+                              "linearised motion of " + std::to_string(system.size()) + " unknowns",
+                              context.page);
+      return Linearization(system, state, spins);
+    };
+    Linearization linearization = linearized({});
     for (const auto *const A : {&linearization.M, &linearization.gyroscopic, &linearization.S})
       require_finite_matrix(system, *A);
     check_mass(system, linearization);
@@ -78,7 +86,7 @@ namespace samara
       {
         const MovingAxes seen(system, state, linearization, axes);
         if (!seen.spins().empty())
-          linearization = Linearization(system, state, seen.spins());
+          linearization = linearized(seen.spins());
         find(context, linearization);
         check_other_motion(context, other);
         check_prescribed(context, state);
@@ -177,7 +185,11 @@ namespace samara
   void
   ModalAnalysis::find(const Context &context, const Linearization &linearization)
   {
-    const Modes result = find_modes(linearization, n_modes, shift == 0. ? std::optional<double>() : shift);
+    const auto found = [&]() {
+      Progress progress(context.log, "modal", std::to_string(n_modes) + " modes", context.page);
+      return find_modes(linearization, n_modes, shift == 0. ? std::optional<double>() : shift, progress.teller());
+    };
+    const Modes result = found();
     modes              = result.found;
     if (result.is_all)
       context.log.line("  modal: only " + std::to_string(modes.size()) + " of " + std::to_string(n_modes) +

@@ -3,6 +3,7 @@
 #include <samara/analysis/draw_shape.h>
 #include <samara/analysis/modal.h>
 #include <samara/analysis/negative_directions.h>
+#include <samara/analysis/progress.h>
 #include <samara/base/text.h>
 
 #include <algorithm>
@@ -178,16 +179,24 @@ namespace samara
   {
     const bool         is_shown = context.is_shown();
     const unsigned int n        = std::min<unsigned int>(n_animations, modes.size());
+    Progress           progress(context.log, "modal", "drawings", nullptr);
+    const auto         tell = [&](const unsigned int k, const unsigned int of, const std::string &where) {
+      progress("drawing of mode " + std::to_string(k + 1) + " of " + std::to_string(of) + where);
+    };
     for (unsigned int k = 0; k < n && context.pictures && is_shown; ++k)
-      draw_shape(context.system,
-                 context.state,
-                 modes[k].shape,
-                 modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.,
-                 context.folder,
-                 "mode_" + std::to_string(k + 1));
+      {
+        tell(k, n, " for ParaView");
+        draw_shape(context.system,
+                   context.state,
+                   modes[k].shape,
+                   modes[k].lambda.imag() > 0 ? 2 * M_PI / modes[k].lambda.imag() : 1.,
+                   context.folder,
+                   "mode_" + std::to_string(k + 1));
+      }
     // on the page all modes; those of the speed that is shown keep their room
     for (unsigned int k = 0; k < modes.size() && context.page != nullptr; ++k)
       {
+        tell(k, modes.size(), " for the report");
         if (!context.page->has_room_for(is_shown ? 1 : modes.size() + 1))
           continue;
         ReportPage::Shape what;
@@ -198,6 +207,7 @@ namespace samara
         if (!context.sweep.empty())
           what.speed = context.speeds[0];
         show_shape(context.system, context.state, modes[k].shape, what, *context.page);
+        context.page->watch("modal: drawing of mode " + std::to_string(k + 1) + " of " + std::to_string(modes.size()));
       }
   }
 

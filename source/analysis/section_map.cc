@@ -3,6 +3,7 @@
 #include <samara/base/dense.h>
 #include <samara/base/errors.h>
 #include <samara/base/interrupt.h>
+#include <samara/base/text.h>
 
 #include <deal.II/lac/precondition.h>
 #include <deal.II/lac/solver_gmres.h>
@@ -17,7 +18,7 @@ namespace samara
   namespace
   {
     constexpr double       smallest_part = 0.05; ///< of a Newton step
-    constexpr unsigned int most_products = 100;  ///< for one
+    constexpr unsigned int most_of_step  = 100;  ///< products for one
 
     /** Of a change that is carried on, over its size at the start, below which it is not compared any more. */
     constexpr double least_size = 1e-8;
@@ -44,6 +45,26 @@ namespace samara
     , scale(scales_of_increment(system, settings.period * parts.n() / (2 * M_PI)))
     , kept(entries_of_controls(system))
   {}
+
+
+
+  void
+  SectionMap::tell(const std::string &text) const
+  {
+    if (listener)
+      listener(text);
+  }
+
+
+
+  void
+  SectionMap::begin(const std::string &what, const unsigned int most)
+  {
+    doing         = what;
+    n_products    = 0;
+    most_products = most;
+    tell(doing);
+  }
 
 
 
@@ -88,6 +109,9 @@ namespace samara
     for (unsigned int i = 0;; ++i)
       {
         throw_if_interrupted();
+        tell("the motion settles, period " + std::to_string(i / parts.n() + 1) + " of at most " +
+             std::to_string(std::max(1u, most)) +
+             (i > 0 ? ", it lacks " + number_to_text("%.1e", gap.size) + " to periodicity" : std::string()));
         const bool  is_last = i + 1 >= std::max(1u, most) * parts.n();
         const State before  = state;
         state               = map.march(before);
@@ -106,6 +130,9 @@ namespace samara
   {
     while (n_corrections < most && gap.size > enough)
       {
+        begin("correction " + std::to_string(n_corrections + 1) + " of the motion, which lacks " +
+                number_to_text("%.1e", gap.size) + " to periodicity",
+              most_of_step);
         if (!step_nearer(solve_for_correction(parts.gap(map.states().front(), map.states().back()))))
           return;
         ++n_corrections;
@@ -169,8 +196,8 @@ namespace samara
     dealii::Vector<double> right(lacking.size()), solution(lacking.size());
     for (unsigned int i = 0; i < right.size(); ++i)
       right[i] = lacking[i] / scale[i];
-    dealii::SolverControl control(most_products, 1e-6 * right.l2_norm(), false, false);
-    dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData data(most_products + 2);
+    dealii::SolverControl control(most_of_step, 1e-6 * right.l2_norm(), false, false);
+    dealii::SolverGMRES<dealii::Vector<double>>::AdditionalData data(most_of_step + 2);
     dealii::SolverGMRES<dealii::Vector<double>>                 gmres(control, data);
     try
       {
@@ -192,6 +219,10 @@ namespace samara
   SectionMap::apply(double *x)
   {
     throw_if_interrupted();
+    ++n_products;
+    tell(doing + ", " + std::to_string(n_products) +
+         (most_products > 0 ? " of at most " + std::to_string(most_products) : std::string()) +
+         " products with the map over " + (parts.n() > 1 ? "a part of the period" : "the period"));
     keep_controls(x);
     map.apply(x);
     parts.apply(x);

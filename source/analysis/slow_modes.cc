@@ -57,7 +57,7 @@ namespace samara
       const Linearization motion(map.system, state);
       for (unsigned int n = first_modes;; n *= 2)
         {
-          Modes      modes  = find_modes(motion, n, {});
+          Modes      modes  = find_modes(motion, n, {}, map.listener);
           const auto beyond = std::find_if(modes.found.begin(), modes.found.end(), [&](const Mode &m) {
             return m.frequency() > highest;
           });
@@ -505,6 +505,8 @@ namespace samara
     std::vector<Projected::Pair> pairs;
     do
       {
+        map.begin(std::to_string(result.n_looked_for) + " slow modes in a space of " + std::to_string(space.size()) +
+                  " columns");
         space.carry();
         const auto before = pairs;
         pairs             = space.pairs(n_first, which.highest);

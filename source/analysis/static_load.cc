@@ -1,5 +1,6 @@
 // Equilibria from a state to the full load and speeds, in steps as large as Newton's method takes them.
 
+#include <samara/analysis/progress.h>
 #include <samara/analysis/static.h>
 #include <samara/base/text.h>
 
@@ -19,6 +20,8 @@ namespace samara
     /** Beyond a stability limit, what is farther than this is another branch, not the same one a little further on [1].
      */
     constexpr double distance_of_branches = 1e-3;
+    /** Unknowns from which on an equilibrium may take long enough to say how far it is: there a second. */
+    constexpr unsigned int worth_telling = 10000;
 
     /** The largest change between two states, in parts of the model's size or rad, and the unknown that has it. */
     std::pair<double, unsigned int>
@@ -206,6 +209,12 @@ namespace samara
     std::vector<double> trial_speeds(speeds.size());
     for (unsigned int i = 0; i < speeds.size(); ++i)
       trial_speeds[i] = start_speeds[i] + to_fraction * (speeds[i] - start_speeds[i]);
+    std::optional<Progress> progress;
+    if (system.size() > worth_telling)
+      progress.emplace(context.log,
+                       "static",
+                       "equilibrium at the load factor " + short_text(trial.factor),
+                       context.page);
     const NewtonResult result = analysis.equilibrium(context, newton, trial, trial_speeds);
     analysis.n_iterations += result.iterations;
     return result;
@@ -216,6 +225,9 @@ namespace samara
   void
   StaticAnalysis::LoadPath::look_for_limit(const State &trial, NewtonResult &result)
   {
+    std::optional<Progress> progress;
+    if (system.size() > worth_telling)
+      progress.emplace(context.log, "static", "whether the equilibrium is stable", context.page);
     if (!result.converged || analysis.stability_limits != "stop" ||
         !analysis.is_beyond_limit(context, start, sign_at_start, trial))
       return;

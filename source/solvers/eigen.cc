@@ -95,14 +95,13 @@ namespace samara
       std::vector<EigenPair> pairs;
       for (unsigned int i = 0; i < size; ++i)
         if (std::abs(eigen.values(i)) > zero)
-          pairs.push_back({op.shift() + 1. / eigen.values(i),
-                           op.zeta(Z.cast<Complex>() * eigen.vectors.col(i).head(m))});
+          pairs.push_back(
+            {op.shift() + 1. / eigen.values(i), op.zeta(Z.cast<Complex>() * eigen.vectors.col(i).head(m))});
       // Free motions are there twice at zero, all at the same place: computed eigenvectors need not span them.
       if (op.shift() != 0.)
         {
           // λ = 0 is ν = −1/σ: vectors of the kernel of A + I/σ
-          const Eigen::MatrixXd kernel =
-            FullLu(A + Eigen::MatrixXd::Identity(size, size) / op.shift(), 1e-10).kernel();
+          const Eigen::MatrixXd kernel = FullLu(A + Eigen::MatrixXd::Identity(size, size) / op.shift(), 1e-10).kernel();
           for (int k = 0; k < kernel.cols(); ++k)
             pairs.push_back({0., op.zeta(Z.cast<Complex>() * kernel.col(k).head(m).cast<Complex>())});
         }
@@ -168,6 +167,8 @@ namespace samara
       double  smallest_before = 0, smallest_checked = 0;
       for (unsigned int m = 2 * wanted + 16; m <= largest_basis; m += wanted / 2 + 12)
         {
+          op.tell("basis of " + std::to_string(m) + " vectors, at most " + std::to_string(largest_basis) + ", for " +
+                  std::to_string(wanted) + " eigenvalues");
           arnoldi.expand(m);
           const Leading found = leading(arnoldi, wanted, 0.);
           if (found.converged.size() < wanted || found.n_converging > 0 || found.n_stray > 4)
@@ -345,6 +346,8 @@ namespace samara
       std::vector<Eigen::VectorXcd> free;
       for (const auto &one : pairs)
         {
+          op.tell("error of eigenvalue " + std::to_string(&one - pairs.data() + 1) + " of " +
+                  std::to_string(pairs.size()));
           const EigenPair pair = real_one_of(one);
           if (pair.lambda.imag() < 0)
             continue; // its conjugate stands for both
@@ -453,9 +456,12 @@ namespace samara
 
 
   Modes
-  find_modes(const LinearMotion &motion, const unsigned int n_modes, const std::optional<double> shift)
+  find_modes(const LinearMotion         &motion,
+             const unsigned int          n_modes,
+             const std::optional<double> shift,
+             const TellProgress         &tell)
   {
-    ShiftInvert  op(motion);
+    ShiftInvert  op(motion, tell);
     const double frequency = set_by_lowest_frequency(motion, op, shift);
     Modes        modes     = modes_near_shift(motion, op, n_modes, frequency);
     modes.shift            = op.shift();

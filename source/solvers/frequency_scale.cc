@@ -166,6 +166,7 @@ namespace samara
     for (unsigned int round = 0; round < 12; ++round)
       {
         op.set(sigma, sigma != 0. ? std::abs(sigma) : scale);
+        op.tell("lowest frequency, round " + std::to_string(round + 1));
         seen                  = spectrum_near(op);
         const bool is_far_off = seen.lowest > 0 ? sigma > seen.lowest || sigma < 0.03 * seen.lowest : seen.is_blurred;
         if (shift || !is_far_off)

@@ -79,8 +79,9 @@ namespace samara
 
 
 
-  ShiftInvert::ShiftInvert(const LinearMotion &motion)
+  ShiftInvert::ShiftInvert(const LinearMotion &motion, TellProgress listener)
     : motion(motion)
+    , listener(std::move(listener))
     , n(motion.n_kinematic)
     , matrix(motion)
     , M(motion.M, n)
@@ -99,6 +100,15 @@ namespace samara
     is_conservative = S_is && is_mirrored(motion.gyroscopic, -1., n) && !motion.strains.is_viscous();
     has_no_rates    = is_conservative && gyroscopic.values.empty() && motion.B_dot.n_rows() == 0 &&
                    is_mirrored(motion.M, 1., n) && has_mirrored_constraints(motion);
+  }
+
+
+
+  void
+  ShiftInvert::tell(const std::string &doing) const
+  {
+    if (listener)
+      listener(doing);
   }
 
 
@@ -126,7 +136,10 @@ namespace samara
   {
     time_unit = unit;
     if (b.empty() || shift != matrix.shift())
-      matrix.factorize(shift);
+      {
+        tell("factors of the matrix of " + std::to_string(matrix.size()) + " unknowns");
+        matrix.factorize(shift);
+      }
     b.resize(matrix.size());
   }
 

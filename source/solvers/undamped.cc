@@ -221,8 +221,8 @@ namespace samara
         const Eigen::VectorXd        d     = M.diagonal().cwiseSqrt().cwiseInverse();
         const Eigen::MatrixXd        D     = d.asDiagonal();
         const HermitianEigen<double> eigen = symmetric_eigen(0.5 * D * (K + K.transpose()) * D, D * M * D);
-        squares = eigen.values.array() - op.shift() * op.shift();
-        x       = x * (D * eigen.vectors);
+        squares                            = eigen.values.array() - op.shift() * op.shift();
+        x                                  = x * (D * eigen.vectors);
       }
     };
 
@@ -309,11 +309,14 @@ namespace samara
     const unsigned int     most = std::min(op.size() / 4, 6 * wanted + 100);
     for (unsigned int m = 2 * wanted + 20, looks = 0; m <= most; m += wanted / 2 + 8)
       {
+        op.tell("basis of " + std::to_string(m) + " vectors, at most " + std::to_string(most) + ", for " +
+                std::to_string(wanted) + " modes");
         if (!lanczos.expand(m))
           return std::nullopt;
         const unsigned int n = converged_and_apart(lanczos, wanted);
         if (n == 0)
           continue;
+        op.tell("count of the modes below the last of " + std::to_string(n));
         const auto count = op.mixed().n_squares_below(square_behind(lanczos, n, op.shift()));
         if (!count || *count < n || looks == 3)
           return std::nullopt;
@@ -324,6 +327,7 @@ namespace samara
               return std::nullopt;
             continue;
           }
+        op.tell("refinement of " + std::to_string(n) + " modes");
         RefinedModes refined(op, lanczos.vectors(std::min(n + beside, lanczos.size())));
         auto         modes = judged(op, refined, n);
         if (is_doubtful(modes, op.shift()))

@@ -62,6 +62,7 @@ namespace samara
     void                                  tell_lost_modes(const Context &context, const FloquetModes &found) const;
     void                                  report(const Context &context, const FloquetModes &found, double T) const;
     void                                  add_to_speeds(const Context &context, double T);
+    void                                  animate(const Context &context, SectionMap &map) const;
     void                                  animate(const Context &context, SectionMap &map, unsigned int k) const;
     /** The images of a shape over the period, on the page of the report. */
     void show(const Context &context, SectionMap &map, const std::vector<Eigen::VectorXcd> &images, unsigned int k) const;

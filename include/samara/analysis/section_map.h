@@ -2,6 +2,7 @@
 #define samara_analysis_section_map_h
 
 #include <samara/analysis/repeated_parts.h>
+#include <samara/base/tell_progress.h>
 #include <samara/time/period_map.h>
 
 #include <complex>
@@ -49,6 +50,11 @@ namespace samara
     /** Replace an increment x of the start by S x. */
     void apply(double *x);
 
+    TellProgress listener; ///< hears what is done with the map, and how far that is; may be empty
+
+    /** From now on the products with the map are for this: "columns of the map"; @p most of them, 0: nobody knows. */
+    void begin(const std::string &doing, unsigned int most = 0);
+
     /**
      * Whether what comes behind the section is as S says: a random change is carried through the other sections of the
      * period, or without symmetry through another period, and compared. Relative to its size; ≈ 1 if it is not so. Or
@@ -89,9 +95,12 @@ namespace samara
 
   private:
     RepeatedParts                   parts;
+    std::string                     doing;
+    unsigned int                    n_products = 0, most_products = 0; ///< since begin()
     std::vector<double>             scale;
     const std::vector<unsigned int> kept; ///< entries of an increment that belong to controls
 
+    void                tell(const std::string &text) const;
     void                keep(const State &start);
     bool                step_nearer(const std::vector<double> &x);
     std::vector<double> solve_for_correction(const std::vector<double> &lacking);

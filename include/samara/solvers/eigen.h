@@ -1,6 +1,7 @@
 #ifndef samara_solvers_eigen_h
 #define samara_solvers_eigen_h
 
+#include <samara/base/tell_progress.h>
 #include <samara/solvers/mixed_matrix.h>
 
 #include <complex>
@@ -55,9 +56,14 @@ namespace samara
    * far below all frequencies, is a free motion, given once each with λ = 0. Of a complex pair only the one with
    * positive imaginary part is returned.
    *
+   * @p tell hears how far the search is.
+   *
    * @throws SingularMatrix if the shift is an eigenvalue, NotConverged if the Arnoldi iteration does not find them.
    */
-  Modes find_modes(const LinearMotion &motion, unsigned int n_modes, std::optional<double> shift);
+  Modes find_modes(const LinearMotion   &motion,
+                   unsigned int          n_modes,
+                   std::optional<double> shift,
+                   const TellProgress   &tell = {});
 } // namespace samara
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef samara_solvers_shift_invert_h
 #define samara_solvers_shift_invert_h
 
+#include <samara/base/tell_progress.h>
 #include <samara/solvers/mixed_matrix.h>
 
 #include <complex>
@@ -21,7 +22,8 @@ namespace samara
   class ShiftInvert
   {
   public:
-    explicit ShiftInvert(const LinearMotion &motion);
+    /** @p listener hears what is done with it: tell(). */
+    explicit ShiftInvert(const LinearMotion &motion, TellProgress listener = {});
 
     /** @throws SingularMatrix */
     void set(double shift, double time_unit);
@@ -41,6 +43,9 @@ namespace samara
 
     /** Whether K φ = ω² M φ with symmetric K and M is all of the motion, and the factors are of a kind to count ω². */
     bool is_undamped() const;
+
+    /** How far who works with it is. */
+    void tell(const std::string &doing) const;
 
     const MixedMatrix &
     mixed() const
@@ -97,6 +102,7 @@ namespace samara
     };
 
     const LinearMotion         &motion;
+    const TellProgress          listener;
     const unsigned int          n;
     double                      time_unit = 1; ///< ω₀ [1/s]
     MixedMatrix                 matrix;
