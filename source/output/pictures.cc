@@ -1,5 +1,6 @@
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
+#include <samara/model/item.h>
 #include <samara/output/file.h>
 #include <samara/output/pictures.h>
 #include <samara/output/vtu.h>
@@ -125,7 +126,7 @@ namespace samara
   {
     const std::string file = picture_file(name, times_and_files.size());
     replace_file(folder + "/" + file, vtu_of(drawing));
-    write_objects(drawing.objects);
+    write_objects(drawing);
 
     times_and_files.emplace_back(time, file);
     if (n_in_series == 0 || std::chrono::steady_clock::now() - time_of_series > between_series)
@@ -135,16 +136,20 @@ namespace samara
 
 
   void
-  Pictures::write_objects(const std::vector<std::string> &objects)
+  Pictures::write_objects(const Drawing &drawing)
   {
-    if (objects == written_objects)
+    if (drawing.objects == written_objects)
       return;
 
-    std::string content;
-    for (unsigned int i = 0; i < objects.size(); ++i)
-      content += std::to_string(i) + " " + objects[i] + "\n";
+    std::string content = "object\tname\tsubsection\tkind\n";
+    for (unsigned int i = 0; i < drawing.objects.size(); ++i)
+      {
+        const Item *const item = i < drawing.items.size() ? drawing.items[i] : nullptr;
+        content += std::to_string(i) + "\t" + drawing.objects[i] + "\t" + (item != nullptr ? item->subsection : "") +
+                   "\t" + (item != nullptr ? item->kind : "") + "\n";
+      }
     replace_file(folder + "/" + name + ".objects.txt", content);
-    written_objects = objects;
+    written_objects = drawing.objects;
   }
 
 

@@ -16,7 +16,8 @@ namespace samara
    * A series of pictures for ParaView:
    *
    *     FOLDER/NAME.pvd                   the series: open this one
-   *     FOLDER/NAME.objects.txt           which number in the field `object` is which object of the model
+   *     FOLDER/NAME.objects.txt           which number in the field `object` is which object of the model: a table with
+   *                                       tabs, of number, name, subsection ("Joints") and kind ("revolute")
    *     FOLDER/pictures/NAME.0000.vtu     one file a picture
    *
    * The fields are displacement [m], velocity [m/s], object, and those of the drawing; see VtuWriter. The place before
@@ -50,7 +51,7 @@ namespace samara
   private:
     void keep_series(double resume_after);
     void write(const Drawing &drawing, double time);
-    void write_objects(const std::vector<std::string> &objects);
+    void write_objects(const Drawing &drawing);
     void wait();
     void write_series();
 
