@@ -64,6 +64,11 @@ namespace samara
                report_pictures,
                "How many pictures of a motion the page has, besides the one at the start; fewer of large models.",
                dealii::Patterns::Integer(1, 10000));
+    output.add("Report fields",
+               report_fields,
+               "What of fields the page has: all components; sizes, of a vector one number, without arrows; automatic: all "
+               "components, of large models sizes, and fewer fields where these are still too many.",
+               dealii::Patterns::Selection("automatic|all|sizes"));
     output.add("Watch",
                watch,
                "Whether to write the page again and again while the model runs, so that a browser follows it; also --watch.");

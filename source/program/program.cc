@@ -254,10 +254,11 @@ namespace samara
       if (!input.report)
         return nullptr;
       ReportPage::Settings settings;
-      settings.folder     = folder;
-      settings.n_pictures = input.report_pictures;
-      settings.watch      = input.watch || options.watch;
-      settings.goes_on    = options.restart;
+      settings.folder                  = folder;
+      settings.n_pictures              = input.report_pictures;
+      settings.fields                  = input.report_fields;
+      settings.watch                   = input.watch || options.watch;
+      settings.goes_on                 = options.restart;
       constexpr std::size_t most_items = 3000; // a hundred corners each are all that a page has
       settings.is_too_large            = input.model.items.size() > most_items;
       Drawing reference;
@@ -270,7 +271,9 @@ namespace samara
         {
           // the air at rest may have no flow; then the first picture stands for the undeformed model
         }
-      return std::make_unique<ReportPage>(settings, input.model, std::move(reference), log);
+      auto page = std::make_unique<ReportPage>(settings, input.model, std::move(reference), log);
+      page->begin();
+      return page;
     }
 
 
@@ -609,6 +612,8 @@ namespace samara
     context.least_norm = least_norm;
     context.used       = input.used();
     context.page       = page.get();
+    if (page != nullptr)
+      page->watch("the model is read");
     analyse_and_show(input, counts, context);
     conclude(options, input, context, start, processor_start);
   }

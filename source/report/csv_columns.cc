@@ -147,9 +147,21 @@ namespace samara
         for (const Column &column : columns)
           if (!column.is_text && begin < end)
             {
-              const auto range = std::minmax_element(column.numbers.begin() + begin, column.numbers.begin() + end);
-              rows.insert(range.first - column.numbers.begin());
-              rows.insert(range.second - column.numbers.begin());
+              // what is no number is neither the least nor the largest; one of them keeps the gap
+              std::size_t least = begin, largest = begin, gap = end;
+              for (std::size_t i = begin; i < end; ++i)
+                {
+                  if (const double x = column.numbers[i]; !(x >= column.numbers[least]))
+                    least = std::isnan(x) ? least : i;
+                  if (const double x = column.numbers[i]; !(x <= column.numbers[largest]))
+                    largest = std::isnan(x) ? largest : i;
+                  if (gap == end && std::isnan(column.numbers[i]))
+                    gap = i;
+                }
+              if (gap != end)
+                rows.insert(gap);
+              rows.insert(least);
+              rows.insert(largest);
             }
       }
     return {rows.begin(), rows.end()};

@@ -28,12 +28,19 @@ namespace samara
     /** Different sets of objects that are drawn; a run that has more of them shows the first. */
     constexpr unsigned int most_models = 16;
 
+    /** Fields of a large model that are shown, and pictures of a motion that are worth more than components. */
+    constexpr std::size_t few_fields = 12, enough_pictures = 30;
+
+
+
+    /** Of at most @p most fields, with or without components. */
     std::size_t
-    n_numbers(const std::deque<Field> &fields)
+    n_numbers(const std::deque<Field> &fields, const bool with_components = true, std::size_t most = -1)
     {
       std::size_t sum = 0;
       for (const Field &field : fields)
-        sum += std::size_t(field.end()) * field.n_components();
+        if (most-- > 0)
+          sum += std::size_t(field.end()) * (with_components ? field.n_components() : 1);
       return sum;
     }
 
@@ -127,6 +134,36 @@ namespace samara
         text << in.rdbuf();
         log_before = text.str();
       }
+  }
+
+
+
+  void
+  ReportPage::begin()
+  {
+    std::error_code ignored;
+    const auto      now = std::filesystem::last_write_time(settings.folder + "/used.prm", ignored);
+    if (!ignored && !settings.goes_on)
+      beginning = now;
+    write_data("running", "", "");
+  }
+
+
+
+  std::string
+  ReportPage::earlier_tables() const
+  {
+    std::vector<std::string> names;
+    std::error_code          ignored;
+    if (beginning)
+      for (const auto &entry : std::filesystem::directory_iterator(settings.folder, ignored))
+        if (entry.path().extension() == ".csv" && entry.last_write_time(ignored) < *beginning)
+          names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    std::string text;
+    for (const auto &name : names)
+      text += (text.empty() ? "" : ",") + json_text(name);
+    return "[" + text + "]";
   }
 
 
@@ -296,16 +333,24 @@ namespace samara
 
 
   void
-  ReportPage::write_all(const std::string &state, const std::string &message, const std::string &progress)
+  ReportPage::write_data(const std::string &state, const std::string &message, const std::string &progress)
   {
     ArrayStream stream;
     std::string head =
       "{\"state\":" + json_text(state) + ",\"message\":" + json_text(message) + ",\"progress\":" + json_text(progress);
     if (state == "running") // equal runs leave equal data behind
       head += ",\"written\":" + std::to_string(std::time(nullptr)) + ",\"period\":" + json_number(period());
-    head += "," + json(stream) + "}";
+    head += ",\"earlier\":" + earlier_tables() + "," + json(stream) + "}";
     write_report_data(settings.folder, head, stream);
     replace_file(settings.folder + "/run.log", log_before + log.text() + (message.empty() ? "" : message + "\n"));
+  }
+
+
+
+  void
+  ReportPage::write_all(const std::string &state, const std::string &message, const std::string &progress)
+  {
+    write_data(state, message, progress);
     write_report({settings.folder}, settings.folder + "/report.html", state == "running");
   }
 
@@ -344,14 +389,37 @@ namespace samara
 
 
 
-  std::vector<unsigned int>
-  ReportPage::pictures_kept(const Series &one) const
+  double
+  ReportPage::bytes_of_picture(const Series &one, const Detail detail) const
   {
-    const Picture &first   = one.pictures[0];
-    const double   numbers = first.motion.size() + first.rigid.size() + first.shape.size() + n_numbers(first.fields);
-    const double   most    = settings.watch ? most_of_series / 2 : most_of_series;
-    std::size_t    n = one.pictures.size(), stride = 1;
-    while (n > 2 && (n / stride + 2) * numbers * bytes_of_number > most && stride < n)
+    const Picture &last = one.pictures.back();
+    return bytes_of_number *
+           (last.motion.size() + last.rigid.size() + last.shape.size() +
+            n_numbers(last.fields, detail == Detail::all, detail == Detail::few_sizes ? few_fields : -1));
+  }
+
+
+
+  ReportPage::Detail
+  ReportPage::detail_of(const Series &one) const
+  {
+    if (settings.fields != "automatic")
+      return settings.fields == "all" ? Detail::all : Detail::sizes;
+    for (const Detail detail : {Detail::all, Detail::sizes})
+      if (const std::size_t n = pictures_kept(one, detail).size();
+          n >= std::min(one.pictures.size(), enough_pictures) && n * bytes_of_picture(one, detail) <= most_of_series)
+        return detail;
+    return Detail::few_sizes;
+  }
+
+
+
+  std::vector<unsigned int>
+  ReportPage::pictures_kept(const Series &one, const Detail detail) const
+  {
+    const double bytes = bytes_of_picture(one, detail), most = settings.watch ? most_of_series / 2 : most_of_series;
+    std::size_t  n = one.pictures.size(), stride = 1;
+    while (n > 2 && (n / stride + 2) * bytes > most && stride < n)
       stride *= 2;
     if (one.name == "dynamic")
       while ((n - 1) / stride > settings.n_pictures)
@@ -367,13 +435,20 @@ namespace samara
 
 
   std::string
-  ReportPage::json_of_fields(const Series &one, const std::vector<unsigned int> &kept, ArrayStream &stream) const
+  ReportPage::json_of_fields(const Series                    &one,
+                             const std::vector<unsigned int> &kept,
+                             const Detail                     detail,
+                             ArrayStream                     &stream) const
   {
     std::string text;
+    std::size_t room = detail == Detail::few_sizes ? few_fields : -1;
     for (const Field &field : one.pictures[kept.back()].fields)
       {
+        if (room-- == 0)
+          break;
         // known where it is in all pictures
-        const unsigned int         c = field.n_components();
+        const unsigned int         c       = field.n_components();
+        const bool                 is_size = detail != Detail::all && c > 1;
         std::vector<const Field *> of_pictures;
         for (const unsigned int k : kept)
           for (const Field &other : one.pictures[k].fields)
@@ -393,18 +468,28 @@ namespace samara
         if (known.empty())
           continue;
         std::vector<float> values;
-        values.reserve(kept.size() * known.size() * c);
+        values.reserve(kept.size() * known.size() * (is_size ? 1 : c));
         for (const Field *f : of_pictures)
           for (const std::uint32_t s : known)
-            for (unsigned int d = 0; d < c; ++d)
-              values.push_back((*f)(s, d));
+            {
+              double squares = 0;
+              for (unsigned int d = 0; d < c; ++d)
+                {
+                  if (!is_size)
+                    values.push_back((*f)(s, d));
+                  squares += double((*f)(s, d)) * (*f)(s, d);
+                }
+              if (is_size)
+                values.push_back(static_cast<float>(std::sqrt(squares)));
+            }
         std::string components;
         for (const auto &name : field.components)
-          components += (components.empty() ? "" : ",") + json_text(name);
+          if (!is_size)
+            components += (components.empty() ? "" : ",") + json_text(name);
         text += (text.empty() ? "{" : ",{") + ("\"name\":" + json_text(field.name)) +
                 ",\"unit\":" + json_text(field.unit) + ",\"components\":[" + components +
                 "],\"known\":" + stream.add(known, {known.size()}) +
-                ",\"values\":" + stream.add_packed(values, kept.size(), known.size() * c) + "}";
+                ",\"values\":" + stream.add_packed(values, kept.size(), known.size() * (is_size ? 1 : c)) + "}";
       }
     return text;
   }
@@ -414,7 +499,8 @@ namespace samara
   std::string
   ReportPage::json(const Series &one, ArrayStream &stream, std::vector<std::string> &notes) const
   {
-    const std::vector<unsigned int> kept = pictures_kept(one);
+    const Detail                    detail = detail_of(one);
+    const std::vector<unsigned int> kept   = pictures_kept(one, detail);
     const std::size_t               n = models[one.model].n_samples(), n_objects = models[one.model].n_objects();
     std::vector<double>             times;
     std::vector<float>              places, turns, rigid, shape;
@@ -447,7 +533,13 @@ namespace samara
     if (one.n_other > 0)
       notes.push_back(one.name + ": " + std::to_string(one.n_other) +
                       " pictures have other objects than the first and are not shown");
-    const std::string fields = json_of_fields(one, kept, stream);
+    if (detail != Detail::all && settings.fields == "automatic")
+      notes.push_back(one.name + ": of the fields only sizes are kept" +
+                      (detail == Detail::few_sizes && one.pictures.back().fields.size() > few_fields ?
+                         ", and of the first " + std::to_string(few_fields) + " of them" :
+                         std::string()) +
+                      ", so that the page stays small; <Output / Report fields = all> keeps all components");
+    const std::string fields = json_of_fields(one, kept, detail, stream);
     return "{\"name\":" + json_text(one.name) + ",\"kind\":\"" + (one.shape ? "floquet" : "frames") +
            "\",\"model\":" + std::to_string(one.model) + (one.shape ? "," + json_of(*one.shape) : std::string()) +
            ",\"times\":" + stream.add(times, {times.size()}) +

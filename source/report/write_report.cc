@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 namespace samara
@@ -56,9 +57,36 @@ namespace samara
 
 
 
+    /** Names of tables that were there before a run, as JSON; @p only_before: that nobody has written since that. */
+    struct EarlierTables
+    {
+      std::string                       names;
+      std::optional<fs::file_time_type> only_before;
+
+      EarlierTables(const std::string &head, const std::string &file, const bool is_last)
+      {
+        // no text of JSON has plain quotes in it
+        const std::string mark = "\"earlier\":[";
+        if (const std::size_t at = head.find(mark); at != std::string::npos)
+          names = head.substr(at, head.find(']', at) - at);
+        // what a run has left that was killed, or gone on from, was written before its tables
+        if (!is_last || head.find("\"state\":\"running\"") != std::string::npos)
+          only_before = fs::last_write_time(file);
+      }
+
+      bool
+      has(const fs::path &table) const
+      {
+        return names.find(json_text(table.stem().string())) != std::string::npos &&
+               (!only_before || fs::last_write_time(table) <= *only_before);
+      }
+    };
+
+
+
     /** Of all runs of a folder, the earliest first: [{"stream":0,"data":{...}},...] */
     std::string
-    drawings_of(const std::string &folder, Page &page)
+    drawings_of(const std::string &folder, Page &page, std::vector<EarlierTables> &earlier)
     {
       std::vector<std::string> files;
       for (unsigned int n = 1; fs::exists(numbered(folder, n)); ++n)
@@ -71,8 +99,10 @@ namespace samara
           const std::size_t end     = content.find('\n', first_line.size());
           if (content.compare(0, first_line.size(), first_line) != 0 || end == std::string::npos)
             continue;
+          const std::string head = content.substr(first_line.size(), end - first_line.size());
+          earlier.emplace_back(head, file, &file == &files.back());
           text += (text.empty() ? "" : ",") + ("{\"stream\":" + std::to_string(page.add(content.substr(end + 1)))) +
-                  ",\"data\":" + content.substr(first_line.size(), end - first_line.size()) + "}";
+                  ",\"data\":" + head + "}";
         }
       return "[" + text + "]";
     }
@@ -108,9 +138,9 @@ namespace samara
 
 
 
-    /** {"dynamic":{...},...}, and how many there are. */
-    std::string
-    tables_of(const std::string &folder, const bool is_live, ArrayStream &stream, std::size_t &n_tables)
+    /** Tables of a folder in the order of their names. */
+    std::vector<fs::path>
+    tables_in(const std::string &folder)
     {
       std::vector<fs::path> files;
       std::error_code       ignored;
@@ -118,6 +148,15 @@ namespace samara
         if (entry.path().extension() == ".csv")
           files.push_back(entry.path());
       std::sort(files.begin(), files.end());
+      return files;
+    }
+
+
+
+    /** {"dynamic":{...},...}, and how many there are. */
+    std::string
+    tables_of(const std::vector<fs::path> &files, const bool is_live, ArrayStream &stream, std::size_t &n_tables)
+    {
       std::string text;
       for (const auto &file : files)
         {
@@ -141,16 +180,27 @@ namespace samara
     std::string
     result_of(const std::string &folder, const bool is_live, Page &page)
     {
-      ArrayStream       stream;
-      std::size_t       n_tables = 0;
-      const std::string drawings = drawings_of(folder, page), tables = tables_of(folder, is_live, stream, n_tables),
-                        used = content_of(folder + "/used.prm"), log = content_of(folder + "/run.log");
+      ArrayStream                stream;
+      std::size_t                n_tables = 0;
+      std::vector<EarlierTables> earlier;
+      const std::string          drawings = drawings_of(folder, page, earlier);
+      std::vector<fs::path>      files    = tables_in(folder);
+      // tables that an earlier run has left in the folder would be taken for those of this one
+      const auto  first = std::stable_partition(files.begin(), files.end(), [&](const fs::path &file) {
+        return std::none_of(earlier.begin(), earlier.end(), [&](const EarlierTables &e) { return e.has(file); });
+      });
+      std::string not_shown;
+      for (auto file = first; file != files.end(); ++file)
+        not_shown += (not_shown.empty() ? "" : ",") + json_text(file->filename().string());
+      files.erase(first, files.end());
+      const std::string tables = tables_of(files, is_live, stream, n_tables), used = content_of(folder + "/used.prm"),
+                        log = content_of(folder + "/run.log");
       if (drawings == "[]" && n_tables == 0 && used.empty())
         throw InputError("samara: there are no results in " + folder + ". --report wants folders of results.");
       const std::string name = fs::weakly_canonical(folder).filename().string();
       return "{\"name\":" + json_text(name) + ",\"drawings\":" + drawings +
-             ",\"stream\":" + std::to_string(page.add(stream.deflated())) + ",\"tables\":" + tables +
-             ",\"used\":" + json_text(used) + ",\"log\":" + json_text(log) + "}";
+             ",\"stream\":" + std::to_string(page.add(stream.deflated())) + ",\"tables\":" + tables + ",\"earlier\":[" +
+             not_shown + "],\"used\":" + json_text(used) + ",\"log\":" + json_text(log) + "}";
     }
   } // namespace
 
@@ -199,6 +249,7 @@ namespace samara
   keep_earlier_data(const std::string &folder, const bool goes_on)
   {
     std::error_code ignored;
+    fs::remove(folder + "/report.html", ignored);
     if (goes_on)
       {
         unsigned int n = 1;

@@ -250,6 +250,7 @@ TEST_F(Catalogued, Model)
          {"Output / Pictures", "false", {"Dynamic/Pictures = 1"}},
          {"Output / Report", "true"},
          {"Output / Report pictures", "1", {"Output/Report = true"}},
+         {"Output / Report fields", "sizes", {"Output/Report = true"}},
          {"Rotor speeds", "1, 2", {}, true}},
         {{"Assembly / Gaps", "for joints between two points: tests/assembly"},
          {"Linear solver", "numbers do not depend on it: tests/solvers/test_libraries.cc"},

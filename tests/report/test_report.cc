@@ -175,6 +175,23 @@ TEST(Report, ThinnedTablesKeepEndsAndPeaksOfAllColumns)
 
 
 
+TEST(Report, ThinnedTablesKeepTheirExtremesBesideWhatIsNoNumber)
+{
+  const ScratchFolder folder;
+  const std::string   file = folder.path + "/dynamic.csv";
+  std::string         text = "t [s],x [m]\n";
+  for (unsigned int i = 0; i < 20000; ++i)
+    text += std::to_string(i) + "," + (i == 12346 ? "9" : i == 778 ? "-9" : i % 3 == 0 ? "nan" : "0.5") + "\n";
+  write(file, text);
+  const auto rows = CsvColumns::read(file).kept(2000);
+  EXPECT_LE(rows.size(), 2500u);
+  for (const std::size_t row : {0u, 778u, 12346u, 19999u})
+    EXPECT_TRUE(std::binary_search(rows.begin(), rows.end(), row)) << row;
+  EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const std::size_t i) { return i % 3 == 0 && i > 0; }));
+}
+
+
+
 TEST(Report, RotationThroughPlacesThatHold)
 {
   const Matrix3 R = cayley(Vector3(0.7, -1.1, 0.4)), bent = cayley(Vector3(0., 0.1, 0.));

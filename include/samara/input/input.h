@@ -49,11 +49,12 @@ namespace samara
     std::vector<std::string>               probes;
     std::vector<double>                    rotor_speeds;
     std::vector<std::string>               doubts; ///< "file:line: what may not be meant", for warnings
-    bool                                   pictures       = true;
-    bool                                   says_redundant = false; ///< an entry of earlier versions is set
-    bool                                   report         = true;  ///< whether a page of the results is written
-    bool                                   watch          = false; ///< whether it is written again and again
-    unsigned int                           report_pictures = 150;  ///< of a motion, in the page
+    bool                                   pictures        = true;
+    bool                                   says_redundant  = false;       ///< an entry of earlier versions is set
+    bool                                   report          = true;        ///< whether a page of the results is written
+    bool                                   watch           = false;       ///< whether it is written again and again
+    unsigned int                           report_pictures = 150;         ///< of a motion, in the page
+    std::string                            report_fields   = "automatic"; ///< all of them, or only their sizes
 
     bool
     has_analysis(const std::string &kind) const

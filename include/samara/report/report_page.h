@@ -8,6 +8,7 @@
 #include <chrono>
 #include <complex>
 #include <deque>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,10 +30,11 @@ namespace samara
     struct Settings
     {
       std::string  folder;
-      unsigned int n_pictures   = 150;   ///< of a motion
-      bool         watch        = false; ///< write the page again and again while the run goes on
-      bool         goes_on      = false; ///< behind the run whose data are in the folder
-      bool         is_too_large = false; ///< for a drawing; the page says so
+      unsigned int n_pictures   = 150;         ///< of a motion
+      std::string  fields       = "automatic"; ///< "all" components, "sizes", or what the page has room for
+      bool         watch        = false;       ///< write the page again and again while the run goes on
+      bool         goes_on      = false;       ///< behind the run whose data are in the folder
+      bool         is_too_large = false;       ///< for a drawing; the page says so
     };
 
     /** @p reference: the undeformed model, drawn. */
@@ -46,6 +48,10 @@ namespace samara
      * kept.
      */
     void add(const std::string &series, double at, const Drawing &drawing, bool last = false);
+
+    /** Before anything is computed: what is in the folder then is of an earlier run, which the page does not show. A
+     * run that is killed leaves behind that it has not ended. */
+    void begin();
 
     /** Whether anything is drawn: a model of very many corners is not, which the page says. */
     bool
@@ -130,15 +136,33 @@ namespace samara
     unsigned int                                             n_left_out = 0; ///< shapes for which there was no room
     std::string                                              log_before;     ///< of the run that this one goes on from
 
+    std::optional<std::filesystem::file_time_type> beginning; ///< of the run; of one that goes on none
+
     /** From one writing to the next while it is watched [s]. */
     double period() const;
+
+    /** JSON: names of the tables in the folder that are older than the run. */
+    std::string earlier_tables() const;
+
+    void write_data(const std::string &state, const std::string &message, const std::string &progress);
+
+    /** What of the fields of a series has room in the page, beside so many pictures. */
+    enum class Detail
+    {
+      all,
+      sizes,
+      few_sizes
+    };
+    Detail detail_of(const Series &one) const;
+    double bytes_of_picture(const Series &one, Detail detail) const;
 
     std::optional<unsigned int> model_of(const Drawing &drawing);
     Series                     &series_of(const std::string &name, unsigned int model);
     std::string                 json(ArrayStream &stream) const;
     std::string                 json(const Series &one, ArrayStream &stream, std::vector<std::string> &notes) const;
-    std::string json_of_fields(const Series &one, const std::vector<unsigned int> &kept, ArrayStream &stream) const;
-    std::vector<unsigned int> pictures_kept(const Series &one) const;
+    std::string
+    json_of_fields(const Series &one, const std::vector<unsigned int> &kept, Detail detail, ArrayStream &stream) const;
+    std::vector<unsigned int> pictures_kept(const Series &one, Detail detail) const;
     void write_all(const std::string &state, const std::string &message, const std::string &progress);
   };
 } // namespace samara

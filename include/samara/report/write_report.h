@@ -17,6 +17,8 @@ namespace samara
    *                                       value of a column in a piece of time
    *     used.prm, run.log                 the model as used, all messages
    *
+   * Tables of an earlier run of the same folder are not shown, as far as report.data says which these are.
+   *
    * A page @p is_live loads itself again while it is open. The file takes the place of the old one when it is complete.
    * @throws CannotWrite; InputError if a folder has none of these files
    */
@@ -25,7 +27,8 @@ namespace samara
   /** FOLDER/report.data: a line that says what it is, one of JSON, and the stream. */
   void write_report_data(const std::string &folder, const std::string &json, const ArrayStream &stream);
 
-  /** Before a run: what an earlier one has drawn goes, or, if this one goes on behind it, gets a number. */
+  /** Before a run: what an earlier one has drawn goes, or, if this one goes on behind it, gets a number. Its page goes.
+   */
   void keep_earlier_data(const std::string &folder, bool goes_on);
 } // namespace samara
 
