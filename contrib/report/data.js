@@ -105,14 +105,15 @@ function tableOf(raw) {
 export async function load() {
   const report = JSON.parse(byId('header').textContent);
   const elements = [...document.querySelectorAll('script[id^=data]')];
-  for (const buffer of await Promise.all(elements.map(inflate))) buffers.push(buffer);
+  if (!globalThis.DecompressionStream) throw new Error('it needs a browser of 2023 or later');
+  for (const buffer of await Promise.all(elements.map(inflate)).catch(() => { throw new Error('its data are cut or damaged'); })) buffers.push(buffer);
   for (const result of report.results) {
     for (const drawing of result.drawings) tag(drawing.data, drawing.stream);
     tag(result.tables, result.stream);
     result.tables = Object.fromEntries(Object.entries(result.tables).map(([name, raw]) => [name, tableOf(raw)]));
     const last = result.drawings[result.drawings.length - 1]?.data ?? { state: 'done', message: '', progress: '', notes: [] };
     Object.assign(result, { state: last.state, message: last.message, progress: last.progress, written: last.written, period: last.period });
-    result.notes = result.drawings.flatMap(d => d.data.notes);
+    result.notes = [...result.drawings.flatMap(d => d.data.notes), ...(result.earlier ?? []).map(n => `${n} is of an earlier run in this folder and is not shown`)];
     for (const [name, t] of Object.entries(result.tables))
       if (t.kept < t.rows) result.notes.push(`${name}.csv: ${t.kept} of ${t.rows} rows are kept, those with the least and the largest values, so that the page stays small`);
     const title = /^\s*set Title\s*=\s*(.*)$/m.exec(result.used);

@@ -3,7 +3,7 @@ import { byId, load, make, read, short } from './data.js';
 import { clock, isShown, plots, redrawCharts } from './plots.js';
 import { build, open, panels, shapeOf } from './panels.js';
 import { G, S, dark, field, fieldsOf, fieldValues, fit, hover, isSection, isTime, names, pick, rangeOf, recolour, select, style, times, update, useShow, vectorFields, view } from './scene.js';
-import { corners, nFrames, whirl } from './place.js';
+import { corners, nFrames, partsOf, whirl } from './place.js';
 
 let report, result;
 
@@ -87,7 +87,7 @@ function setShow(show, keepView) {
   options(byId('speed'), isShape ? [[0.5, 'slow'], [1, 'normal'], [2, 'fast']] : [[1, show.name === 'static' ? '1 / s' : 'real time'], [0.1, '1/10'], [0.01, '1/100'], [0.001, '1/1000'], [span / 3, 'all in 3 s'], [span / 8, 'all in 8 s'], [span / 30, 'all in 30 s']], isShape ? 1 : span / (show.kind === 'floquet' ? 3 : 8));
   byId('speed').hidden = byId('play').hidden;
   S.frame = 0;
-  if (first || !keepView || model !== show.model && !same) fit(isSection(show) ? [1, 0, 0] : first || (before && isSection(before)) ? [1, -1.3, 0.8] : undefined);
+  if (first || !keepView || model !== show.model && (!same || isSection(show) || isSection(before))) fit(isSection(show) ? [1, 0, 0] : first || (before && isSection(before)) ? [1, -1.3, 0.8] : undefined);
   setFrame(isTime() || show.kind === 'floquet' ? 0 : n - 1);
   if (show.kind !== 'frames' && !matchMedia('(prefers-reduced-motion: reduce)').matches && !first) play(true);
   for (const row of document.querySelectorAll('[data-show]')) row.classList.toggle('now', row.dataset.show === show.name);
@@ -109,10 +109,14 @@ function theme(on = !dark()) {
   for (const p of plots) if (isShown(p)) p.draw();
 }
 
-function grow(percent) {
-  byId('scene').style.width = Math.max(15, Math.min(85, percent)) + '%';
+function redraw() {
   if (view) view.dirty = true;
   for (const p of plots) if (isShown(p)) p.draw();
+}
+
+function grow(percent) {
+  byId('scene').style.width = Math.max(15, Math.min(85, percent)) + '%';
+  redraw();
 }
 
 // ------------------------------------------------------------------------------------------------------------ events
@@ -183,7 +187,7 @@ function listenToPrint() {
     byId('scene').append(copy);
   });
   addEventListener('afterprint', () => { byId('printed')?.remove(); open(was); });
-  addEventListener('resize', () => { if (view) view.dirty = true; for (const p of plots) if (isShown(p)) p.draw(); });
+  addEventListener('resize', redraw);
 }
 
 // ------------------------------------------------------------------------------------------------------- while it runs
@@ -224,6 +228,7 @@ function verdict() {
   const v = byId('verdict'), warnings = result.log.split('\n').filter(l => /(^|: )warning:/i.test(l)).length, parts = [];
   if (result.state === 'failed') parts.push('the run failed');
   if (result.state === 'stopped') parts.push('the run was stopped');
+  if (result.state === 'running' && !report.live) parts.push('the run had not ended');
   if (warnings) parts.push(`${warnings} warning${warnings > 1 ? 's' : ''}`);
   v.textContent = parts.join(', '); v.className = parts.length ? 'warn' : ''; v.tabIndex = parts.length ? 0 : -1;
   v.onclick = () => open('messages'); v.onkeydown = e => e.key === 'Enter' && open('messages');
@@ -240,12 +245,14 @@ function useResult(which) {
   build(report.results, result, show => setShow(show, true));
   const m = result.shows[0]?.model;
   byId('facts').textContent = [m && `${m.objects.length} objects`, m && `${m.place.s[0]} stations`, t && `${t.rows} rows in time`].filter(Boolean).join(' · ');
-  for (const id of ['bar', 'transport']) byId(id).hidden = false;
+  for (const id of ['bar', 'transport', 'view']) byId(id).hidden = false;
   byId('note').textContent = '';
+  byId('scene').style.width = result.shows.length ? '' : '18%';
   try {
     if (!result.shows.length) throw new Error('There are no drawings in these results.');
     setShow(result.shows[0]);
-  } catch (e) { S.show = null; byId('note').textContent = e.message; if (!result.shows.length) byId('scene').style.width = '18%'; for (const id of ['bar', 'transport', 'legend']) byId(id).hidden = true; byId('view').hidden = true; }
+  } catch (e) { S.show = null; byId('note').textContent = e.message; for (const id of ['bar', 'transport', 'legend', 'view']) byId(id).hidden = true; }
+  redraw(); // the panels have the width that the drawing leaves
 }
 
 async function main() {
@@ -262,6 +269,6 @@ async function main() {
   byId('orbits').setAttribute('aria-pressed', S.orbits);
   requestAnimationFrame(tick);
   if (report.live) live();
-  window.page = { S, report, corners, fieldsOf, fieldValues, fit, nFrames, open, panels, play, plots, rangeOf, read, select, setFrame, setShow, setTime, shapeOf, theme, update, useResult, whirl, get G() { return G; }, get view() { return view; }, get result() { return result; }, ready: performance.now() - began };
+  window.page = { S, report, corners, fieldsOf, fieldValues, fit, nFrames, open, panels, partsOf, play, plots, rangeOf, read, select, setFrame, setShow, setTime, shapeOf, theme, update, useResult, whirl, get G() { return G; }, get view() { return view; }, get result() { return result; }, ready: performance.now() - began };
 }
-main().catch(e => { document.body.prepend(make('p', { class: 'panel', id: 'failed' }, `This page could not be opened: ${e.message}. It needs a browser of 2023 or later.`)); throw e; });
+main().catch(e => { document.body.prepend(make('p', { class: 'panel', id: 'failed' }, `This page could not be opened: ${e.message}.`)); throw e; });

@@ -41,7 +41,7 @@ function htmlTable(t, options = {}) {
   const cell = v => typeof v === 'string' ? make('td', { class: 't' }, v) : make('td', { 'data-value': v }, short(v, 6));
   const more = options.more;
   for (let i = 0; i < Math.min(n, limit); ++i) rows.push(make('tr', options.row?.(i) || {}, ...cols.flatMap((c, k) => k === (more ? 2 : -1) ? [make('td', { class: 't' }, more.of(i)), cell(t.column(c)[i])] : [cell(t.column(c)[i])])));
-  return [make('div', { class: 'wide' }, make('table', {}, make('thead', {}, make('tr', {}, ...cols.flatMap((i, k) => [k === (more ? 2 : -1) ? make('th', { scope: 'col', title: more.title }, more.name) : null, make('th', { scope: 'col' }, withUnit(t.names[i], t.units[i]))]))), make('tbody', {}, ...rows))),
+  return [make('div', { class: 'wide' }, make('table', {}, make('thead', {}, make('tr', {}, ...cols.flatMap((i, k) => [k === (more ? 2 : -1) ? make('th', { scope: 'col', title: more.title }, more.name) : null, make('th', { scope: 'col', class: t.isText(i) ? 't' : '' }, withUnit(t.names[i], t.units[i]))]))), make('tbody', {}, ...rows))),
     t.rows > Math.min(n, limit) ? make('p', { class: 'soft' }, `${Math.min(n, limit)} of ${t.rows} rows`) : ''];
 }
 
@@ -238,7 +238,9 @@ function tablePanel(name) {
       u.forEach((_, i) => { const k = m ? m[i] : ''; (by.get(k) ?? by.set(k, []).get(k)).push(i); });
       chart(root, 'Error against unknowns', 'unknowns', 'error', [...by].map(([k, r]) => ({ name: String(k), x: r.map(i => u[i]), y: r.map(i => e[i]), line: true, dots: true })), { log: true });
     }
-    root.append(...htmlTable(t));
+    // sections and their stresses have a mesh that can be seen
+    const drawn = { stresses: t.named('place'), sections: t.named('section') ?? t.named('name') }[name], showOf = i => result.shows.find(s => s.name === `${name === 'stresses' ? 'stresses' : 'section'} ${drawn[i]}`);
+    root.append(...htmlTable(t, drawn && Array.isArray(drawn) ? { row: i => rowOf(showOf(i)) } : {}));
   };
 }
 
@@ -278,8 +280,8 @@ export function build(all, of, show) {
   byId('panels').replaceChildren(); byId('tabs').replaceChildren();
   if (results.length > 1) panel('compare', comparePanel);
   const title = { dynamic: 'histories', static: 'load steps', static_speeds: 'speeds', static_path: 'path' };
-  for (const name of ['dynamic', 'static', 'static_speeds', 'static_path']) if (table(name)?.rows > 1) panel(title[name], historyPanel(name));
-  if (table('static')?.rows === 1) panel('static', valuesPanel);
+  for (const name of ['dynamic', 'static', 'static_speeds', 'static_path']) if (table(name)?.rows > 1 && table(name).names.length > 1) panel(title[name], historyPanel(name));
+  if (table('static')?.rows === 1 && table('static').names.length > 1) panel('static', valuesPanel);
   if (Object.keys(result.tables).some(n => /^modes(_|$)/.test(n))) panel('modes', modesPanel);
   if (table('fan')?.rows) panel('fan', fanPanel('fan'));
   if (table('floquet_speeds')?.rows) panel('stability', fanPanel('floquet_speeds'));

@@ -144,9 +144,12 @@ export function chart(parent, title, xLabel, yLabel, curves, options = {}) {
     c.save(); c.translate(13, (T + h - B) / 2); c.rotate(-Math.PI / 2); c.fillText(yLabel, 0, 0); c.restore();
     c.save(); c.beginPath(); c.rect(L, T, w - L - R, h - T - B); c.clip();
     if (options.zero !== undefined) { c.strokeStyle = css('--warn'); stroke(X(options.zero), T, X(options.zero), h - B); }
+    const labels = []; // of rays, where they do not lie on one another
     for (const n of options.rays || []) {
       c.strokeStyle = css('--line'); c.setLineDash([4, 4]); stroke(X(0), Y(0), X(x1), Y(n * x1)); c.setLineDash([]);
-      const at = Math.min(x1, y1 / n); c.fillStyle = css('--soft'); c.textAlign = 'right'; c.fillText(n + '/rev', X(at) - 6, Math.max(T + 10, Y(n * at) - 4)); c.textAlign = 'center';
+      const at = Math.min(x1, y1 / n), p = [X(at) - 6, Math.max(T + 10, Y(n * at) - 4)];
+      if (labels.some(q => Math.abs(q[0] - p[0]) < 36 && Math.abs(q[1] - p[1]) < 13)) continue;
+      labels.push(p); c.fillStyle = css('--soft'); c.textAlign = 'right'; c.fillText(n + '/rev', ...p); c.textAlign = 'center';
     }
     spots = [];
     curves.forEach((k, j) => {

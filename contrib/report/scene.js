@@ -33,11 +33,17 @@ const kindColour = ([, room, kind]) => rgb((KIND[`${room}/${kind}`] || KIND[room
 function useModel(model) {
   if (G?.model === model) return;
   const n = nSamples(model), f3 = () => new Float32Array(3 * n), f4 = () => new Float32Array(4 * n);
-  const local = read(model.local), sample = read(model.sample), objectOf = read(model.object);
+  const local = read(model.local).slice(), sample = read(model.sample), objectOf = read(model.object);
   const reach = new Float32Array(n), symbol = new Float32Array(n);
   for (let i = 0; i < sample.length; ++i) reach[sample[i]] = Math.max(reach[sample[i]], Math.hypot(local[3 * i], local[3 * i + 1], local[3 * i + 2]));
   const largest = new Map();
   for (let s = 0; s < n; ++s) if (model.objects[objectOf[s]][1] === 'Joints') largest.set(objectOf[s], Math.max(largest.get(objectOf[s]) ?? 0, reach[s]));
+  // symbols have a size in metres: of a small model they are drawn smaller, but not those that are as large as they are
+  const P = read(model.place), size = Math.hypot(...[0, 1, 2].map(k => { let low = Infinity, high = -Infinity; for (let s = 0; s < n; ++s) { const r = largest.has(objectOf[s]) ? 0 : reach[s]; low = Math.min(low, P[3 * s + k] - r); high = Math.max(high, P[3 * s + k] + r); } return high - low; }));
+  const isReal = o => /rolling|contact|slid|curve|spring|distance/.test(model.objects[o][2]), shrunk = o => largest.has(o) && !isReal(o) && size > 0 ? Math.min(1, 0.03 * size / largest.get(o)) : 1;
+  for (let i = 0; i < sample.length; ++i) { const k = shrunk(objectOf[sample[i]]); for (let d = 0; d < 3 && k < 1; ++d) local[3 * i + d] *= k; }
+  for (let s = 0; s < n; ++s) reach[s] *= shrunk(objectOf[s]);
+  for (const [o, most] of largest) largest.set(o, most * shrunk(o));
   // of what reaches from body to body, springs, rods and arms, the thickness grows a little
   const isLong = o => /spring|distance|rigid/.test(model.objects[o][2]);
   for (let s = 0; s < n; ++s) { const most = largest.get(objectOf[s]); symbol[s] = !most ? 0 : !isLong(objectOf[s]) && reach[s] > 0.25 * most ? most : 5 * reach[s]; }
@@ -130,8 +136,9 @@ export function paint() {
     const v = fieldValues(S.show, f, S.frame), value = new Float32Array(G.n).fill(NaN);
     for (let i = 0; i < v.known.length; ++i) value[v.known[i]] = shown(v.values, i, v.n, S.component);
     let [low, high] = S.ownRange ? value.reduce(([a, b], x) => Number.isNaN(x) ? [a, b] : [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]) : rangeOf(S.show, f, S.component);
-    if (!(high > low)) high = low + (Math.abs(low) || 1) * 1e-12;
-    G.range = [low, high]; G.shown = value;
+    const isOne = !(high > low);
+    if (isOne) high = low + (Math.abs(low) || 1) * 1e-12;
+    G.range = [low, high, isOne]; G.shown = value;
     const unknown = dark() ? [0.4, 0.42, 0.44] : [0.72, 0.74, 0.76];
     for (let s = 0; s < G.n; ++s) c.set(Number.isNaN(value[s]) ? unknown : FINE_MAP[Math.max(0, Math.min(255, Math.round(255 * (value[s] - low) / (high - low))))], 3 * s);
   } else for (let s = 0; s < G.n; ++s) c.set(G.objectColours[G.objectOf[s]], 3 * s);
@@ -162,7 +169,7 @@ function legend(f) {
     const canvas = make('canvas', { width: 1, height: 128 }), x = canvas.getContext('2d');
     for (let i = 0; i < 128; ++i) { x.fillStyle = `rgb(${mapColour(1 - i / 127).map(u => Math.round(255 * u))})`; x.fillRect(0, i, 1, 1); }
     const what = f.components.length === 0 ? '' : S.component >= 0 ? ' ' + f.components[S.component] : ', size';
-    parts.push(`${f.name}${what} [${f.unit || '1'}]`, make('br'), short(G.range[1], 4), make('br'), canvas, make('br'), short(G.range[0], 4), make('br'),
+    parts.push(`${f.name}${what} [${f.unit || '1'}]`, make('br'), G.range[2] ? 'everywhere ' : short(G.range[1], 4), G.range[2] ? '' : make('br'), G.range[2] ? '' : canvas, make('br'), short(G.range[0], 4), make('br'),
       make('button', { title: 'Range of the colours', onclick: () => { S.ownRange = !S.ownRange; paint(); } }, S.ownRange ? 'this picture' : 'all pictures'));
   }
   root.replaceChildren(...parts);
@@ -189,7 +196,7 @@ function arrows() {
   const f = vectorFields().find(x => x.name === S.vectors);
   G.arrowLegend = null; G.arrows = [];
   if (!f) { view.setArrows(null); return; }
-  const [, largest] = rangeOf(S.show, f, -1), scale = largest > 0 ? 0.4 * view.radius / largest : 0, v = fieldValues(S.show, f, S.frame), out = [], radius = 0.004 * view.radius;
+  const [, largest] = rangeOf(S.show, f, -1), scale = largest > 0 ? 0.4 * view.radius / largest : 0, v = fieldValues(S.show, f, S.frame), out = [], radius = 0.004 * view.radius * Math.min(1, Math.sqrt(60 / v.known.length));
   let last = null;
   const every = Math.ceil(v.known.length / 2000); // more would hide each other
   for (let i = 0; i < v.known.length; i += every) {
@@ -329,7 +336,7 @@ function label() {
   if (S.show.kind === 'shape' && S.orbits && G.orbits) note.push('ellipses: orbits of the stations that move most, heads: which way round');
   byId('note').textContent = note.join('\n');
   const t = times();
-  byId('time').textContent = isSection(S.show) ? '' : S.show.kind === 'shape' ? 'mode' : S.show.kind === 'floquet' ? `${short(t[S.frame], 6)} s + ${S.periods} T` : isTime() ? `${short(t[S.frame], 6)} s` : S.show.name === 'static_speeds' ? `${short(t[S.frame], 6)} rad/s` : `${S.show.name} ${short(t[S.frame], 6)}`;
+  byId('time').textContent = isSection(S.show) ? '' : S.show.kind === 'shape' ? `phase ${Math.round(S.phase * 180 / Math.PI) % 360}°` : S.show.kind === 'floquet' ? `${short(t[S.frame], 6)} s + ${S.periods} T` : isTime() ? `${short(t[S.frame], 6)} s` : S.show.name === 'static_speeds' ? `${short(t[S.frame], 6)} rad/s` : `${S.show.name} ${short(t[S.frame], 6)}`;
 }
 
 export function recolour() { if (G) { G.objectColours = G.model.objects.map(kindColour); drawGrid(); update(); } }

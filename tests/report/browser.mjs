@@ -96,6 +96,46 @@ const stations = page => page.evaluate(() => {
 /** Way round of each mode that is drawn. */
 const whirls = page => page.evaluate(() => window.page.result.shows.filter(s => s.kind === 'shape' && s.main && s.name.startsWith('mode_')).map(s => [s.number, ...window.page.whirl(s).axis, window.page.whirl(s).share]));
 
+/** Of each mode at one speed, how far bodies move along the second axis of their first station: cosine and sine parts. */
+const along2 = (page, speed) => page.evaluate(w => {
+  const { result, read } = window.page, out = {};
+  for (const show of result.shows.filter(s => s.kind === 'shape' && s.name.startsWith('mode_') && Math.abs(s.speed - w) < 1e-9 * w)) {
+    const m = show.model, object = read(m.object), mean = read(show.mean), n = object.length, seen = new Set();
+    const { partsOf } = window.page, z = partsOf(show, 0);
+    for (let s = 0; s < n; ++s) {
+      const [name, room] = m.objects[object[s]];
+      if (room !== 'Bodies' || seen.has(name)) continue;
+      seen.add(name);
+      const [x, y, zz, q] = mean.slice(7 * s + 3, 7 * s + 7), e = [2 * (x * y - q * zz), 1 - 2 * (x * x + zz * zz), 2 * (y * zz + q * x)], dot = k => e[0] * z[12 * s + k] + e[1] * z[12 * s + k + 1] + e[2] * z[12 * s + k + 2];
+      (out[show.number] ??= {})[name] = [dot(0), dot(3)];
+    }
+  }
+  return out;
+}, speed);
+
+/** The track of a station of a motion: as many points as there are pictures, gone again at the second click. */
+const tracked = page => page.evaluate(() => {
+  const { result, setShow, select, nFrames } = window.page, show = result.shows.find(s => s.name === 'dynamic');
+  if (!show) return null;
+  setShow(show);
+  const g = window.page.G, v = window.page.view, s = g.n - 1;
+  select(g.objectOf[s], s);
+  const n = v.plain.track?.n ?? 0;
+  select(g.objectOf[s]);
+  return { n, after: v.plain.track?.n ?? 0, frames: nFrames(show) };
+});
+
+/** What a printer is given: the drawing as a plain picture, every panel. */
+const printed = page => page.evaluate(() => {
+  dispatchEvent(new Event('beforeprint'));
+  const c = document.getElementById('printed'), a = c ? c.getContext('2d').getImageData(0, 0, c.width, c.height).data : [];
+  let n = 0;
+  for (let i = 3; i < a.length; i += 4) if (a[i] > 0) ++n;
+  const found = { share: c ? n / (c.width * c.height) : 0, panels: window.page.panels.filter(p => p.root.offsetHeight > 20).length, all: window.page.panels.length };
+  dispatchEvent(new Event('afterprint'));
+  return found;
+});
+
 /** Every point of the chart of frequencies that has a drawing is clicked; what is shown then. */
 const clicked = page => page.evaluate(() => {
   const { plots, S, panels } = window.page, root = panels.find(p => p.name === 'fan').root, chart = plots.find(p => p.spots && root.contains(p.root)), r = chart.root.getBoundingClientRect(), out = [];
@@ -107,7 +147,8 @@ const clicked = page => page.evaluate(() => {
   }
   window.page.play(false);
   // and each row by its own key
-  const rows = [...root.querySelectorAll('tr.pick')].map(row => { row.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true })); return { cells: [...row.querySelectorAll('td')].map(td => td.dataset.value ?? td.textContent), growth: S.show.growth, imaginary: S.show.imaginary, speed: S.show.speed, number: S.show.number }; });
+  const modes = [...root.querySelectorAll('th')].findIndex(th => th.textContent === 'mode'), speeds = [...root.querySelectorAll('th')].findIndex(th => th.textContent.startsWith('speed'));
+  const rows = [...root.querySelectorAll('tr.pick')].map(row => { row.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true })); return { cells: [...row.querySelectorAll('td')].map(td => td.dataset.value ?? td.textContent), growth: S.show.growth, imaginary: S.show.imaginary, speed: S.show.speed, number: S.show.number, row: [+row.children[speeds].dataset.value, +row.children[modes].dataset.value] }; });
   window.page.play(false);
   return { out, rows };
 });
@@ -175,15 +216,16 @@ if (files[0] === '--follow') {
 const all = [];
 for (const file of files) {
   const context = await browser.newContext({ viewport: { width: 1500, height: 900 }, colorScheme: 'light' }), page = await context.newPage();
+  page.setDefaultTimeout(120000); // drawing by software, on a busy machine
   const said = [], requests = [], found = { file, name: basename(dirname(resolve(file))) };
   page.on('console', m => ['error', 'warning'].includes(m.type()) && !/GPU stall|swiftshader/i.test(m.text()) && said.push(m.text()));
   page.on('pageerror', e => said.push('uncaught: ' + e.message));
   page.on('request', r => !r.url().startsWith('blob:') && requests.push(r.url().slice(0, 60)));
   const shot = name => page.screenshot({ path: `${pictures}/${found.name}_${name}.png` });
+  const client = await context.newCDPSession(page);
+  await client.send('Performance.enable', { timeDomain: 'threadTicks' }); // of the processor, counted from here on
   await page.goto(pathToFileURL(resolve(file)).href);
   await page.waitForFunction(() => window.page?.ready || document.getElementById('failed'), null, { timeout: 120000 });
-  const client = await context.newCDPSession(page);
-  await client.send('Performance.enable');
   const metrics = Object.fromEntries((await client.send('Performance.getMetrics')).metrics.map(m => [m.name, m.value]));
   found.seconds_of_page = metrics.TaskDuration;
   found.panels = await page.evaluate(() => window.page.panels.map(p => p.name));
@@ -205,8 +247,9 @@ for (const file of files) {
   if (found.shows.some(n => n === 'dynamic' || n === 'static')) found.geometry = await geometry(page);
   if (found.shows.some(n => n === 'dynamic' || n === 'static')) found.stations = await stations(page);
   found.whirls = await whirls(page);
+  found.tracked = await tracked(page);
   found.stresses = await page.evaluate(() => { const { result, fieldsOf, rangeOf } = window.page, show = result.shows.find(s => s.name.startsWith('stresses ')), f = show && fieldsOf(show).find(x => x.name === 'von_Mises_stress'); return f ? { name: show.name, unit: f.unit, largest: rangeOf(show, f, -1)[1] } : null; });
-  if (found.panels.includes('fan')) { await page.evaluate(() => window.page.open('fan')); await page.waitForTimeout(100); found.clicked = await clicked(page); await shot('fan'); }
+  if (found.panels.includes('fan')) { await page.evaluate(() => window.page.open('fan')); await page.waitForTimeout(100); found.clicked = await clicked(page); await shot('fan'); found.along2 = await along2(page, 30); }
   for (const name of found.panels) { await page.evaluate(n => window.page.open(n), name); await page.waitForTimeout(60); await shot('panel_' + name.replace(/\W/g, '_')); }
   if (found.panels.includes('compare')) found.differ = await page.evaluate(() => [...document.querySelectorAll('#differ tbody tr')].map(r => [...r.children].map(c => c.textContent)));
   if (found.panels.includes('messages')) found.messages = await page.evaluate(() => document.getElementById('panel-messages').textContent);
@@ -221,6 +264,7 @@ for (const file of files) {
   await page.waitForTimeout(150); await shot('dark'); await page.keyboard.press('t');
   if (hasDrawing) found.ms_of_picture = await page.evaluate(() => { const { S, setFrame, view, nFrames } = window.page, n = nFrames(S.show), t = performance.now(); for (let i = 0; i < 20; ++i) { setFrame(i % n); view.draw({ plain: true, edges: true, edge: [0, 0, 0, 0.5], wire: [1, 1, 1, 1] }); view.gl.finish(); } return (performance.now() - t) / 20; });
   await page.emulateMedia({ media: 'print' });
+  found.printed = await printed(page);
   found.pdf = (await page.pdf({ format: 'A4' })).length;
   found.said = said; found.requests = requests;
   all.push(found);
