@@ -18,7 +18,7 @@ namespace samara
     find_trailing_edge();
     find_nose();
     find_strips();
-    check_strips();
+    add_folds();
     cut_strips();
     check_inner_faces();
     add_skins();
@@ -380,26 +380,6 @@ namespace samara
 
 
 
-  void
-  AirfoilMesh::check_strips() const
-  {
-    // what is left of the radius on the inner face; that cells there have an area the mesh finds out
-    constexpr double       least_left = 1e-3;
-    constexpr unsigned int n          = 400; // in a strip: splines of points turn sharply between them
-    for (const Strip &strip : strips)
-      for (unsigned int i = 0; i <= n; ++i)
-        {
-          const double s = strip.a + (strip.b - strip.a) * (i + 0.5) / (n + 1), curvature = outline->curvature(s);
-          if (strip.thickness * curvature > 1 - least_left)
-            fail("the skin is " + number_to_text("%.4g", strip.thickness) + " m thick " + at_x(s) +
-                   ", and the outline has a radius of " + number_to_text("%.4g", 1 / curvature) +
-                   " m there: a skin must be thinner than that",
-                 outline->place(s));
-        }
-  }
-
-
-
   namespace
   {
     /** Whether two segments cross, their ends not included. */
@@ -436,7 +416,7 @@ namespace samara
       for (std::size_t j = i + 2; j + 1 < line.size(); ++j)
         if (segments_cross(line[i], line[i + 1], line[j], line[j + 1]))
           fail("the skins overlap at x/c = " + number_to_text("%.4g", outline->x_of(line[i])) +
-                 ": they are thicker there than half the airfoil",
+                 ": they are thicker there than half the airfoil. Let them be thinner, or a thick one end elsewhere",
                line[i]);
     check_webs(line);
   }

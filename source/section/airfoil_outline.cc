@@ -200,7 +200,7 @@ namespace samara
 
 
   Place
-  AirfoilOutline::inwards(const double s) const
+  AirfoilOutline::across(const double s) const
   {
     const unsigned int i     = piece_at(s);
     const Place        slope = pieces[i].at(s - starts[i], 1);

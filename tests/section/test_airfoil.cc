@@ -403,10 +403,7 @@ TEST(Airfoil, PublicAirfoilsHaveMeshes)
 
 
 
-// Between inner faces that slope against each other a web that leans has parallel faces: its area is its thickness
-// times the length of its middle.
-// NACA 0012 has a nose of radius 1.58 % of the chord: a skin that is 99 % as thick has its area, one that is thicker is
-// refused.
+// NACA 0012 has a nose of radius 1.58 % of the chord: a skin that is 99 % as thick has its area.
 TEST(Airfoil, SkinsMayBeNearlyAsThickAsTheNoseIsRound)
 {
   const std::string    entries = "    set NACA = 0012\n    set Material = skin\n    set Trailing edge material = soft\n"
@@ -415,14 +412,12 @@ TEST(Airfoil, SkinsMayBeNearlyAsThickAsTheNoseIsRound)
   const AirfoilOutline outline = naca_outline("0012", false);
   const double         area    = values_of_airfoil(entries + "0.0156\n").inertia(0, 0);
   EXPECT_NEAR(area / strip_area(outline, outline.at(false, 0.7), outline.at(true, 0.7), 0.0156), 1, 1e-4);
-  const auto old = std::filesystem::current_path();
-  std::filesystem::current_path(::testing::TempDir());
-  EXPECT_NE(complaint_of(airfoil_model(entries + "0.0159\n")).find("must be thinner"), std::string::npos);
-  std::filesystem::current_path(old);
 }
 
 
 
+// Between inner faces that slope against each other a web that leans has parallel faces: its area is its thickness
+// times the length of its middle.
 TEST(Airfoil, LeaningWebsHaveTheirThickness)
 {
   const AirfoilOutline outline(points_of_reference("du_97_w_300"), 1, 0.25);
@@ -610,9 +605,9 @@ TEST(Airfoil, SaysWhatIsWrong)
   };
   const std::string naca = "    set NACA = 0012\n    set Material = skin\n";
   std::filesystem::remove("section_s.svg");
-  says(naca + "    set Thickness = 20 mm\n", "at x/c = ");
+  says(naca + "    set Thickness = 60 mm\n", "behind x/c = 0.3");
   EXPECT_GT(std::filesystem::file_size("section_s.svg"), 1000u);
-  says(naca + "    set Thickness = 20 mm\n", "section_s.svg");
+  says(naca + "    set Thickness = 60 mm\n", "section_s.svg");
   says(naca, "<Thickness>");
   says(naca + "    set Thickness = 1 mm\n    set Spar caps = both, 0.3, 0.5, cab\n", "did you mean <cap>");
   says(naca + "    set Thickness = 1 mm\n    set Spar caps = both, 0.5, 0.3, cap\n", "from < to");

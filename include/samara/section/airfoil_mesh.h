@@ -59,17 +59,18 @@ namespace samara
 
   /**
    * Quadrilaterals of an airfoil. Skins are strips between breaks, where layups or webs begin and end; depth is along
-   * the normals of the outline. All strips are cut at the depths where any of them has the face of a ply, each as far
-   * as it is thick: strips share the cells of the plies that go on, and those that end do so with a free face. Webs go
-   * straight from skin to skin. Where the skins come near each other they end, and a block reaches to the trailing
-   * edge, blunt or sharp: of one material, or of the skins, whose plies taper with the block, and one between them.
+   * the normals of the outline, and leans where a skin is thicker than the outline is round. All strips are cut at the
+   * depths where any of them has the face of a ply, each as far as it is thick: strips share the cells of the plies
+   * that go on, and those that end do so with a free face. Webs go straight from skin to skin. Where the skins come
+   * near each other they end, and a block reaches to the trailing edge, blunt or sharp: of one material, or of the
+   * skins, whose plies taper with the block, and one between them.
    *
    * A range that begins or ends above or below a web reaches to the face of the web that leaves the web under it.
    */
   class AirfoilMesh
   {
   public:
-    /** @throws AirfoilFault if skins are thicker than the nose is round, or overlap, or webs have no place */
+    /** @throws AirfoilFault if inner faces fold where a skin changes, or skins overlap, or webs have no place */
     AirfoilMesh(std::shared_ptr<const AirfoilOutline> outline, const AirfoilDesign &design);
 
     std::vector<SectionPatch>
@@ -135,7 +136,11 @@ namespace samara
     void cut_along(Strip &strip) const;
     void cut_over_web(Strip &strip, const Wall &wall, bool upper) const;
     /** @} */
-    void check_strips() const;
+    /** Lets depth lean where a strip is thicker than the outline is round, and cuts strips there. @{ */
+    void              add_folds();
+    bool              add_fold_of(const Strip &strip, std::vector<Strip> &pieces);
+    [[noreturn]] void fail_at_fold(const Strip &strip, double tightest) const;
+    /** @} */
     void check_inner_faces() const;
     void check_webs(const std::vector<Place> &inner_face) const;
 

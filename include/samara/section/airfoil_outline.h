@@ -54,7 +54,10 @@ namespace samara
 
     /** Place at s from 0 to length() [m]. */
     dealii::Point<2> place(double s) const;
-    /** The direction inwards, of length one but at kinks, where it ends on the bisector: depth is across the sides. */
+    /**
+     * The direction inwards, of length one but at kinks, where it ends on the bisector, and in folds: depth is across
+     * the sides.
+     */
     dealii::Point<2> inwards(double s) const;
     /** Above zero where the outline is convex [1/m]. */
     double curvature(double s) const;
@@ -80,7 +83,39 @@ namespace samara
     /** Of the trailing edge; zero: sharp [m]. What is below 1e-4 of the chord is closed. */
     double trailing_edge() const;
 
+    /** Where a wall is thicker than the outline is round, and the line at its depth runs back and crosses itself. */
+    struct Fold
+    {
+      double from, to;    ///< s within which depth leans
+      double last, first; ///< s of the outline's points in front and behind that have one inner face's corner
+      double corner;      ///< s of what leads to the corner of the inner face
+      double thickness;   ///< of the wall [m]
+      double part; ///< length of the inner face, of that of the outline, from one to the other; below least_part: none
+    };
+    /** The least part of its length on the outline that a cell keeps on the inner face of a fold. */
+    static constexpr double least_part = 0.1;
+
+    /** The fold about @p tightest, where the outline turns most, of a wall that reaches from @p a to @p b. */
+    Fold find_fold(double a, double b, double tightest, double thickness) const;
+    /**
+     * From now on depth leans in @p fold: at its thickness it reaches the points of the inner face, which are as far
+     * from the outline, in even steps; what runs back is left out. Between, depths are less by the square of the angle
+     * by which it leans, times 1 − thickness × curvature.
+     */
+    void add_fold(const Fold &fold);
+
   private:
+    /** A fold, and s of the points of its inner face whose distances along it are even. */
+    struct EvenFold
+    {
+      Fold                fold;
+      std::vector<double> before, behind; ///< from the beginning to the corner, from there to the end
+    };
+    std::vector<EvenFold> folds;
+
+    /** Without folds. */
+    dealii::Point<2>         across(double s) const;
+    dealii::Point<2>         of_inner_face(const EvenFold &even, double s) const;
     double                   origin;
     std::vector<PlaneSpline> pieces;
     std::vector<double>      starts, ends_within;
