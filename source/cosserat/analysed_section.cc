@@ -177,10 +177,10 @@ namespace samara
 
 
 
-  void
+  unsigned int
   AnalysedSection::try_mesh(const SectionShape &shape) const
   {
-    mesh_of(shape, degree);
+    return mesh_of(shape, degree)->n_touching;
   }
 
 

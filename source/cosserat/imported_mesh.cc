@@ -119,13 +119,40 @@ namespace samara
 
 
 
+    /** Of an element of Gmsh: how many of its nodes are corners, which come first; those in the middle follow. */
+    struct NodesOfType
+    {
+      long         type;
+      unsigned int corners, all;
+    };
+
+    /** Null for elements that are not read. */
+    const NodesOfType *
+    nodes_of_type(const long type)
+    {
+      static const NodesOfType all[] = {{1, 2, 2}, // lines, triangles, quadrilaterals of first order, a point
+                                        {2, 3, 3},
+                                        {3, 4, 4},
+                                        {15, 1, 1},
+                                        {8, 2, 3}, // of second order
+                                        {9, 3, 6},
+                                        {10, 4, 9},
+                                        {16, 4, 8}};
+      for (const NodesOfType &one : all)
+        if (one.type == type)
+          return &one;
+      return nullptr;
+    }
+
+
+
     class GmshReader
     {
     public:
-      GmshReader(ImportedMesh &mesh, Lines &lines, const bool with_triangles)
+      GmshReader(ImportedMesh &mesh, Lines &lines, const bool of_section)
         : mesh(mesh)
         , lines(lines)
-        , with_triangles(with_triangles)
+        , of_section(of_section)
         , vertices(mesh, lines)
       {}
 
@@ -151,7 +178,7 @@ namespace samara
     private:
       ImportedMesh &mesh;
       Lines        &lines;
-      bool          with_triangles;
+      bool          of_section;
       Vertices      vertices;
       double        version = 0;
       // of physical points, curves and surfaces; and the groups of points, curves and surfaces of format 4
@@ -244,24 +271,33 @@ namespace samara
           const auto found = names[dimension].find(group);
           return found != names[dimension].end() ? found->second : std::to_string(group);
         };
-        if (type == 2 && !with_triangles)
+        const NodesOfType *const of_type = nodes_of_type(type);
+        if ((type == 2 || type == 9) && !of_section)
           lines.fail("there is a triangle: shells have quadrilaterals (Recombine Surface, Mesh.RecombineAll = 1)");
-        if (type >= 4 && type <= 7)
+        if ((type >= 4 && type <= 7) || (type >= 11 && type <= 14) || (type >= 17 && type <= 19))
           lines.fail("there is a solid element, where surfaces are wanted");
-        if (type != 15 && (type < 1 || type > 3))
-          lines.fail("there is an element of higher order (type " + std::to_string(type) +
-                     "): save the mesh with Mesh.ElementOrder = 1, and choose the <Degree> here");
-        if (n_nodes < static_cast<std::size_t>(type == 15 ? 1 : type + 1))
+        if (of_type == nullptr || (of_type->all > of_type->corners && !of_section))
+          lines.fail("there is an element of " + std::string(of_section ? "third or " : "") + "higher order (type " +
+                     std::to_string(type) + "): save the mesh with Mesh.ElementOrder = " + (of_section ? "2" : "1") +
+                     ", and choose the <Degree> here");
+        if (n_nodes < of_type->all)
           lines.fail("an element has too few nodes");
+        const bool is_cell = of_type->corners > 2;
         for (const long group : groups)
           if (type == 15)
             mesh.points[name(group, 0)].push_back(at(0));
           else if (type == 1)
             mesh.lines[name(group, 1)].push_back({{at(0), at(1)}});
+          else if (!is_cell)
+            for (const unsigned int end : {0u, 1u})
+              mesh.lines[name(group, 1)].push_back({{at(end), at(2)}});
           else
             mesh.regions[name(group, 2)].push_back(mesh.quadrilaterals.size());
-        if (type == 2 || type == 3)
-          mesh.quadrilaterals.push_back({{at(0), at(1), at(2), at(type == 3 ? 3 : 2)}});
+        if (!is_cell)
+          return;
+        for (unsigned int i = of_type->corners; i < of_type->all; ++i)
+          mesh.middles[mesh.quadrilaterals.size()].push_back(at(i));
+        mesh.quadrilaterals.push_back({{at(0), at(1), at(2), at(of_type->corners - 1)}});
       }
 
       void
@@ -331,17 +367,21 @@ namespace samara
                        const Vertices            &vertices,
                        const std::vector<double> &numbers,
                        const std::string         &type,
-                       const bool                 with_triangles)
+                       const bool                 of_section)
     {
-      if (numbers.size() == 4 && !with_triangles)
+      const std::size_t n = numbers.size() - 1;
+      if ((n == 3 || n == 6) && !of_section)
         lines.fail("there is a triangle (" + type + "): shells have quadrilaterals");
-      if (numbers.size() != 5 && numbers.size() != 4)
-        lines.fail("there is an element of " + std::to_string(numbers.size() - 1) + " nodes (" + type +
-                   "): cells are quadrilaterals of four");
-      mesh.quadrilaterals.push_back({{vertices.at(numbers[1]),
-                                      vertices.at(numbers[2]),
-                                      vertices.at(numbers[3]),
-                                      vertices.at(numbers[numbers.size() - 1])}});
+      const bool is_of_second_order = of_section && (n == 6 || n == 8 || n == 9);
+      if (n != 3 && n != 4 && !is_of_second_order)
+        lines.fail("there is an element of " + std::to_string(n) + " nodes (" + type +
+                   "): cells are quadrilaterals of " +
+                   (of_section ? "four, eight or nine nodes, or triangles of three or six" : "four"));
+      const unsigned int n_corners = n == 3 || n == 6 ? 3 : 4;
+      for (unsigned int i = n_corners; i < n; ++i)
+        mesh.middles[mesh.quadrilaterals.size()].push_back(vertices.at(numbers[i + 1]));
+      mesh.quadrilaterals.push_back(
+        {{vertices.at(numbers[1]), vertices.at(numbers[2]), vertices.at(numbers[3]), vertices.at(numbers[n_corners])}});
     }
 
     /** The numbers that a line of a set names. */
@@ -359,7 +399,7 @@ namespace samara
     }
 
     void
-    read_abaqus(ImportedMesh &mesh, Lines &lines, const bool with_triangles)
+    read_abaqus(ImportedMesh &mesh, Lines &lines, const bool of_section)
     {
       Vertices                     vertices(mesh, lines);
       std::map<long, unsigned int> elements;
@@ -392,7 +432,7 @@ namespace samara
             }
           else if (keyword == "*ELEMENT")
             {
-              add_abaqus_element(mesh, lines, vertices, numbers, type, with_triangles);
+              add_abaqus_element(mesh, lines, vertices, numbers, type, of_section);
               elements[std::lround(numbers[0])] = mesh.quadrilaterals.size() - 1;
               if (!set.empty())
                 mesh.regions[set].push_back(mesh.quadrilaterals.size() - 1);
@@ -451,6 +491,8 @@ namespace samara
             if (const unsigned int next = cell[(i + 1) % 4]; next != cell[i])
               shortest = std::min(shortest, (mesh.vertices[next] - mesh.vertices[cell[i]]).norm());
           }
+      for (const auto &[cell, nodes] : mesh.middles)
+        used.insert(used.end(), nodes.begin(), nodes.end());
       std::sort(used.begin(), used.end());
       used.erase(std::unique(used.begin(), used.end()), used.end());
       std::iota(first.begin(), first.end(), 0);
@@ -500,6 +542,8 @@ namespace samara
     };
     for (auto &cell : quadrilaterals)
       replace(cell);
+    for (auto &[cell, nodes] : middles)
+      replace(nodes);
     for (auto *const groups : {&sets, &points})
       for (auto &[name, vertices_of_group] : *groups)
         {
@@ -532,15 +576,15 @@ namespace samara
 
 
   ImportedMesh
-  read_mesh_file(const std::string &file, const bool with_triangles)
+  read_mesh_file(const std::string &file, const bool of_section)
   {
     Lines             lines(file);
     ImportedMesh      mesh;
     const std::string ending = file.size() > 4 ? upper(file.substr(file.size() - 4)) : "";
     if (ending == ".MSH")
-      GmshReader(mesh, lines, with_triangles).read();
+      GmshReader(mesh, lines, of_section).read();
     else if (ending == ".INP")
-      read_abaqus(mesh, lines, with_triangles);
+      read_abaqus(mesh, lines, of_section);
     else
       throw std::invalid_argument("the name of a mesh ends with .msh (Gmsh) or .inp (Abaqus), not as <" + file + ">");
     if (mesh.quadrilaterals.empty())

@@ -48,8 +48,8 @@ namespace samara
   {
     prm.add_file("Mesh file",
                  file,
-                 "Mesh of Gmsh (.msh, text) or Abaqus (.inp) of straight quadrilaterals and triangles; its x and y are "
-                 "axes 2 and 3. Relative to the .prm file that says it.");
+                 "Mesh of Gmsh (.msh, text) or Abaqus (.inp) of quadrilaterals and triangles, straight or of second "
+                 "order; its x and y are axes 2 and 3. Relative to the .prm file that says it.");
     prm.add(
       "Merge",
       merges,
@@ -145,68 +145,178 @@ namespace samara
 
 
 
-    /** A straight cell as a patch of its own. */
+    /** The nodes of a cell: its corners, and those in the middles of its sides and in its own, if it has them. */
+    struct CellNodes
+    {
+      std::array<unsigned int, 4> corners; ///< of a triangle the last two are one
+      std::vector<unsigned int>   middles; ///< none, of the sides, or of the sides and the cell
+
+      unsigned int
+      n_corners() const
+      {
+        return corners[2] == corners[3] ? 3 : 4;
+      }
+    };
+
+    /** Shape functions of the two ends and the middle of (0, 1), without the middle linear ones. */
+    std::array<double, 3>
+    of_interval(const double t, const bool has_middle)
+    {
+      if (!has_middle)
+        return {{1 - t, 0, t}};
+      return {{(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)}};
+    }
+
+    /**
+     * Places of a cell over the unit square, or over the triangle (0, 0), (1, 0), (0, 1). With eight nodes the place in
+     * the middle is that of the serendipity shape functions.
+     */
+    std::function<Place(double, double)>
+    map_of(const CellNodes &cell, const std::vector<Place> &x)
+    {
+      const bool         is_curved = !cell.middles.empty();
+      std::vector<Place> corners, sides;
+      for (unsigned int i = 0; i < cell.n_corners(); ++i)
+        corners.push_back(x[cell.corners[i]]);
+      for (unsigned int i = 0; i < corners.size(); ++i)
+        sides.push_back(is_curved ? x[cell.middles[i]] : Place(0.5 * (corners[i] + corners[(i + 1) % corners.size()])));
+      if (corners.size() == 3)
+        return [=](const double u, const double v) {
+          const double w[3] = {1 - u - v, u, v};
+          Place        result;
+          for (unsigned int i = 0; i < 3; ++i)
+            result +=
+              is_curved ? w[i] * (2 * w[i] - 1) * corners[i] + 4 * w[i] * w[(i + 1) % 3] * sides[i] : w[i] * corners[i];
+          return result;
+        };
+      Place middle;
+      for (unsigned int i = 0; i < 4; ++i)
+        middle += 0.5 * sides[i] - 0.25 * corners[i];
+      if (cell.middles.size() > 4)
+        middle = x[cell.middles[4]];
+      return [=](const double u, const double v) {
+        const Place rows[3][3] = {{corners[0], sides[0], corners[1]},
+                                  {sides[3], middle, sides[1]},
+                                  {corners[3], sides[2], corners[2]}};
+        const auto  of_u = of_interval(u, is_curved), of_v = of_interval(v, is_curved);
+        Place       result;
+        for (unsigned int j = 0; j < 3; ++j)
+          for (unsigned int i = 0; i < 3; ++i)
+            result += of_v[j] * of_u[i] * rows[j][i];
+        return result;
+      };
+    }
+
+
+
+    /** A cell, or the part of it between four places of its unit square or triangle, as a patch of its own. */
     SectionPatch
-    patch_of_cell(const std::array<Place, 4> &x)
+    patch_of_cell(const std::function<Place(double, double)> &map, const std::array<Place, 4> &unit)
     {
       SectionPatch patch;
       patch.u = patch.v = {0, 1};
-      patch.place       = [x](const double u, const double v) {
-        return Place((1 - v) * ((1 - u) * x[0] + u * x[1]) + v * ((1 - u) * x[3] + u * x[2]));
+      patch.place       = [map, unit](const double u, const double v) {
+        const Place at((1 - v) * ((1 - u) * unit[0] + u * unit[1]) + v * ((1 - u) * unit[3] + u * unit[2]));
+        return map(at[0], at[1]);
       };
       return patch;
     }
 
 
 
-    /** Places of a mesh with their numbers: those of vertices, and those that cells are divided at. */
-    class Corners
+    /** Numbers of the corners of patches: those of vertices, and of what cells are divided at. */
+    class CellCorners
     {
     public:
-      explicit Corners(const std::vector<Place> &vertices)
-        : x(vertices)
+      explicit CellCorners(const unsigned int n_vertices)
+        : n(n_vertices)
       {}
-
-      std::vector<Place> x;
 
       unsigned int
       middle_of_side(const unsigned int a, const unsigned int b)
       {
-        const auto known = of_side.emplace(std::minmax(a, b), x.size());
-        if (known.second)
-          x.push_back(Place(0.5 * (x[a] + x[b])));
+        const auto known = of_side.emplace(std::minmax(a, b), n);
+        n += known.second;
         return known.first->second;
       }
 
       unsigned int
-      add(const Place &place)
+      add()
       {
-        x.push_back(place);
-        return x.size() - 1;
+        return n++;
       }
 
     private:
+      unsigned int                                                  n;
       std::map<std::pair<unsigned int, unsigned int>, unsigned int> of_side;
     };
 
 
 
-    /** The quadrilaterals that a cell is divided into: a triangle, whose last two corners are one, or four. */
-    std::vector<std::array<unsigned int, 4>>
-    divided(const std::array<unsigned int, 4> &cell, Corners &corners)
+    /** A patch's corners: their numbers, and where they are in the unit square or triangle of the cell. */
+    struct CellPiece
     {
-      const unsigned int n = cell[2] == cell[3] ? 3 : 4;
-      Place              middle;
+      std::array<unsigned int, 4> numbers;
+      std::array<Place, 4>        unit;
+    };
+
+    /** The whole cell; or what it is divided into, a triangle into three and a quadrilateral into four. */
+    std::vector<CellPiece>
+    pieces_of(const CellNodes &cell, const bool is_divided, CellCorners &corners)
+    {
+      const unsigned int       n = cell.n_corners();
+      const std::vector<Place> unit =
+        n == 3 ? std::vector<Place>{{0, 0}, {1, 0}, {0, 1}} : std::vector<Place>{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+      if (!is_divided)
+        return {{cell.corners, {{unit[0], unit[1], unit[2], unit[3]}}}};
+      Place middle;
+      for (const Place &x : unit)
+        middle += x / n;
+      const unsigned int     number = corners.add();
+      std::vector<CellPiece> result;
       for (unsigned int i = 0; i < n; ++i)
-        middle += corners.x[cell[i]] / n;
-      const unsigned int                       m = corners.add(middle);
-      std::vector<std::array<unsigned int, 4>> result;
-      for (unsigned int i = 0; i < n; ++i)
-        result.push_back({{cell[i],
-                           corners.middle_of_side(cell[i], cell[(i + 1) % n]),
-                           m,
-                           corners.middle_of_side(cell[(i + n - 1) % n], cell[i])}});
+        {
+          const unsigned int next = (i + 1) % n, last = (i + n - 1) % n;
+          result.push_back(
+            {{{cell.corners[i],
+               corners.middle_of_side(cell.corners[i], cell.corners[next]),
+               number,
+               corners.middle_of_side(cell.corners[last], cell.corners[i])}},
+             {{unit[i], Place(0.5 * (unit[i] + unit[next])), middle, Place(0.5 * (unit[last] + unit[i]))}}});
+        }
       return result;
+    }
+
+
+
+    /** @throws std::invalid_argument if two cells have the ends of a side in common and not what is between them. */
+    void
+    check_middles_of_sides(const std::vector<CellNodes> &cells, const std::vector<Place> &x, const std::string &file)
+    {
+      constexpr double       straight = 1e-9; // of the side
+      constexpr unsigned int none     = -1;
+      struct Side
+      {
+        unsigned int cell, node;
+        Place        middle;
+      };
+      std::map<std::pair<unsigned int, unsigned int>, Side> known;
+      for (unsigned int c = 0; c < cells.size(); ++c)
+        for (unsigned int i = 0, n = cells[c].n_corners(); i < n; ++i)
+          {
+            const unsigned int a = cells[c].corners[i], b = cells[c].corners[(i + 1) % n];
+            const bool         is_curved = !cells[c].middles.empty();
+            const Side         side{c,
+                            is_curved ? cells[c].middles[i] : none,
+                            is_curved ? x[cells[c].middles[i]] : Place(0.5 * (x[a] + x[b]))};
+            const auto         first = known.emplace(std::minmax(a, b), side).first->second;
+            if (first.middle.distance(side.middle) > straight * x[a].distance(x[b]) ||
+                (first.node != side.node && first.node != none && side.node != none))
+              throw std::invalid_argument(
+                "cells " + std::to_string(first.cell + 1) + " and " + std::to_string(c + 1) + " of " + file +
+                " have the ends of a side in common, and not the node in its middle: they would meet at its ends "
+                "alone. Let them have all nodes of the side in common, or, at a slit, its ends only where it ends");
+          }
     }
   } // namespace
 
@@ -272,10 +382,19 @@ namespace samara
           for (const unsigned int v : cell)
             {
               middle += x[v] / (4. * mesh.quadrilaterals.size());
-              low  = std::min(low, scale * mesh.vertices[v](2));
-              high = std::max(high, scale * mesh.vertices[v](2));
               size = std::max(size, x[v].distance(x[mesh.quadrilaterals[0][0]]));
             }
+        const auto see_plane = [&](const auto &nodes) {
+          for (const unsigned int v : nodes)
+            {
+              low  = std::min(low, scale * mesh.vertices[v](2));
+              high = std::max(high, scale * mesh.vertices[v](2));
+            }
+        };
+        for (const auto &cell : mesh.quadrilaterals)
+          see_plane(cell);
+        for (const auto &[cell, nodes] : mesh.middles)
+          see_plane(nodes);
         if (high - low > 1e-6 * size)
           throw std::invalid_argument("the cells of " + file + " do not lie in a plane z = const");
       }
@@ -322,29 +441,34 @@ namespace samara
         tangents.push_back(tangent_of(group.layer, mesh, plane, file));
       }
 
-    const bool has_triangles = std::any_of(mesh.quadrilaterals.begin(),
-                                           mesh.quadrilaterals.end(),
-                                           [](const auto &cell) { return cell[2] == cell[3]; });
-    Corners    corners(plane.x);
+    std::vector<CellNodes> cells;
+    for (const auto &corners : mesh.quadrilaterals)
+      cells.push_back({corners, {}});
+    for (const auto &[cell, nodes] : mesh.middles)
+      cells[cell].middles = nodes;
+    check_middles_of_sides(cells, plane.x, file);
+    const bool is_divided =
+      std::any_of(cells.begin(), cells.end(), [](const CellNodes &cell) { return cell.n_corners() == 3; });
+    CellCorners corners(plane.x.size());
     shape.finest = plane.size;
-    for (unsigned int c = 0; c < mesh.quadrilaterals.size(); ++c)
+    for (unsigned int c = 0; c < cells.size(); ++c)
       {
-        const auto        &cell = mesh.quadrilaterals[c];
-        const unsigned int g    = group_of[c];
-        const auto pieces = has_triangles ? divided(cell, corners) : std::vector<std::array<unsigned int, 4>>{cell};
-        for (const auto &numbers : pieces)
+        const unsigned int g   = group_of[c];
+        const auto         map = map_of(cells[c], plane.x);
+        for (const CellPiece &piece : pieces_of(cells[c], is_divided, corners))
           {
-            const auto                &x = corners.x;
-            const std::array<Place, 4> piece{{x[numbers[0]], x[numbers[1]], x[numbers[2]], x[numbers[3]]}};
-            SectionPatch               patch = patch_of_cell(piece);
-            patch.corners                    = {numbers[0], numbers[1], numbers[3], numbers[2]};
-            patch.name                       = "cell " + std::to_string(c + 1) + " of group <" + groups[g].group + ">";
-            patch.group                      = groups[g].group;
-            patch.tangent                    = tangents[g];
-            patch.ply                        = [ply = plies[g]](unsigned int, unsigned int) { return ply; };
+            SectionPatch patch = patch_of_cell(map, piece.unit);
+            patch.corners      = {piece.numbers[0], piece.numbers[1], piece.numbers[3], piece.numbers[2]};
+            patch.name         = "cell " + std::to_string(c + 1) + " of group <" + groups[g].group + ">";
+            patch.group        = groups[g].group;
+            patch.tangent      = tangents[g];
+            patch.ply          = [ply = plies[g]](unsigned int, unsigned int) { return ply; };
             shape.patches.push_back(patch);
             for (unsigned int i = 0; i < 4; ++i)
-              shape.finest = std::min(shape.finest, piece[i].distance(piece[(i + 1) % 4]));
+              {
+                const Place &a = piece.unit[i], &b = piece.unit[(i + 1) % 4];
+                shape.finest = std::min(shape.finest, map(a[0], a[1]).distance(map(b[0], b[1])));
+              }
           }
       }
   }
@@ -354,9 +478,11 @@ namespace samara
   std::vector<Remark>
   MeshSection::remarks() const
   {
-    if (of_coincident.empty())
-      return {};
-    return {{Remark::line, "section " + name + ": " + of_coincident}};
+    std::vector<Remark> result;
+    if (!of_coincident.empty())
+      result.push_back({Remark::line, "section " + name + ": " + of_coincident});
+    result.insert(result.end(), of_sides.begin(), of_sides.end());
+    return result;
   }
 
 
@@ -382,7 +508,18 @@ namespace samara
         add_cells(mesh, model, result);
         blamed = "Mesh file";
         if (model.complaints.count() == before)
-          try_mesh(result);
+          if (const unsigned int n = try_mesh(result); n > 0)
+            of_sides.push_back({Remark::line,
+                                "section " + name + ": in " + file + " " + std::to_string(n) +
+                                  (n == 1 ? " corner of a cell lies on a side of another that does" :
+                                            " corners of cells lie on sides of others that do") +
+                                  " not have " + (n == 1 ? "it" : "them") +
+                                  ": these sides are kept apart, as at a slit"});
+        if (!mesh.middles.empty() && own_degree() < 2)
+          of_sides.push_back({Remark::warning,
+                              "section " + name +
+                                ": with <Degree = 1> curved sides of cells are straight; <Degree = 2> "
+                                "follows them"});
       }
     catch (const std::invalid_argument &problem)
       {
@@ -394,8 +531,8 @@ namespace samara
     // drawn: the box around the cells
     double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
     for (const auto &patch : result.patches)
-      for (const double u : {0., 1.})
-        for (const double v : {0., 1.})
+      for (const double u : {0., 0.5, 1.})
+        for (const double v : {0., 0.5, 1.})
           for (unsigned int d = 0; d < 2; ++d)
             {
               const double at = patch.place(u, v)[d];

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <stdexcept>
 
 namespace samara
@@ -22,46 +21,6 @@ namespace samara
     {
       const dealii::Tensor<1, 2> a = x[3] - x[0], b = x[2] - x[1];
       return a[0] * b[1] - a[1] * b[0];
-    }
-
-
-
-    /**
-     * Number of a cell with a free side on which a corner of another cell lies, between its ends, or none: there the
-     * two would not hang together.
-     */
-    std::optional<unsigned int>
-    cell_with_a_corner_on_a_side(const dealii::Triangulation<2> &triangulation)
-    {
-      using Place         = dealii::Point<2>;
-      constexpr double on = 1e-6; // of the side
-      // sorted along a direction that no mesh has
-      const auto         along = [](const Place &x) { return x[0] + 0.3719 * x[1]; };
-      const auto         less  = [=](const Place &a, const Place &b) { return along(a) < along(b); };
-      std::vector<Place> corners;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f))
-            for (const unsigned int v : {0u, 1u})
-              corners.push_back(cell->face(f)->vertex(v));
-      std::sort(corners.begin(), corners.end(), less);
-      for (const auto &cell : triangulation.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f))
-            {
-              const auto [a, b]               = std::minmax(cell->face(f)->vertex(0), cell->face(f)->vertex(1), less);
-              const dealii::Tensor<1, 2> side = b - a;
-              for (auto x = std::lower_bound(corners.begin(), corners.end(), a, less);
-                   x != corners.end() && along(*x) <= along(b);
-                   ++x)
-                {
-                  const dealii::Tensor<1, 2> way = *x - a;
-                  const double share = way * side / side.norm_square(), square = on * on * side.norm_square();
-                  if (share > on && share < 1 - on && (way - share * side).norm_square() < square)
-                    return cell->active_cell_index();
-                }
-            }
-      return {};
     }
   } // namespace
 
@@ -117,6 +76,8 @@ namespace samara
       return support;
     });
     check();
+    check_pieces();
+    check_sides(!patches.front().corners.empty());
   }
 
 
@@ -243,11 +204,10 @@ namespace samara
   void
   SectionMesh::check() const
   {
-    // Jacobians at the points of integration, and one piece
-    const dealii::FE_Q<2>     fe(degree);
-    const dealii::QGauss<2>   quadrature(degree + 1);
-    dealii::FEValues<2>       values(mapping, fe, quadrature, dealii::update_jacobians);
-    std::vector<unsigned int> piece(triangulation.n_active_cells(), 0), queue(1, 0);
+    // Jacobians at the points of integration
+    const dealii::FE_Q<2>   fe(degree);
+    const dealii::QGauss<2> quadrature(degree + 1);
+    dealii::FEValues<2>     values(mapping, fe, quadrature, dealii::update_jacobians);
     for (const auto &cell : triangulation.active_cell_iterators())
       {
         values.reinit(cell);
@@ -258,6 +218,14 @@ namespace samara
               throw std::invalid_argument(name_of(own) + " is turned inside out somewhere");
             }
       }
+  }
+
+
+
+  void
+  SectionMesh::check_pieces() const
+  {
+    std::vector<unsigned int> piece(triangulation.n_active_cells(), 0), queue(1, 0);
     piece[0] = 1;
     std::vector<dealii::Triangulation<2>::active_cell_iterator> by_index;
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -280,8 +248,5 @@ namespace samara
         throw std::invalid_argument("the section is not in one piece: " + name_of(own) +
                                     " does not hang together with the first cell");
       }
-    if (const auto cracked = cell_with_a_corner_on_a_side(triangulation))
-      throw std::invalid_argument("the corner of another cell lies on a side of " + name_of(cells[*cracked]) +
-                                  ", between its ends: cells must meet with whole sides, or they do not hang together");
   }
 } // namespace samara

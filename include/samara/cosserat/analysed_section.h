@@ -56,8 +56,18 @@ namespace samara
     /** Whether tension stiffens torsion. */
     bool has_trapeze = false;
 
-    /** @throws std::invalid_argument if there is no mesh of the shape: a cell is turned inside out, ... */
-    void try_mesh(const SectionShape &shape) const;
+    /**
+     * Returns how many corners of cells lie on sides of others, as SectionMesh says. @throws std::invalid_argument if
+     * there is no mesh of the shape: a cell is turned inside out, ...
+     */
+    unsigned int try_mesh(const SectionShape &shape) const;
+
+    /** Of the elements. */
+    unsigned int
+    own_degree() const
+    {
+      return degree;
+    }
 
     /** The smallest cell of walls of which the longest is @p longest [m]. */
     double finest_of(const std::vector<Wall> &walls, double longest) const;

@@ -11,13 +11,19 @@
 namespace samara
 {
   /**
-   * Straight quadrilaterals of a file, as they are given, and triangles, whose last two corners are one. Cells hang
-   * together by the vertices that the file gives them: two vertices at one place are a slit.
+   * Quadrilaterals of a file, as they are given, and triangles, whose last two corners are one. Cells hang together by
+   * the vertices that the file gives them: two vertices at one place are a slit.
    */
   struct ImportedMesh
   {
     std::vector<Vector3>                     vertices;       ///< [m]
     std::vector<std::array<unsigned int, 4>> quadrilaterals; ///< corners around each
+
+    /**
+     * Of cells of second order, by their numbers: the vertices in the middles of their sides, the one between the first
+     * two corners first, and the one in the middle of the cell where the file has it.
+     */
+    std::map<unsigned int, std::vector<unsigned int>> middles;
 
     /** Cells by the names that the file gives to surfaces (Gmsh) or sets of elements (Abaqus), ELSET. */
     std::map<std::string, std::vector<unsigned int>> regions;
@@ -49,10 +55,11 @@ namespace samara
    * Reads a mesh of Gmsh (.msh, formats 2.2 and 4.1, text) or Abaqus (.inp: *NODE, *ELEMENT, *NSET, *ELSET). Names of
    * points, curves and surfaces are those of their physical groups, or the numbers of these.
    *
-   * @throws std::invalid_argument, naming the line, for what is not understood, for triangles if there must not be any,
-   * and for elements of higher order: cells are straight here.
+   * @param of_section whether triangles, and elements of second order (quadrilaterals of 8 and 9 nodes, triangles of 6),
+   * are read, too; without it there are straight quadrilaterals only
+   * @throws std::invalid_argument, naming the line, for what is not understood, and for other elements
    */
-  ImportedMesh read_mesh_file(const std::string &file, bool with_triangles = false);
+  ImportedMesh read_mesh_file(const std::string &file, bool of_section = false);
 } // namespace samara
 
 #endif

@@ -32,15 +32,18 @@ namespace samara
 
 
   /**
-   * A section of straight quadrilaterals and triangles of a file. Where there are triangles all cells are divided, a
-   * triangle into three and a quadrilateral into four.
+   * A section of quadrilaterals and triangles of a file, straight or of second order. Where there are triangles all
+   * cells are divided, a triangle into three and a quadrilateral into four.
    */
   class MeshSection : public AnalysedSection, public HasRemarks
   {
   public:
     void add_parameters(Parameters &prm) override;
 
-    /** How many nodes of the file lie at the places of others, and what becomes of them. */
+    /**
+     * How many nodes of the file lie at the places of others, or on sides of cells that do not have them, and what
+     * becomes of them; and that curved sides become straight.
+     */
     std::vector<Remark> remarks() const override;
 
   private:
@@ -49,6 +52,7 @@ namespace samara
     double                     scale  = 1;
     bool                       merges = false;
     std::string                of_coincident; ///< ImportedMesh::take_coincident()
+    std::vector<Remark>        of_sides;      ///< of free sides that touch, and of curved ones
 
     SectionShape make_shape(Model &model) override;
 

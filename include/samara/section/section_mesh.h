@@ -56,13 +56,20 @@ namespace samara
     /**
      * @param tolerance within which points of different patches are one [m]
      * @throws std::invalid_argument if a cell is turned inside out, has no area or has two corners in one place, with
-     * the number of the patch and the position of the cell; or if the patches do not hang together.
+     * the number of the patch and the position of the cell; if the patches do not hang together; or if corners of
+     * cells hang: they lie on a side, between its ends, and either corners have no numbers, or sides that do have those
+     * corners lead from one end to the other.
      */
     SectionMesh(const std::vector<SectionPatch> &patches, unsigned int degree, double tolerance);
 
     const unsigned int       degree;
     dealii::Triangulation<2> triangulation;
     dealii::MappingQCache<2> mapping;
+
+    /**
+     * Corners that lie on free sides of cells that do not have them, as along a slit whose sides are cut differently.
+     */
+    unsigned int n_touching = 0;
 
     const Ply &
     ply(const unsigned int cell) const
@@ -90,6 +97,14 @@ namespace samara
     std::string      name_of(const Cell &cell) const;
     dealii::Point<2> parameters_at(const Cell &cell, const dealii::Point<2> &unit) const;
     void             check() const;
+    void             check_pieces() const;
+    /** Sets n_touching. */
+    void check_sides(bool has_numbers);
+    /** Whether a place, near the @p share of side @p face of a cell, lies on it between its ends, and at which share. */
+    bool lies_on(const dealii::Triangulation<2>::active_cell_iterator &cell,
+                 unsigned int                                          face,
+                 const dealii::Point<2>                               &place,
+                 double                                               &share) const;
 
     /** Parameters of the corners of a cell, line by line, with a positive area; returns their places. */
     static std::array<dealii::Point<2>, 4> set_corners(const SectionPatch &patch, Cell &cell);
