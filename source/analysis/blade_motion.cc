@@ -24,11 +24,35 @@ namespace samara
 
 
 
-  double
-  energy_of_node(const System &system, const Eigen::VectorXcd &x, const unsigned int node)
+  std::complex<double>
+  product_of_node(const System &system, const Eigen::VectorXcd &y, const Eigen::VectorXcd &x, const unsigned int node)
   {
-    const Eigen::Matrix<std::complex<double>, 6, 1> z = x.segment<6>(system.layout.of_node(node));
-    return (z.adjoint() * system.model.nodes[node].inertia * z)(0, 0).real();
+    const Eigen::Matrix<std::complex<double>, 6, 1> a = y.segment<6>(system.layout.of_node(node)),
+                                                    b = x.segment<6>(system.layout.of_node(node));
+    return (a.transpose() * system.model.nodes[node].inertia * b)(0, 0);
+  }
+
+
+
+  Weighing::Weighing(const System &system, const Eigen::VectorXcd &x, const Eigen::VectorXcd &known)
+    : y(x.conjugate())
+  {
+    if (known.size() == 0)
+      return;
+    std::complex<double> sum   = 0;
+    double               right = 0, left = 0;
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      {
+        sum += product_of_node(system, known, x, node);
+        right += product_of_node(system, x.conjugate(), x, node).real();
+        left += product_of_node(system, known.conjugate(), known, node).real();
+      }
+    // below this the two look at different things: an inflow that dies away moves the blades, which do not move it
+    constexpr double least = 0.1;
+    if (!(std::abs(sum) > least * std::sqrt(right * left)))
+      return;
+    y     = known;
+    phase = std::conj(sum) / std::abs(sum);
   }
 
 

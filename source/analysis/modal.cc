@@ -157,6 +157,8 @@ namespace samara
     if (groups.empty())
       {
         branches = tracking.follow(modes, steady.linearization.M);
+        if (!context.system.model.rotations.empty())
+          find_left_vectors(steady.linearization, modes);
         name_families(context);
         return;
       }
@@ -168,6 +170,7 @@ namespace samara
         const State seen = at_rest ? with_rotations(context, steady.state) : steady.state;
         separate_patterns(context.system, parts, seen, modes);
         branches = tracking.follow(modes, steady.linearization.M); // which puts equal modes in the order of branches
+        find_left_vectors(steady.linearization, modes);
         contents = contents_of(context.system, parts, seen, modes);
       }
     catch (const std::invalid_argument &problem)

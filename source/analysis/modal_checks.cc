@@ -159,6 +159,9 @@ namespace samara
 
   namespace
   {
+    /** Of |λ|: modes that change by less are worth their name; what is left out is told. */
+    constexpr double little = 0.05;
+
     /** How modes of a moment differ from those of others; empty if they do not. */
     std::string
     text_of_changes(const std::vector<Mode> &modes, const std::vector<double> &changes)
@@ -188,23 +191,36 @@ namespace samara
   {
     if (!seen.are_looked_at())
       return;
-    const std::string of_modes = text_of_changes(modes, seen.changes(modes)), of_all = seen.text_of_change();
+    const std::vector<double> changes  = seen.changes(modes);
+    const std::string         of_modes = text_of_changes(modes, changes), of_all = seen.text_of_change();
     if (of_modes.empty() && of_all.empty())
       {
         context.log.line("  modal: coefficients are constant in " + seen.text());
         return;
       }
     const std::string why = of_all + (of_all.empty() || of_modes.empty() ? "" : "; ") + of_modes;
+    const bool        changes_little =
+      std::all_of(changes.begin(), changes.end(), [](const double change) { return change <= little; });
+    const std::string about_support = "If what carries the turning parts is alike in all directions, draw it as one "
+                                      "joint, planar with springs in fixed axes, not as two slides.";
     if (axes != "automatic")
       context.log.warning("modal", why);
     else if (unsteady == "refuse")
       throw InputError(
         (parameters.where().empty() ? "" : parameters.where() + ": ") + "modal analysis: " + why +
-        ".\n  Coefficients are periodic: there are no modes, but multipliers of a periodic motion, which Analyses = floquet "
-        "finds. For modes of this moment set Axes = turning or Axes = fixed in subsection Modal, or Unsteady motion = "
-        "allow for axes in which least changes.");
-    else
+        ".\n  Coefficients are periodic: there are no modes, but multipliers of a periodic motion, which "
+        "Analyses = floquet finds. " +
+        (changes_little ?
+           "For modes of this moment set Axes = turning or Axes = fixed in subsection Modal, or Unsteady "
+           "motion = allow for axes in which least changes." :
+           about_support + " Modes of this moment, by the entries Axes and Unsteady motion of Modal, would be wrong by "
+                           "as much as this."));
+    else if (changes_little)
       context.log.line("  modal: " + why + "; modes are those of this moment in " + seen.text());
+    else
+      context.log.warning("modal",
+                          why + "; modes are those of this moment in " + seen.text() +
+                            ", and wrong by as much: Analyses = floquet finds those of the motion. " + about_support);
   }
 
 

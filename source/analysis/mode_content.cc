@@ -1,4 +1,3 @@
-#include <samara/analysis/blade_motion.h>
 #include <samara/analysis/mode_content.h>
 
 #include <algorithm>
@@ -110,7 +109,7 @@ namespace samara
 
 
   double
-  ContentOfModes::energy_of_others(const Eigen::VectorXcd &x) const
+  ContentOfModes::energy_of_others(const Weighing &weighing, const Eigen::VectorXcd &x) const
   {
     std::vector<bool> repeated(system.layout.n_nodes, false);
     for (const auto &chain : chains)
@@ -119,7 +118,7 @@ namespace samara
     double sum = 0;
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       if (!repeated[node])
-        sum += energy_of_node(system, x, node);
+        sum += weighing.part(product_of_node(system, weighing.y, x, node));
     return sum;
   }
 
@@ -219,7 +218,9 @@ namespace samara
 
 
   ModeContent
-  ContentOfModes::of(const std::vector<Eigen::VectorXcd> &increments, const double frequency) const
+  ContentOfModes::of(const std::vector<Eigen::VectorXcd> &increments,
+                     const double                         frequency,
+                     const Eigen::VectorXcd              &left) const
   {
     ModeContent result;
     if (chains.empty())
@@ -229,15 +230,17 @@ namespace samara
     double                others = 0;
     for (unsigned int i = 0; i < std::min(increments.size(), orbit.size()); ++i)
       {
-        others += energy_of_others(increments[i]);
+        const Weighing weighing(system, increments[i], left);
+        others += energy_of_others(weighing, increments[i]);
         for (const auto &chain : chains)
           {
             std::vector<Motion> motions;
             for (const unsigned int node : chain)
               {
                 motions.push_back(motion_of(orbit[i], increments[i], node, true));
+                const Motion of_left = motion_of(orbit[i], weighing.y, node, true);
                 for (unsigned int j = 0; j < 6; ++j)
-                  families[family_of[j]] += std::norm(motions.back()(j));
+                  families[family_of[j]] += weighing.part(of_left(j) * motions.back()(j));
               }
             for (unsigned int m = 0; m < n_parts; ++m)
               {

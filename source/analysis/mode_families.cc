@@ -76,7 +76,7 @@ namespace samara
     const ContentOfModes     contents(system, parts, at_once);
     std::vector<ModeContent> result;
     for (const auto &mode : modes)
-      result.push_back(contents.of({mode.shape}, mode.lambda.imag()));
+      result.push_back(contents.of({mode.shape}, mode.lambda.imag(), mode.left));
     return result;
   }
 } // namespace samara

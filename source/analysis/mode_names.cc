@@ -1,4 +1,3 @@
-#include <samara/analysis/blade_motion.h>
 #include <samara/analysis/mode_names.h>
 
 #include <algorithm>
@@ -26,7 +25,7 @@ namespace samara
       Matrix3  J;
       Vector3c velocity, spin;
 
-      MovingMass(const System &system, const State &state, const Mode &mode, const unsigned int node)
+      MovingMass(const System &system, const State &state, const Eigen::VectorXcd &x, const unsigned int node)
       {
         const Matrix6 &inertia = system.model.nodes[node].inertia;
         const Matrix3  D       = state.triad(node);
@@ -36,9 +35,9 @@ namespace samara
         const int     row      = system.layout.of_node(node);
         at                     = state.position(node) + D * centre;
         J                      = D * (inertia.bottomRightCorner<3, 3>() + m * c * c) * D.transpose();
-        spin                   = D.cast<std::complex<double>>() * mode.shape.segment<3>(row + 3);
-        velocity               = D.cast<std::complex<double>>() *
-                   (mode.shape.segment<3>(row) - c.cast<std::complex<double>>() * mode.shape.segment<3>(row + 3));
+        spin                   = D.cast<std::complex<double>>() * x.segment<3>(row + 3);
+        velocity =
+          D.cast<std::complex<double>>() * (x.segment<3>(row) - c.cast<std::complex<double>>() * x.segment<3>(row + 3));
       }
     };
 
@@ -130,54 +129,72 @@ namespace samara
 
 
   double
-  ModeNames::energy_of(const Mode &mode, const std::vector<unsigned int> &nodes) const
+  ModeNames::energy_of(const Mode &mode, const Weighing &weighing, const std::vector<unsigned int> &nodes) const
   {
     double sum = 0;
     for (const auto node : nodes)
-      sum += energy_of_node(system, mode.shape, node);
+      sum += weighing.part(product_of_node(system, weighing.y, mode.shape, node));
     return sum;
   }
 
 
 
+  struct ModeNames::Slice
+  {
+    std::array<double, n_families>  weights;
+    std::array<Complex, n_families> motion;
+  };
+
+
+
+  ModeNames::Slice
+  ModeNames::slice_of(const Blade &blade, const unsigned int slice, const Eigen::VectorXcd &x) const
+  {
+    std::vector<MovingMass> masses;
+    double                  m      = 0;
+    Vector3                 centre = Vector3::Zero();
+    Vector3c                p      = Vector3c::Zero();
+    for (unsigned int i = 0; i < blade.nodes.size(); ++i)
+      if (blade.slices[i] == slice)
+        {
+          masses.emplace_back(system, state, x, blade.nodes[i]);
+          m += masses.back().m;
+          centre += masses.back().m * masses.back().at;
+          p += masses.back().m * masses.back().velocity;
+        }
+    if (!(m > 0))
+      return {};
+    Complex spin_momentum = 0;
+    double  J             = 0;
+    for (const auto &mass : masses)
+      {
+        const Vector3 arm = mass.at - centre / m;
+        spin_momentum +=
+          mass.m * part_along(blade.along.cross(arm), mass.velocity) + part_along(mass.J * blade.along, mass.spin);
+        J += mass.m * blade.along.cross(arm).squaredNorm() + blade.along.dot(mass.J * blade.along);
+      }
+    return {{m, m, J, m},
+            {part_along(blade.axis, p) / m,
+             part_along(blade.circle, p) / m,
+             J > 0 ? spin_momentum / J : Complex(0),
+             part_along(blade.along, p) / m}};
+  }
+
+
+
   ModeNames::Content
-  ModeNames::content_of(const Blade &blade, const Mode &mode) const
+  ModeNames::content_of(const Blade &blade, const Mode &mode, const Weighing &weighing) const
   {
     Content result;
-    result.total = energy_of(mode, blade.nodes);
+    result.total = energy_of(mode, weighing, blade.nodes);
     for (unsigned int slice = 0; slice < blade.n_slices; ++slice)
       {
-        std::vector<MovingMass> masses;
-        double                  m      = 0;
-        Vector3                 centre = Vector3::Zero();
-        Vector3c                p      = Vector3c::Zero();
-        for (unsigned int i = 0; i < blade.nodes.size(); ++i)
-          if (blade.slices[i] == slice)
-            {
-              masses.emplace_back(system, state, mode, blade.nodes[i]);
-              m += masses.back().m;
-              centre += masses.back().m * masses.back().at;
-              p += masses.back().m * masses.back().velocity;
-            }
-        if (!(m > 0))
+        const Slice right = slice_of(blade, slice, mode.shape), left = slice_of(blade, slice, weighing.y);
+        if (!(right.weights[0] > 0))
           continue;
-        Complex spin_momentum = 0;
-        double  J             = 0;
-        for (const auto &mass : masses)
-          {
-            const Vector3 arm = mass.at - centre / m;
-            spin_momentum +=
-              mass.m * part_along(blade.along.cross(arm), mass.velocity) + part_along(mass.J * blade.along, mass.spin);
-            J += mass.m * blade.along.cross(arm).squaredNorm() + blade.along.dot(mass.J * blade.along);
-          }
-        const std::array<double, n_families>  weights = {m, m, J, m};
-        const std::array<Complex, n_families> motion  = {part_along(blade.axis, p) / m,
-                                                         part_along(blade.circle, p) / m,
-                                                        J > 0 ? spin_momentum / J : Complex(0),
-                                                         part_along(blade.along, p) / m};
         for (unsigned int f = 0; f < n_families; ++f)
-          result.energies[f] += weights[f] * std::norm(motion[f]);
-        result.motions.push_back(motion);
+          result.energies[f] += weighing.part(right.weights[f] * left.motion[f] * right.motion[f]);
+        result.motions.push_back(right.motion);
       }
     return result;
   }
@@ -187,19 +204,20 @@ namespace samara
   std::string
   ModeNames::of(const Mode &mode) const
   {
+    const Weighing                 weighing(system, mode.shape, mode.left);
     std::array<double, n_families> energies{};
     double                         total = 0;
     Content                        most; // of the blade that moves most
     for (const auto &blade : blades)
       {
-        const Content content = content_of(blade, mode);
+        const Content content = content_of(blade, mode, weighing);
         total += content.total;
         for (unsigned int f = 0; f < n_families; ++f)
           energies[f] += content.energies[f];
         if (content.total > most.total)
           most = content;
       }
-    if (!(total > energy_of(mode, others)))
+    if (!(total > energy_of(mode, weighing, others)))
       return "";
     double sum = 0;
     for (const double e : energies)

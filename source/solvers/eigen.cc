@@ -266,9 +266,25 @@ namespace samara
 
 
     /**
+     * How far a shape, in the motion's units, is from one that any forces of its own leave where it is: with ζ̇ = 0 one
+     * application gives −ζ/σ of it. An aircraft that drifts sideways does so because it has yawed: yaw, which its fin
+     * resists, is no free motion, and drift, which is there twice at λ = 0, brings it along.
+     */
+    double
+    departure_from_rest(const ShiftInvert &op, const Eigen::VectorXd &shape)
+    {
+      Eigen::VectorXd z = Eigen::VectorXd::Zero(op.size()), result = z;
+      z.head(shape.size()) = shape;
+      op.apply(z.data(), result.data());
+      return (op.shift() * result + z).norm() / z.norm();
+    }
+
+
+
+    /**
      * One real shape for each independent motion among those that are there twice at λ = 0. Round-off moves these
      * eigenvalues apart, and their shapes near each other: of one motion the others may hold 1e-5 only. What is as
-     * little is a motion if nothing is strained in it.
+     * little is a motion if nothing is strained in it, and nothing resists it.
      */
     void
     add_free_motions(const std::vector<Eigen::VectorXcd> &shapes,
@@ -277,7 +293,7 @@ namespace samara
                      const double                         frequency,
                      std::vector<Mode>                   &modes)
     {
-      constexpr double surely_independent = 1e-4, round_off = 1e-10, low = 1e-4;
+      constexpr double surely_independent = 1e-4, round_off = 1e-10, low = 1e-4, at_rest = 1e-3;
       if (shapes.empty())
         return;
       const Eigen::Map<const Eigen::VectorXd> units(motion.units.data(), motion.n_kinematic);
@@ -296,7 +312,8 @@ namespace samara
           if (qr.pivot(i) <= surely_independent * qr.pivot(0))
             {
               const auto judgement = op.judge(0., shape);
-              if (!(judgement.work <= low * frequency * low * frequency * judgement.mass))
+              if (!(judgement.work <= low * frequency * low * frequency * judgement.mass) ||
+                  departure_from_rest(op, Q.col(i)) > at_rest)
                 continue;
             }
           modes.push_back({0., shape, 0.});
@@ -477,5 +494,19 @@ namespace samara
     modes.found.resize(n_modes);
     sort(modes.found);
     return modes;
+  }
+
+
+
+  void
+  find_left_vectors(const LinearMotion &motion, std::vector<Mode> &modes)
+  {
+    ShiftInvert op(motion);
+    if (modes.empty() || op.has_conjugate_left_vectors())
+      return;
+    set_by_lowest_frequency(motion, op, {});
+    for (Mode &mode : modes)
+      if (!mode.is_free())
+        mode.left = op.left_vector_of(mode.lambda, mode.shape);
   }
 } // namespace samara

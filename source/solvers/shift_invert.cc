@@ -272,16 +272,33 @@ namespace samara
 
 
 
-  ShiftInvert::Judgement
-  ShiftInvert::judge(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta, const double gap) const
+  Eigen::VectorXcd
+  ShiftInvert::with_multipliers(const Eigen::VectorXcd &f, const Eigen::VectorXcd &zeta) const
   {
-    // one more application gives the stresses and multipliers that belong to the mode
-    const Eigen::VectorXcd f = right_side(lambda, zeta) * (lambda - shift());
-    Eigen::VectorXcd       x = by_parts(f, [&](Eigen::VectorXd part) {
+    Eigen::VectorXcd x = by_parts(f, [&](Eigen::VectorXd part) {
       matrix.solve(part.data());
       return part;
     });
-    x.head(n)                = zeta;
+    x.head(n)          = zeta;
+    return x;
+  }
+
+
+
+  Eigen::VectorXcd
+  ShiftInvert::left_vector_of(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const
+  {
+    constexpr double at_any_distance = 0;
+    return left_vector(lambda, with_multipliers(right_side(lambda, zeta) * (lambda - shift()), zeta), at_any_distance)
+      .head(n);
+  }
+
+
+
+  ShiftInvert::Judgement
+  ShiftInvert::judge(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta, const double gap) const
+  {
+    const Eigen::VectorXcd f = right_side(lambda, zeta) * (lambda - shift()), x = with_multipliers(f, zeta);
     const Eigen::VectorXcd r = by_parts(x,
                                         [&](const Eigen::VectorXd &part) {
                                           Eigen::VectorXd product(matrix.size());

@@ -1,6 +1,7 @@
 #ifndef samara_analysis_mode_content_h
 #define samara_analysis_mode_content_h
 
+#include <samara/analysis/blade_motion.h>
 #include <samara/analysis/repeated_parts.h>
 
 #include <complex>
@@ -14,7 +15,7 @@ namespace samara
      * has along the blade; "flap-lag" if none has 60 %; "support" if most is in what is not repeated; empty: not known.
      */
     std::string family;
-    double      family_share = 0; ///< of the kinetic energy
+    double      family_share = 0; ///< of the kinetic energy, in air of what stands for it (Weighing)
 
     /** "collective", "progressive", "regressive", "cyclic" (both at once), "differential", "progressive 2", …; "mixed"
      * if none has three quarters. */
@@ -38,9 +39,11 @@ namespace samara
 
     /**
      * Of increments of a mode at the states of the orbit, p(t) times any phase; behind those there may be more, which
-     * are not looked at. @p frequency: of the mode as blades feel it, with its sign [rad/s].
+     * are not looked at. @p frequency: of the mode as blades feel it, with its sign [rad/s]. @p left: the left vector
+     * of a mode of a steady motion, with which families are weighed (Weighing); empty: there is none.
      */
-    ModeContent of(const std::vector<Eigen::VectorXcd> &increments, double frequency) const;
+    ModeContent
+    of(const std::vector<Eigen::VectorXcd> &increments, double frequency, const Eigen::VectorXcd &left = {}) const;
 
     /**
      * Of motions at the first state, columns of @p shapes, the energy of the repeated parts in each pattern, m = 0 to
@@ -63,7 +66,7 @@ namespace samara
     Motion      motion_of(const State &state, const Eigen::VectorXcd &x, unsigned int node, bool in_energy) const;
     std::string number_along(const State &state, const Eigen::VectorXcd &x, unsigned int family) const;
     std::string name_of_pattern(const std::vector<double> &energies, double frequency, double &share) const;
-    double      energy_of_others(const Eigen::VectorXcd &x) const;
+    double      energy_of_others(const Weighing &weighing, const Eigen::VectorXcd &x) const;
   };
 } // namespace samara
 

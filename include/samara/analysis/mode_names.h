@@ -1,7 +1,7 @@
 #ifndef samara_analysis_mode_names_h
 #define samara_analysis_mode_names_h
 
-#include <samara/model/system.h>
+#include <samara/analysis/blade_motion.h>
 #include <samara/solvers/eigen.h>
 
 #include <array>
@@ -17,8 +17,8 @@ namespace samara
    * else its material does counts for no name.
    *
    * "flap 2" has two parts of alternating sign along the blade; "flap-lag" is told if no motion has 60 % of the kinetic
-   * energy of the blades, "local" if most of it is within the slices, nothing if most is in what is no blade. (Of a
-   * periodic motion, with what blades do one behind the other: ContentOfModes.)
+   * energy of the blades (in air: of what stands for it, Weighing), "local" if most of it is within the slices, nothing
+   * if most is in what is no blade. (Of a periodic motion, with what blades do one behind the other: ContentOfModes.)
    */
   class ModeNames
   {
@@ -53,8 +53,11 @@ namespace samara
     std::vector<unsigned int> others; ///< nodes of no blade
 
     void    add_blade(const std::vector<unsigned int> &nodes);
-    double  energy_of(const Mode &mode, const std::vector<unsigned int> &nodes) const;
-    Content content_of(const Blade &blade, const Mode &mode) const;
+    double  energy_of(const Mode &mode, const Weighing &weighing, const std::vector<unsigned int> &nodes) const;
+    Content content_of(const Blade &blade, const Mode &mode, const Weighing &weighing) const;
+    /** Motion of a slice of a blade as a rigid body in each family, and its mass in each. */
+    struct Slice;
+    Slice slice_of(const Blade &blade, unsigned int slice, const Eigen::VectorXcd &x) const;
   };
 } // namespace samara
 

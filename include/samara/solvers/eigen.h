@@ -16,6 +16,7 @@ namespace samara
     std::complex<double> lambda;    ///< exactly zero for a free motion
     Eigen::VectorXcd     shape;     ///< increments of nodal twists and joint coordinates, unit 2-norm
     double               error = 0; ///< estimate of |δλ|/|λ|, see find_modes()
+    Eigen::VectorXcd     left  = {}; ///< y of yᵀ(λ²M + λΓ + K) = 0, any length; empty: not found, see find_left_vectors()
 
     /** |λ| [rad/s] for oscillating modes; for the others, |λ| too: the rate of growth or decay. */
     double
@@ -64,6 +65,12 @@ namespace samara
                    unsigned int          n_modes,
                    std::optional<double> shift,
                    const TellProgress   &tell = {});
+
+  /**
+   * Sets the left vectors of @p modes where they are not the conjugate shapes, as they are without dissipation and
+   * follower forces. Equal modes get those nearest to their conjugate shapes.
+   */
+  void find_left_vectors(const LinearMotion &motion, std::vector<Mode> &modes);
 } // namespace samara
 
 #endif

@@ -72,6 +72,16 @@ namespace samara
                     const Eigen::VectorXcd     &zeta,
                     double                      gap = std::numeric_limits<double>::infinity()) const;
 
+    /** Whether left vectors are the conjugate ones of each mode: there is neither dissipation nor a follower force. */
+    bool
+    has_conjugate_left_vectors() const
+    {
+      return is_symmetric || is_conservative;
+    }
+
+    /** The left vector of a mode, of as many numbers as @p zeta; the conjugate one if it is not found. */
+    Eigen::VectorXcd left_vector_of(const std::complex<double> &lambda, const Eigen::VectorXcd &zeta) const;
+
     /** Displacements and rotations from the first half of a state. */
     Eigen::VectorXcd zeta(const Eigen::VectorXcd &z) const;
 
@@ -119,6 +129,8 @@ namespace samara
 
     /** Of (ζ, μ, q): x̄ or x, whichever is nearer to a left vector, or a left vector if neither is near enough. */
     Eigen::VectorXcd left_vector(const std::complex<double> &lambda, const Eigen::VectorXcd &x, double gap) const;
+    /** (ζ, μ, q) of a mode: one more application gives the multipliers and stresses that belong to it. */
+    Eigen::VectorXcd with_multipliers(const Eigen::VectorXcd &f, const Eigen::VectorXcd &zeta) const;
   };
 } // namespace samara
 
