@@ -153,6 +153,8 @@ namespace samara
       std::filesystem::remove(checkpoint_file(context)); // of an earlier run
     analysis.record(context, state, *machinery.projection, output);
     last = analysis.remember(context, state, machinery, output);
+    // a run that goes on from here has factors of its own: pivots that the first report chose round otherwise
+    machinery.projection = std::make_unique<Projection>(system);
   }
 
 
