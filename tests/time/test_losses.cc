@@ -1,6 +1,7 @@
 // What steps take of the energy, or leave open at a stop, is told with the step that would do; with that it is not.
 //
-// References: the amplification of the scheme for a mass on a spring; the height e² H of a ball that bounces.
+// References: the amplification of the scheme for a mass on a spring; the height e² H of a ball that bounces; a lead
+// screw behind a coupling, J θ'' = k(Ωt − θ) + m g p with the table's m p² in J.
 
 #include <samara/analysis/dynamic.h>
 
@@ -87,6 +88,50 @@ TEST(Losses, NumericalDissipationIsToldWithTheStepThatWouldDo)
       EXPECT_GT(budget.dissipated, 0.02 * 1e-3 * 0.5); // nor is it far too short
       const std::string kept = told(swinging, entries(c.step, "1"));
       EXPECT_EQ(kept.find("the integrator has dissipated"), std::string::npos) << kept;
+    }
+}
+
+
+
+// A motor turns the spindle of a lead screw by a coupling of stiffness k; the nut lets a table of 20 kg down. The motor
+// starts at once, so that the coupling oscillates, which long steps damp.
+TEST(Losses, ALeadScrewWithLongStepsIsTold)
+{
+  const std::string small = "set Mass = 1\n set Inertia = 1e-3, 1e-3, 1e-3\n", axis = " set Axis = 0, 0, 1\n",
+                    screw =
+                      model(rigid_body("motor", small) + rigid_body("spindle", small) +
+                              rigid_body("table", "set Mass = 20\n set Inertia = 1, 1, 1\n"),
+                            joint("shaft",
+                                  "revolute",
+                                  "set Body A = ground\n set Body B = motor\n" + axis +
+                                    motion("rotation", " set Prescribed = 30*t\n")) +
+                              joint("coupling",
+                                    "revolute",
+                                    "set Body A = motor\n set Body B = spindle\n" + axis +
+                                      motion("rotation", " set Spring = 40\n")) +
+                              joint("thread",
+                                    "screw",
+                                    "set Body A = spindle\n set Body B = table\n set Pitch = 2e-3\n" + axis) +
+                              joint("guide", "prismatic", "set Body A = ground\n set Body B = table\n" + axis),
+                            "  subsection weight\n set Type = gravity\n end\n") +
+                      "set Analyses = dynamic\nsubsection Dynamic\n set End time = 1\n set Spectral radius = 0\n end\n";
+  // with steps that are short enough it is the motion of the equation
+  const double k = 40, J = 1e-3 + 20 * 2e-3 * 2e-3, omega = std::sqrt(k / J), sag = 20 * 9.80665 * 2e-3 / k,
+               theta = 30 + sag * (1 - std::cos(omega)) - 30 / omega * std::sin(omega);
+  Scene fine(screw, {"Dynamic/Step = 1e-3"});
+  fine.analysis<DynamicAnalysis>().run(fine.context);
+  EXPECT_NEAR(fine.value("table.position z"), -2e-3 * theta, 1e-7);
+  EXPECT_EQ(fine.stream.str().find("the integrator has dissipated"), std::string::npos) << fine.stream.str();
+  for (const std::string long_step : {"0.02", "0.005"})
+    {
+      DynamicAnalysis::Budget budget;
+      const std::string       said = told(screw, {"Dynamic/Step = " + long_step}, &budget);
+      ASSERT_NE(said.find("the integrator has dissipated"), std::string::npos) << said;
+      const double step = step_that_would_do(said);
+      ASSERT_GT(step, 0) << said;
+      ASSERT_LT(step, std::stod(long_step)) << said;
+      const std::string short_enough = told(screw, {"Dynamic/Step = " + number_to_text("%g", step)});
+      EXPECT_EQ(short_enough.find("the integrator has dissipated"), std::string::npos) << step << short_enough;
     }
 }
 
