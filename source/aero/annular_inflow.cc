@@ -91,7 +91,7 @@ namespace samara
     if (air == nullptr)
       return;
     theory.density     = air->density;
-    theory.least_speed = 1e-6 * air->speed_of_sound;
+    theory.least_speed = 1e-12 * air->speed_of_sound;
   }
 
 

@@ -19,12 +19,13 @@ namespace samara
                          Eigen::MatrixXd         &K) const
   {
     const auto       theory    = annular->within(g.radius);
-    constexpr double that_fast = 1e4; // in least speeds
-    if (theory.mass_flow(in_annulus(station, g, at), 1.) > 1.01 * theory.least_speed)
+    constexpr double that_fast = 4e4; // in least speeds: some per cents of that of the blade, as in hover
+    const double     least     = std::sqrt(theory.least_square(at.relative));
+    if (theory.mass_flow(in_annulus(station, g, at), 1., at.relative) > 1.01 * least)
       return;
     const unsigned int row = 6 * g.frames.D.size() + station.first_flow;
     for (unsigned int i = 0; i < AnnularMomentum::n_states; ++i)
-      K(row + i, row + i) += 2 * that_fast * theory.least_speed / (theory.apparent_mass * theory.radius);
+      K(row + i, row + i) += 2 * that_fast * least / (theory.apparent_mass * theory.radius);
   }
 
 

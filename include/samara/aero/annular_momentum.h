@@ -19,7 +19,8 @@ namespace samara
    *
    *     ρ k R ẇ = Q f₃/(2πr r') − 2ρF w V      ρ k R v̇ = Q f_ψ/(2πr r') − 2ρF v V       V = √(μ² + b² + ε²)
    *
-   * (H. Glauert), r' = dr/ds of the line. w and v are those at the blade, F w the mean of the annulus; F is Prandtl's
+   * (H. Glauert), r' = dr/ds of the line, ε a millionth of the air that meets the blade, so that slow rotors are like
+   * fast ones. w and v are those at the blade, F w the mean of the annulus; F is Prandtl's
    * factor of tip and root,
    *
    *     F = Π (2/π) acos e^{−f},  f = (Q/2)(R − r)/(r |sin φ|) and (Q/2)(r − r₀)/(r₀ |sin φ|)
@@ -34,14 +35,14 @@ namespace samara
    * not described. Both pieces meet with one slope at w = 0.4 s. With s < 0 and w < 0 the same holds mirrored.
    *
    * Skewed wakes: the blade meets w (1 + (15π/32) X·ξ), ξ the place on the disk divided by R and X = (u₁, u₂)/(V₀ +
-   * |s − w|), V₀ = √(μ² + (s − w)² + ε²) (D. M. Pitt & D. A. Peters, Vertica 5 (1981)). k = 8/(3π) is the apparent mass
+   * |s − w|), V₀ = √(μ² + (s − w)²) (D. M. Pitt & D. A. Peters, Vertica 5 (1981)). k = 8/(3π) is the apparent mass
    * of a rigid disk, which decides on the time constant alone.
    */
   struct AnnularMomentum
   {
     double       density = 0, radius = 0, root = 0; ///< ρ, R, r₀ (0: no loss at the root)
     double       apparent_mass = 8 / (3 * M_PI);    ///< k
-    double       least_speed   = 0;                 ///< ε [m/s]
+    double       least_speed   = 0;                 ///< far below all speeds, for air and blades at rest [m/s]
     unsigned int blades        = 1;                 ///< Q
     bool         has_tip_loss = true, has_swirl = true, has_skew = true;
 
@@ -103,14 +104,24 @@ namespace samara
       return std::real(b) > std::real(W - S) ? b : Number(W - S);
     }
 
+    /** ε², of the air @p relative to the blade */
+    template <typename Number>
+    Number
+    least_square(const Vec3<Number> &relative) const
+    {
+      constexpr double part = 1e-6;
+      return part * part * (relative(0) * relative(0) + relative(1) * relative(1) + relative(2) * relative(2)) +
+             least_speed * least_speed;
+    }
+
     /** V */
     template <typename Number>
     Number
-    mass_flow(const Place<Number> &at, const Number &F) const
+    mass_flow(const Place<Number> &at, const Number &F, const Vec3<Number> &relative) const
     {
       using std::sqrt;
       const Number b = axial_flow(at.free(2), at.w, F);
-      return sqrt(at.free(0) * at.free(0) + at.free(1) * at.free(1) + b * b + least_speed * least_speed);
+      return sqrt(at.free(0) * at.free(0) + at.free(1) * at.free(1) + b * b + least_square(relative));
     }
 
     /** |sin φ| of the air @p relative to the blade. */
@@ -135,7 +146,7 @@ namespace samara
     {
       using std::sqrt;
       const Number r = sqrt(at.x(0) * at.x(0) + at.x(1) * at.x(1)), F = loss(r, sine_of(at, relative)),
-                   flow = 2. * F * mass_flow(at, F), pressure = blades / (2 * M_PI * density * width) / r,
+                   flow = 2. * F * mass_flow(at, F, relative), pressure = blades / (2 * M_PI * density * width) / r,
                    f_psi   = (at.x(0) * f(1) - at.x(1) * f(0)) / r;
       const double inertia = apparent_mass * radius;
       return {Number((pressure * f(2) - flow * at.w) / inertia),
