@@ -382,7 +382,7 @@ namespace samara
     // each cell has points of its own: section forces jump between cells, and axes at corners
     std::vector<Sample>     samples(table->n_nodes);
     std::vector<VectorN>    stresses(table->n_nodes);
-    std::vector<PlateState> states(table->n_nodes);
+    std::vector<PlateState> states(table->n_nodes), with_less[2] = {states, states};
     for (unsigned int i = 0; i < elements.size(); ++i)
       {
         for (unsigned int k = 0; k < order.size(); ++k)
@@ -390,14 +390,18 @@ namespace samara
         const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
         if (i < n_elements())
           {
-            const Eigen::MatrixXd at_nodes = recovered_at_nodes(i, state);
+            const Eigen::MatrixXd at_points = recovered_at_points(i, state),
+                                  at_nodes  = at_points * to_nodes.transpose();
             for (unsigned int k = 0; k < order.size(); ++k)
               {
                 stresses[k] = at_nodes.col(order[k]).head<n>();
                 states[k]   = plate_state(at_nodes.col(order[k]), laminate_of(i));
+                for (unsigned int j = 0; j < 2; ++j)
+                  with_less[j][k] =
+                    plate_state(at_points * to_samples_of_less[j].row(order[k]).transpose(), laminate_of(i));
               }
             draw_section_forces(stresses, first, drawing);
-            draw_worst_layers(states, first, drawing);
+            draw_worst_layers(states, with_less, first, drawing);
           }
       }
     if (shows_layers)

@@ -39,6 +39,17 @@ namespace samara
 
 
 
+  double
+  Shell::next_term(const double here, const double with_less, const double with_least)
+  {
+    // of the series by degree, if it goes on as the last two terms do
+    const double first = std::abs(with_less), last = std::abs(std::abs(here) - first),
+                 before = std::abs(first - std::abs(with_least));
+    return last < before ? last * last / before : last;
+  }
+
+
+
   Shell::Peak
   Shell::peak_over_surface(const ExtremeByName &quantity, const int layer, const State &state) const
   {
@@ -54,12 +65,11 @@ namespace samara
         for (unsigned int k = 0; k < there.cols(); ++k)
           if (const double here = value(there.col(k)); is_first || std::abs(here) > std::abs(result.value))
             {
-              // the next term of the series, if it goes on as the last two
-              const auto   less  = [&](const unsigned int i) { return to_samples_of_less[i].row(k).transpose(); };
-              const double first = std::abs(value(at_points * less(0))), last = std::abs(std::abs(here) - first),
-                           before = std::abs(first - std::abs(value(at_points * less(1))));
-              result              = {here, last < before ? last * last / before : last};
-              is_first            = false;
+              const auto with_less = [&](const unsigned int i) {
+                return value(at_points * to_samples_of_less[i].row(k).transpose());
+              };
+              result   = {here, next_term(here, with_less(0), with_less(1))};
+              is_first = false;
             }
       }
     return result;

@@ -171,40 +171,55 @@ namespace samara
 
 
 
+  Shell::WorstLayer
+  Shell::worst_layer(const PlateState &at) const
+  {
+    WorstLayer                result;
+    SectionStresses::Extremes all;
+    for (unsigned int l = 0; l < strengths[at.laminate].size(); ++l)
+      {
+        const SectionStresses::Extremes of_layer = layer_extremes(at, l);
+        all.add(of_layer);
+        if (const double here = of_layer.indices.largest(); here > result.index)
+          {
+            result.index = here;
+            result.layer = l;
+          }
+      }
+    result.von_mises = all.von_mises_stress;
+    return result;
+  }
+
+
+
   void
   Shell::draw_worst_layers(const std::vector<PlateState> &states,
+                           const std::vector<PlateState>  with_less[2],
                            const unsigned int             first_sample,
                            Drawing                       &drawing) const
   {
     Field &strain    = drawing.field("membrane strain", "1", {"11", "22", "12"});
     Field &curvature = drawing.field("bending curvature", "1/m", {"11", "22", "12"});
     Field &von_mises = drawing.field("von Mises stress", "Pa");
+    Field &error     = drawing.field("von Mises stress error", "Pa");
     for (unsigned int k = 0; k < states.size(); ++k)
       {
-        const PlateState         &at = states[k];
-        SectionStresses::Extremes all;
-        int                       worst = -1;
-        double                    index = -1;
-        for (unsigned int l = 0; l < strengths[at.laminate].size(); ++l)
-          {
-            const SectionStresses::Extremes of_layer = layer_extremes(at, l);
-            all.add(of_layer);
-            if (const double here = of_layer.indices.largest(); here > index)
-              {
-                index = here;
-                worst = l;
-              }
-          }
-        const auto in_order = [&](const int first) {
+        const PlateState &at    = states[k];
+        const WorstLayer  worst = worst_layer(at), less = worst_layer(with_less[0][k]),
+                         least = worst_layer(with_less[1][k]);
+        const auto in_order    = [&](const int first) {
           return std::array<double, 3>{{at.strains(first), at.strains(first + 2), at.strains(first + 1)}};
         };
         strain.set(first_sample + k, in_order(0));
         curvature.set(first_sample + k, in_order(3));
-        von_mises.set(first_sample + k, all.von_mises_stress);
-        if (worst < 0)
+        von_mises.set(first_sample + k, worst.von_mises);
+        error.set(first_sample + k, next_term(worst.von_mises, less.von_mises, least.von_mises));
+        if (worst.layer < 0)
           continue; // no strengths are known
-        drawing.field("index of failure", "1").set(first_sample + k, index);
-        drawing.field("layer nearest to failure", "1").set(first_sample + k, worst + 1);
+        drawing.field("index of failure", "1").set(first_sample + k, worst.index);
+        drawing.field("index of failure error", "1")
+          .set(first_sample + k, next_term(worst.index, std::max(0., less.index), std::max(0., least.index)));
+        drawing.field("layer nearest to failure", "1").set(first_sample + k, worst.layer + 1);
       }
   }
 

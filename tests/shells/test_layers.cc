@@ -161,6 +161,23 @@ TEST(LayersOfShells, OfALaminateAreThoseOfClassicalLamination)
             }
         }
   EXPECT_GT(n, 0u);
+
+  // and how well it is known: where the peak is, a node, it is what is told of the largest
+  const auto field_named = [&](const std::string &name) {
+    for (const auto &field : drawing.fields)
+      if (field.name == name)
+        return &field;
+    throw std::runtime_error("there is no field " + name);
+  };
+  const auto  &values = *field_named("von Mises stress"), &errors = *field_named("von Mises stress error");
+  unsigned int peak = 0;
+  for (unsigned int i = 0; i < drawing.samples.size(); ++i)
+    if (values(i) > values(peak))
+      peak = i;
+  EXPECT_NEAR(values(peak) / probed(scene, "s.layers.von Mises stress"), 1, 1e-5);
+  EXPECT_NEAR(errors(peak) / probed(scene, "s.layers.von Mises stress error"), 1, 1e-3);
+  EXPECT_GT(errors(peak), 0);
+  EXPECT_GE((*field_named("index of failure error"))(peak), 0);
 }
 
 

@@ -330,6 +330,8 @@ namespace samara
     Peak peak_over_surface(const ExtremeByName &quantity, int layer, const State &state) const;
     /** Values at the nodes and at the integration points from those at the latter; by lower degrees. */
     Eigen::MatrixXd to_samples, to_samples_of_less[2];
+    /** How far a value is off, from those that polynomials of one and of two degrees less have. */
+    static double next_term(double here, double with_less, double with_least);
     void            make_samples();
 
     mutable bool are_stresses_asked = false; ///< by a probe
@@ -343,8 +345,21 @@ namespace samara
     std::optional<Probe>
     layer_probe(const std::string &path, const std::string &point, const std::string &quantity) const;
 
-    /** Strains, and the largest of stresses and indices of failure, as draw_section_forces(). */
-    void draw_worst_layers(const std::vector<PlateState> &states, unsigned int first_sample, Drawing &drawing) const;
+    /** Of all layers at a point: the largest von Mises stress, and the index of failure where it is largest. */
+    struct WorstLayer
+    {
+      double von_mises = 0, index = -1;
+      int    layer = -1; ///< none if no strengths are known
+    };
+    WorstLayer worst_layer(const PlateState &at) const;
+    /**
+     * Strains, and the largest of stresses and indices of failure, as draw_section_forces(); how well these are known
+     * by states @p with_less terms along the cell (to_samples_of_less).
+     */
+    void draw_worst_layers(const std::vector<PlateState> &states,
+                           const std::vector<PlateState>  with_less[2],
+                           unsigned int                   first_sample,
+                           Drawing                       &drawing) const;
     /**
      * Each layer as three surfaces, at its bottom, middle and top, where probes look for what is largest, with what
      * they find there; the nodes of an element in this order.
