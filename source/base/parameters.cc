@@ -41,10 +41,18 @@ namespace samara
       });
     }
 
+    /** Of a row of a table, "2, 3 deg" or "2 3 deg". */
+    std::string
+    behind_first(const std::string &row)
+    {
+      const auto end = row.find_first_of(", \t");
+      return end == std::string::npos ? "" : row.substr(end + 1);
+    }
+
     /**
      * The first angle in a text, without unit and so in radians, that looks like one in degrees; 0 if there is none. It
      * is beyond a quarter of a turn, and no multiple of 15 degrees, which is meant: 3.14159. Of a function that names
-     * nothing but s or t it is what it begins with.
+     * nothing but s or t it is what it begins with; in the rows of a table the first number is none.
      */
     double
     angle_like_degrees(const std::string &text)
@@ -54,8 +62,10 @@ namespace samara
         return std::isfinite(angle) && std::abs(angle) > largest * (1 + round_off) &&
                std::abs(std::remainder(angle, round_part)) > round_off;
       };
-      for (const auto &row : split_top_level(text, ';'))
-        for (const auto &element : split_top_level(row, ','))
+      const std::string table    = "table:", whole = trim(text);
+      const bool        is_table = whole.compare(0, table.size(), table) == 0;
+      for (const auto &row : split_top_level(is_table ? whole.substr(table.size()) : whole, ';'))
+        for (const auto &element : split_top_level(is_table ? behind_first(trim(row)) : row, ','))
           {
             double angle = 0;
             if (!text_to_number(trim(element), angle))
