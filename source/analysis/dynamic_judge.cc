@@ -4,7 +4,9 @@
 #include <samara/base/errors.h>
 #include <samara/base/text.h>
 #include <samara/model/contact_group.h>
+#include <samara/model/strain_rows.h>
 #include <samara/solvers/newton.h>
+#include <samara/time/increment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +39,27 @@ namespace samara
       return open;
     }
   } // namespace
+
+
+
+  double
+  round_off_of_strain_energy(const System &system, const State &state)
+  {
+    const StrainRows          rows   = system.strain_rows(state);
+    const std::vector<double> scales = scales_of_increment(system, 1.);
+    std::vector<double>       stress;
+    system.stresses(state, stress);
+    double sum = 0;
+    for (const StrainRows::Point &p : rows.points)
+      for (unsigned int i = 0; i < p.size; ++i)
+        {
+          double size = 0; // of the terms that the strain is the difference of
+          for (unsigned int k = rows.B.start[p.first_row + i]; k < rows.B.start[p.first_row + i + 1]; ++k)
+            size += std::abs(rows.B.values[k]) * scales[rows.B.columns[k]];
+          sum += p.weight * std::abs(stress[p.first_strain + i]) * size;
+        }
+    return std::numeric_limits<double>::epsilon() * sum;
+  }
 
 
 

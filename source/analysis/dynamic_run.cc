@@ -186,6 +186,7 @@ namespace samara
       {
         budget.start = budget.kinetic + budget.strain + budget.potential;
         analysis.set_energy_floor(system);
+        analysis.round_off_of_sum = round_off_of_strain_energy(system, state);
       }
     else if (!can_be_exact)
       context.log.line("restart: the integrator <" + analysis.integrator +

@@ -12,6 +12,9 @@ namespace samara
   using Eigen::VectorXd;
   using Complex = std::complex<double>;
 
+  // Eigen reads the first number even of a matrix that has none, as of a model that nothing can move. The decomposition of
+  // such a one is empty here.
+
   namespace
   {
     template <typename Matrix>
@@ -39,6 +42,8 @@ namespace samara
   symmetric_eigen(const MatrixXd &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return taken_from<double>(Eigen::SelfAdjointEigenSolver<MatrixXd>(A));
   }
 
@@ -48,6 +53,8 @@ namespace samara
   symmetric_eigenvalues(const RealMatrix &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
   }
 
@@ -57,6 +64,8 @@ namespace samara
   symmetric_eigenvalues(const ComplexMatrix &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return Eigen::SelfAdjointEigenSolver<MatrixXcd>(A, Eigen::EigenvaluesOnly).eigenvalues();
   }
 
@@ -66,6 +75,8 @@ namespace samara
   symmetric_eigen(const RealMatrix &A, const RealMatrix &M)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return taken_from<double>(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(A, M));
   }
 
@@ -75,6 +86,8 @@ namespace samara
   symmetric_eigen(const ComplexMatrix &A, const ComplexMatrix &M)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return taken_from<Complex>(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXcd>(A, M));
   }
 
@@ -84,6 +97,8 @@ namespace samara
   general_eigen(const MatrixXd &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     const Eigen::EigenSolver<MatrixXd> eigen(A);
     return {eigen.eigenvalues(), eigen.eigenvectors()};
   }
@@ -94,6 +109,8 @@ namespace samara
   general_eigenvalues(const MatrixXd &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return Eigen::EigenSolver<MatrixXd>(A, false).eigenvalues();
   }
 
@@ -103,6 +120,8 @@ namespace samara
   general_eigenvalues(const MatrixXd &A, const MatrixXd &B)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return Eigen::GeneralizedEigenSolver<MatrixXd>(A, B, false).eigenvalues();
   }
 
@@ -112,6 +131,8 @@ namespace samara
   real_schur(const MatrixXd &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     const Eigen::RealSchur<MatrixXd> schur(A);
     if (schur.info() != Eigen::Success)
       return {{}, {}, false};
@@ -124,6 +145,8 @@ namespace samara
   complex_schur(const MatrixXd &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     const Eigen::ComplexSchur<MatrixXd> schur(A);
     if (schur.info() != Eigen::Success)
       return {{}, {}, false};
@@ -135,6 +158,8 @@ namespace samara
   SingularValues
   singular_values(const MatrixXd &A)
   {
+    if (A.size() == 0)
+      return {MatrixXd::Identity(A.rows(), A.rows()), {}, MatrixXd::Identity(A.cols(), A.cols())};
     const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
     return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
   }
@@ -145,6 +170,8 @@ namespace samara
   exponential(const MatrixXd &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return A.exp();
   }
 
@@ -154,6 +181,8 @@ namespace samara
   logarithm(const MatrixXd &A)
   {
     assert_square(A);
+    if (A.rows() == 0)
+      return {};
     return A.log();
   }
 
@@ -279,7 +308,8 @@ namespace samara
   {
     if (threshold > 0)
       factors.setThreshold(threshold);
-    factors.compute(A);
+    // a column of zeros has the rank and the Q of none
+    factors.compute(A.cols() > 0 ? A : MatrixXd(MatrixXd::Zero(A.rows(), 1)));
   }
 
 
@@ -338,6 +368,8 @@ namespace samara
   MatrixXcd
   pivoted_q(const MatrixXcd &A)
   {
+    if (A.cols() == 0)
+      return MatrixXcd::Identity(A.rows(), A.rows());
     return Eigen::ColPivHouseholderQR<MatrixXcd>(A).householderQ();
   }
 
@@ -354,6 +386,7 @@ namespace samara
 
   MinimumNorm::MinimumNorm(const MatrixXd &A, const double threshold)
   {
+    Assert(A.cols() > 0, dealii::ExcMessage("There is no solution without unknowns."));
     factors.setThreshold(threshold);
     factors.compute(A);
   }

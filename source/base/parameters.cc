@@ -41,31 +41,44 @@ namespace samara
       });
     }
 
-    /** Of a row of a table, "2, 3 deg" or "2 3 deg". */
-    std::string
-    behind_first(const std::string &row)
+    /** Whether an angle [rad] looks like one in degrees: beyond a quarter of a turn, and no multiple of 15 degrees,
+     * which is meant: 3.14159. */
+    bool
+    looks_like_degrees(const double angle)
     {
-      const auto end = row.find_first_of(", \t");
-      return end == std::string::npos ? "" : row.substr(end + 1);
+      constexpr double largest = M_PI / 2, round_part = M_PI / 12, round_off = 1e-3;
+      return std::isfinite(angle) && std::abs(angle) > largest * (1 + round_off) &&
+             std::abs(std::remainder(angle, round_part)) > round_off;
+    }
+
+    /** The same of the values of a table, which end its rows; what rows begin with is no angle. */
+    double
+    angle_like_degrees_in_table(const std::string &rows)
+    {
+      for (std::string row : split_top_level(rows, ';'))
+        {
+          row                = trim(row);
+          const auto before  = row.find_last_of(" ,\t");
+          double     angle   = 0;
+          const bool has_two = before != std::string::npos;
+          if (has_two && text_to_number(row.substr(before + 1), angle) && looks_like_degrees(angle))
+            return angle;
+        }
+      return 0;
     }
 
     /**
-     * The first angle in a text, without unit and so in radians, that looks like one in degrees; 0 if there is none. It
-     * is beyond a quarter of a turn, and no multiple of 15 degrees, which is meant: 3.14159. Of a function that names
-     * nothing but s or t it is what it begins with; in the rows of a table the first number is none.
+     * The first angle in a text, without unit and so in radians, that looks like one in degrees; 0 if there is none. Of
+     * a function that names nothing but s or t it is what it begins with.
      */
     double
     angle_like_degrees(const std::string &text)
     {
-      constexpr double largest = M_PI / 2, round_part = M_PI / 12, round_off = 1e-3;
-      const auto       looks_so = [&](const double angle) {
-        return std::isfinite(angle) && std::abs(angle) > largest * (1 + round_off) &&
-               std::abs(std::remainder(angle, round_part)) > round_off;
-      };
-      const std::string table    = "table:", whole = trim(text);
-      const bool        is_table = whole.compare(0, table.size(), table) == 0;
-      for (const auto &row : split_top_level(is_table ? whole.substr(table.size()) : whole, ';'))
-        for (const auto &element : split_top_level(is_table ? behind_first(trim(row)) : row, ','))
+      const std::string table = "table:";
+      if (trim(text).compare(0, table.size(), table) == 0)
+        return angle_like_degrees_in_table(trim(text).substr(table.size()));
+      for (const auto &row : split_top_level(text, ';'))
+        for (const auto &element : split_top_level(row, ','))
           {
             double angle = 0;
             if (!text_to_number(trim(element), angle))
@@ -78,7 +91,7 @@ namespace samara
                 }
               catch (const std::invalid_argument &)
                 {} // it has units, or names
-            if (looks_so(angle))
+            if (looks_like_degrees(angle))
               return angle;
           }
       return 0;
@@ -354,8 +367,7 @@ namespace samara
     if (!choices.empty())
       throw std::invalid_argument("<" + users_text + "> is not a choice" + did_you_mean(users_text, choices));
     const bool is_plain = declaration.unit.empty() || declaration.unit == "1";
-    throw std::invalid_argument("<" + users_text + "> is not accepted: wanted is " +
-                                in_words(*declaration.pattern) +
+    throw std::invalid_argument("<" + users_text + "> is not accepted: wanted is " + in_words(*declaration.pattern) +
                                 (is_plain ? "" : ", in [" + declaration.unit + "]") + ".");
   }
 

@@ -429,7 +429,6 @@ namespace samara
     void
     analyse(const Input &input, const ModelCheck &counts, Context &context)
     {
-      const InterruptGuard guard;
       try
         {
           run_all(input, context);
@@ -596,8 +595,10 @@ namespace samara
     system.drop(counts.redundant_multipliers);
     const bool least_norm = counts.mark(probes);
 
-    const std::string folder = folder_of_results(options);
-    const FolderLock  lock   = prepare_folder(folder);
+    // from here to the last file: who interrupts gets whole files, and a folder that is free
+    const InterruptGuard guard;
+    const std::string    folder = folder_of_results(options);
+    const FolderLock     lock   = prepare_folder(folder);
     write_used(input, folder);
     if (input.assembled)
       input.assembled->write(folder + "/assembly.csv");

@@ -277,6 +277,31 @@ TEST(LinearSystems, AreReadBackFromTheirFile)
 
 
 
+// What nothing can move has no states, but the clamp carries the push at once: y = D u.
+TEST(LinearSystems, OfWhatNothingMoves)
+{
+  Scene scene("subsection States\n subsection push\n set Type = control\n set Unit = N\n end\nend\n"
+              "subsection Bodies\n subsection mass\n set Type = rigid body\n set Mass = 2 kg\n set Inertia = 1, 1, 1\n end\nend\n"
+              "subsection Joints\n subsection clamp\n set Type = rigid\n set Body A = ground\n set Body B = mass.centre\n"
+              " set Reaction = true\n end\nend\n"
+              "subsection Loads\n subsection hand\n set Type = point load\n set At = mass.centre\n set Force = push, 0, 0\n"
+              " end\nend\n",
+              {});
+  look_at(scene, {"mass.displacement x", "clamp.force 1", "clamp.force 2", "clamp.force 3"});
+  auto &analysis = scene.analysis<LinearSystemAnalysis>();
+  analysis.run(scene.context);
+  const LinearSystem &space = analysis.space;
+  EXPECT_EQ(space.A.rows(), 0);
+  ASSERT_EQ(space.D.rows(), 4);
+  EXPECT_NEAR(space.D(0, 0), 0, 1e-12);
+  EXPECT_NEAR(space.D.col(0).norm(), 1, 1e-9);
+  const auto at_3 = space.responses({3.});
+  ASSERT_EQ(at_3.size(), 1);
+  EXPECT_NEAR(std::abs(at_3[0].norm() - 1), 0, 1e-9);
+}
+
+
+
 TEST(LinearSystems, WhatHasNone)
 {
   const auto has = [](const std::string &text, const std::string &piece) {

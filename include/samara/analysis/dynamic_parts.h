@@ -62,6 +62,13 @@ namespace samara
   /** @throws NotConverged if rows left out do not hold */
   void require_rows_left_out(RedundantRows &rows, const State &state);
 
+  /**
+   * How well the strain energy of a state is known [J]. A strain is the difference of terms Σ |B_ij| ζ_j as large as the
+   * model: it has their round-off, and σ times that is missing of its energy, Σ w |σ| ε Σ |B| ζ. Of a stiff body that is
+   * strained by 1e-4, this is 1e4 times the round-off of the energy itself.
+   */
+  double round_off_of_strain_energy(const System &system, const State &state);
+
   /** Of a run into this folder. */
   std::string checkpoint_file(const Context &context);
 } // namespace samara
