@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from surfaces import block
-from world import ACCELERATION, DENSITY, FORCE, FREQUENCY, HINGE_DAMPER, HINGE_SPRING, INERTIA, LENGTH, MASS, MOMENT, SPEED, TIME, World
+from world import (ACCELERATION, BENDING, DENSITY, FORCE, FREQUENCY, HINGE_DAMPER, HINGE_SPRING, INERTIA, LENGTH, LINE_FORCE, LINE_INERTIA,
+                   LINE_MASS, LINE_MOMENT, MASS, MOMENT, POWER, SPEED, TIME, World)
 
-POWER, BENDING, LINE_FORCE, LINE_MOMENT = (2, 1, -3), (3, 1, -2), (0, 1, -2), (1, 1, -2)
-LINE_MASS, LINE_INERTIA = (-1, 1, 0), (1, 1, 0)
 KINDS = "prescribed", "uniform", "Pitt-Peters", "Peters-He", "annular", "helical wake", None
 # what is compared: end of the name, dimension, and whether a mirror changes the sign
 QUANTITIES = [("thrust", FORCE, False), ("torque", MOMENT, True), ("power", POWER, False), ("mean", SPEED, False), ("angle of attack", (0, 0, 0), False),

@@ -4,5 +4,4 @@ the run says so, and its line goes."""
 KNOWN = {
     "placed-turned 47": "rolling friction between bodies that a redundant loop locks: what turns in stages alone, 5e-5 of the speed, "
                         "depends on which rows are left out",
-    "pressed 971030": "dry friction begins to stick with spectral radius 1: 23 iterations a step, the time is over before a hundred times the steps",
 }

@@ -5,11 +5,16 @@ import random
 import re
 import zlib
 
+import back
 import extremes
+import held
 import judges
+import kills
 import mutations
 import relatives
 import renamed
+import split
+import wings
 from further import Further, curved_mechanism, further_mechanism, rough_further
 from generator import INTEGRATORS, Generator, mechanism, rough_mechanism
 from mechanism import Mechanism
@@ -76,7 +81,7 @@ class ShelledRelativeTrial(RelativeTrial):
     def complaints(self, program, thing):
         first, second = Run(program, thing.text_here()), Run(program, thing.text(self.world))
         self.code, self.seconds = first.code, first.seconds + second.seconds
-        if any(re.search("[1-9][0-9]* without solution", run.output) for run in (first, second)):
+        if first.has_halved_steps() or second.has_halved_steps():
             return list(judges.outcome(second))
         return [*judges.outcome(second), *relatives.compare(thing, first, second, self.world, self.tolerance)]
 
@@ -110,6 +115,41 @@ class TwiceTrial(Trial):
         first, second = Run(program, text), Run(program, renamed.with_a_second_copy(text))
         self.code, self.seconds = first.code, first.seconds + second.seconds
         return [*judges.outcome(second), *renamed.compare(first, second, 1e-8)]
+
+
+class JudgedTrial(Trial):
+    """A mechanism of which judge(program, thing) gives the runs, and what is wrong."""
+
+    def __init__(self, name, thing, judge):
+        super().__init__(name, thing)
+        self.judge = judge
+
+    def complaints(self, program, thing):
+        runs, said = self.judge(program, thing)
+        self.code, self.seconds = runs[0].code if runs else None, sum(run.seconds for run in runs)
+        return said
+
+
+class ClosedTrial(Trial):
+    """A wing or a rotor beside its closed form."""
+
+    def text(self, thing):
+        return thing.text()
+
+    def complaints(self, program, thing):
+        runs, said = thing.complaints(program)
+        self.code, self.seconds = runs[0].code, sum(run.seconds for run in runs)
+        return said
+
+
+class KillTrial(Trial):
+    def text(self, thing):
+        return thing.text()
+
+    def complaints(self, program, thing):
+        said = thing.complaints(program)
+        self.code, self.seconds = -1 if thing.code is None else thing.code, thing.seconds
+        return said
 
 
 class TextTrial(Trial):
@@ -153,7 +193,7 @@ class FlownTrial(Trial):
         first, second = Run(program, thing.text(World())), Run(program, thing.text(self.world))
         self.code, self.seconds = first.code, first.seconds + second.seconds
         said = [*judges.outcome(first), *judges.outcome(second)]
-        if any(re.search("[1-9][0-9]* without solution", run.output) for run in (first, second)):
+        if first.has_halved_steps() or second.has_halved_steps():
             return said
         return [*said, *compare_rotors(thing, first, second, self.world, 1e-6)]
 
@@ -314,6 +354,27 @@ def named_trials(seed):
     yield TwiceTrial(f"twice {seed}", model)
 
 
+def held_trial(seed):
+    return JudgedTrial(f"held {seed}", held.held_mechanism(seed), held.complaints)
+
+
+def split_trial(seed):
+    return JudgedTrial(f"split {seed}", split.whole_mechanism(seed), lambda program, thing: split.complaints(program, thing, seed))
+
+
+def back_trial(seed):
+    return JudgedTrial(f"back {seed}", back.conservative_mechanism(seed), back.complaints)
+
+
+def closed_trials(seed):
+    for kind, thing in wings.closed_forms(seed).items():
+        yield ClosedTrial(f"{kind} {seed}", thing)
+
+
+def kill_trial(seed):
+    return KillTrial(f"kill {seed}", kills.Killed(seed))
+
+
 def shipped_models():
     """Small models of the repository that name no other file."""
     for path in sorted((ROOT / "prm").rglob("*.prm")):
@@ -364,6 +425,14 @@ def short(program):
     yield list(panel_trials(0))[-1]
     yield next(section_trials(0))
     yield from list(flown_trials(4))[1:]
+    for seed in range(5):
+        yield held_trial(seed)
+        yield split_trial(seed)
+        yield back_trial(seed)
+    for seed in range(3):
+        yield from closed_trials(seed)
+    for seed in 0, 1, 3, 6, 11:  # of all jobs and signals; rotors take longer
+        yield kill_trial(seed)
     for seed in range(2):
         yield mesh_trial(seed)
         yield spoilt_trial(seed)
@@ -384,6 +453,13 @@ def endless(program, start):
         yield from placed_trials(seed)
         for k in range(5):
             yield from named_trials(10 * seed + k)
+        for k in range(5):
+            yield held_trial(10 * seed + k)
+            yield split_trial(10 * seed + k)
+            yield back_trial(10 * seed + k)
+        for k in range(3):
+            yield from closed_trials(10 * seed + k)
+        yield kill_trial(seed)
         yield from (further_trial(10 * seed + k) for k in range(10))
         yield from (curved_trial(10 * seed + k) for k in range(3))
         yield from further_relatives(seed)

@@ -12,6 +12,8 @@ NUMBER, LENGTH, MASS, TIME = (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)
 FREQUENCY, SPEED, ACCELERATION = (0, 0, -1), (1, 0, -1), (1, 0, -2)
 FORCE, MOMENT, ENERGY = (1, 1, -2), (2, 1, -2), (2, 1, -2)
 SPRING, DAMPER, HINGE_SPRING, HINGE_DAMPER = (0, 1, -2), (0, 1, -1), (2, 1, -2), (2, 1, -1)
+POWER, BENDING, LINE_FORCE, LINE_MOMENT = (2, 1, -3), (3, 1, -2), (0, 1, -2), (1, 1, -2)
+LINE_MASS, LINE_INERTIA = (-1, 1, 0), (1, 1, 0)
 INERTIA, PRESSURE, DENSITY = (2, 1, 0), (-1, 1, -2), (-3, 1, 0)
 
 
