@@ -42,6 +42,20 @@ namespace samara
 
 
 
+  bool
+  account_closes(const double gap,
+                 const double largest_energy,
+                 const double n_steps,
+                 const double newton_tolerance,
+                 const double round_off_of_sum)
+  {
+    // what counts is the largest energy of all the run: a motion that begins slowly has little energy at first
+    const double allowed = std::min(n_steps * (allowed_multiple * newton_tolerance + round_off), most_allowed);
+    return gap <= allowed * largest_energy + n_steps * round_off_of_sum;
+  }
+
+
+
   double
   round_off_of_strain_energy(const System &system, const State &state)
   {
@@ -111,10 +125,9 @@ namespace samara
           report.worst_place += "; of what holds that, most is transmitted by <" +
                                 context.system.layout.name_of_multiplier(advance.step.worst_constraint) + ">";
       }
-    // what counts is the largest energy of all the run: a motion that begins slowly has little energy at first
-    const double allowed = std::min(n_judged * (allowed_multiple * newton_tolerance + round_off), most_allowed);
-    report.does_close    = std::isfinite(budget.balance()) &&
-                        report.largest_gap <= allowed * report.largest_energy + n_judged * round_off_of_sum;
+    report.does_close =
+      std::isfinite(budget.balance()) &&
+      account_closes(report.largest_gap, report.largest_energy, n_judged, newton_tolerance, round_off_of_sum);
   }
 
 

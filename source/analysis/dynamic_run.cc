@@ -125,6 +125,8 @@ namespace samara
     void        begin_afresh();
     void        save();
     void        close();
+    /** One that does not close: forces that have come up since the start have their round-off, too. */
+    void        look_at_account_again();
     void        stop_if(bool is_interrupted);
   };
 
@@ -234,12 +236,27 @@ namespace samara
         throw CannotWrite(text + ".");
       }
     close();
+    look_at_account_again();
     analysis.collect(context, *machinery.integrator);
     analysis.summarize(context, *machinery.integrator);
     if (const std::string text = singular.text(); !text.empty())
       context.log.line(text);
     analysis.meshes.conclude(context, "dynamic");
     analysis.conclude(context);
+  }
+
+
+
+  void
+  DynamicAnalysis::Run::look_at_account_again()
+  {
+    Report &report = analysis.report;
+    if (report.does_close || !std::isfinite(analysis.budget.balance()))
+      return;
+    double &round_off = analysis.round_off_of_sum;
+    round_off         = std::max(round_off, round_off_of_strain_energy(system, state));
+    report.does_close = account_closes(
+      report.largest_gap, report.largest_energy, analysis.n_judged, analysis.newton_tolerance, round_off);
   }
 
 

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 import judges
+from flown import Rotor
 from generator import Generator
 from mechanism import Mechanism, PointLoad
+from outline import changed, parse, render
 from program import Run
 from world import FORCE, MOMENT, World
 
@@ -76,8 +78,41 @@ def complaints(program, model):
     A, B, C, D = (first.linear[name] for name in "ABCD")
     if len(A):
         said += compare_poles(A, first.tables["modes"], 1.0)
-        said += compare_gains(program, model, runs, D - C @ np.linalg.solve(A, B))
+        statics = model.with_(analyses=("static",)).text_here()
+        said += compare_gains(program, statics, model.size(), model.controls(), runs, D - C @ np.linalg.solve(A, B))
     return runs, said
+
+
+class Flown:
+    """A rotor in air, in hover or axial flow, at whose first blade a control pulls along with the blade. It is held at its speed."""
+
+    def __init__(self, seed):
+        chance = random.Random(f"held rotor {seed}")
+        # inflow that is not even wants axes that turn
+        able = lambda rotor: rotor.steady and (rotor.turning_hub or rotor.inflow not in ("prescribed", "Pitt-Peters", "Peters-He"))
+        self.rotor = next(rotor for rotor in map(Rotor, range(1000 * seed, 1000 * seed + 1000)) if able(rotor))
+        tree = parse(self.rotor.text(World()).replace("static, modal, dynamic", "static, linear system, modal"))
+        force = ", ".join(f"{chance.uniform(-1, 1)!r}*(pull)" for _ in range(3))
+        for path, value in ((["Static", "Tolerance"], "1e-11"), (["Modal", "Modes"], "10"), (["Modal", "Hold rotations"], "true"),
+                            (["Modal", "Shift"], "1"), (["Linear system", "Hold rotations"], "true"), (["States", "pull", "Type"], "control"),
+                            (["States", "pull", "Unit"], "N"), (["Loads", "pulling", "Type"], "point load"), (["Loads", "pulling", "At"], "b0.end"),
+                            (["Loads", "pulling", "Force"], force), (["Loads", "pulling", "Axes"], "body")):
+            tree = changed(tree, path, value)
+        self.tree = tree
+
+    def text(self):
+        return render(self.tree)
+
+    def complaints(self, program):
+        first = Run(program, self.text())
+        runs, said = [first], list(judges.outcome(first))
+        if first.code != 0:
+            return runs, said
+        A, B, C, D = (first.linear[name] for name in "ABCD")
+        said += compare_poles(A, first.tables["modes"], 1.0)
+        statics = render(changed(self.tree, ["Analyses"], "static"))
+        said += compare_gains(program, statics, self.rotor.radius, ["pull"], runs, D - C @ np.linalg.solve(A, B))
+        return runs, said
 
 
 def allowed(poles, pole):
@@ -101,13 +136,15 @@ def compare_poles(A, modes, shift):
             yield f"the pole of {pole:.9g} 1/s is {error:.1e} away from the modes, of which the farthest is {farthest:.3g} away from the shift"
 
 
-def compare_gains(program, model, runs, gains):
-    names, linear = model.controls(), runs[0].linear
-    names, poles = [name for name in linear["inputs"] if name in names], np.linalg.eigvals(linear["A"])
-    units, size = np.array(linear["output units"]), model.size()
+def compare_gains(program, statics, size, controls, runs, gains):
+    """`statics` is the text of a model that finds equilibria alone; what it runs comes to `runs`."""
+    linear = runs[0].linear
+    poles, units = np.linalg.eigvals(linear["A"]), np.array(linear["output units"])
     of_places, of_angles = np.isin(units, ("m",)), np.isin(units, ("deg",))
     scale = np.where(of_places, size, math.degrees(1))
-    for k, name in enumerate(names):
+    for k, name in enumerate(linear["inputs"]):
+        if name not in controls:
+            continue
         told = gains[:, k]
         largest = max(abs(told / scale)[of_places | of_angles].max(initial=0), 1e-12)
         push = SMALL / largest
@@ -115,7 +152,7 @@ def compare_gains(program, model, runs, gains):
             continue  # nothing gives way
         values = []
         for sign in 1, -1:
-            run = Run(program, model.with_(analyses=("static",)).text_here(), "--set", f"States/{name}/Value = {sign * push!r}")
+            run = Run(program, statics, "--set", f"States/{name}/Value = {sign * push!r}")
             runs.append(run)
             if run.code != 0:
                 yield f"with {name} = {sign * push:.3g} statics end with exit code {run.code}: {run.output[-300:]}"

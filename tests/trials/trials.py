@@ -131,7 +131,7 @@ class JudgedTrial(Trial):
 
 
 class ClosedTrial(Trial):
-    """A wing or a rotor beside its closed form."""
+    """A wing or a rotor beside its closed form, or something else that judges itself."""
 
     def text(self, thing):
         return thing.text()
@@ -358,6 +358,10 @@ def held_trial(seed):
     return JudgedTrial(f"held {seed}", held.held_mechanism(seed), held.complaints)
 
 
+def held_rotor_trial(seed):
+    return ClosedTrial(f"held-rotor {seed}", held.Flown(seed))
+
+
 def split_trial(seed):
     return JudgedTrial(f"split {seed}", split.whole_mechanism(seed), lambda program, thing: split.complaints(program, thing, seed))
 
@@ -431,6 +435,7 @@ def short(program):
         yield back_trial(seed)
     for seed in range(3):
         yield from closed_trials(seed)
+        yield held_rotor_trial(seed)
     for seed in 0, 1, 3, 6, 11:  # of all jobs and signals; rotors take longer
         yield kill_trial(seed)
     for seed in range(2):
@@ -459,6 +464,7 @@ def endless(program, start):
             yield back_trial(10 * seed + k)
         for k in range(3):
             yield from closed_trials(10 * seed + k)
+            yield held_rotor_trial(10 * seed + k)
         yield kill_trial(seed)
         yield from (further_trial(10 * seed + k) for k in range(10))
         yield from (curved_trial(10 * seed + k) for k in range(3))

@@ -63,6 +63,16 @@ namespace samara
   void require_rows_left_out(RedundantRows &rows, const State &state);
 
   /**
+   * Whether what a budget misses at most, @p gap [J], is what Newton's method may leave in so many steps, of the largest
+   * energy [J], or the round-off of the budget's terms, @p round_off_of_sum [J] a step.
+   */
+  bool account_closes(double gap,
+                      double largest_energy,
+                      double n_steps,
+                      double newton_tolerance,
+                      double round_off_of_sum);
+
+  /**
    * How well the strain energy of a state is known [J]. A strain is the difference of terms Σ |B_ij| ζ_j as large as the
    * model: it has their round-off, and σ times that is missing of its energy, Σ w |σ| ε Σ |B| ζ. Of a stiff body that is
    * strained by 1e-4, this is 1e4 times the round-off of the energy itself.
