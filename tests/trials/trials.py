@@ -75,6 +75,21 @@ class RelativeTrial(Trial):
         return [*judges.outcome(second), *relatives.compare(thing, first, second, self.world, self.tolerance)]
 
 
+class PlacedTrial(RelativeTrial):
+    """With friction. Of rows that say the same, turned axes choose others to be left out; these hold at the ends of steps, and in stages
+    to the order of the scheme alone, which friction feels (placed-turned 47: 5e-5 of the speed, and 64 times less with a quarter of the
+    step). Such a difference must go away with shorter steps."""
+
+    def complaints(self, program, thing):
+        said = super().complaints(program, thing)
+        if not said or not re.search("redundant +[1-9]", Run(program, thing.text_here(), "--check").output):
+            return said
+        seconds = self.seconds
+        said = super().complaints(program, thing.with_(steps=4 * thing.steps, step=thing.step / 4))
+        self.seconds += seconds
+        return said
+
+
 class ShelledRelativeTrial(RelativeTrial):
     """Steps that find no solution are halved, which round-off may decide: such runs are not compared."""
 
@@ -284,8 +299,8 @@ def placed_trials(seed):
     if any(isinstance(contact, Group) and contact.beams for contact in model.contacts):
         return
     model.radius = 0.5 if model.stages == 1 else model.radius
-    yield RelativeTrial(f"placed-turned {seed}", model, relatives.turned(Toucher(seed)), 1e-5)
-    yield RelativeTrial(f"placed-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-5)
+    yield PlacedTrial(f"placed-turned {seed}", model, relatives.turned(Toucher(seed)), 1e-5)
+    yield PlacedTrial(f"placed-units {seed}", model, World(**relatives.UNITS[seed % len(relatives.UNITS)]), 1e-5)
 
 
 def further_trial(seed):
