@@ -273,6 +273,7 @@ namespace samara
         }
       auto page = std::make_unique<ReportPage>(settings, input.model, std::move(reference), log);
       page->begin();
+      page->watch("the model is read");
       return page;
     }
 
@@ -613,8 +614,6 @@ namespace samara
     context.least_norm = least_norm;
     context.used       = input.used();
     context.page       = page.get();
-    if (page != nullptr)
-      page->watch("the model is read");
     analyse_and_show(input, counts, context);
     conclude(options, input, context, start, processor_start);
   }
