@@ -210,7 +210,7 @@ namespace samara
     spent = Effort{double(motion.n_marched), double(motion.n_iterations), double(motion.n_factorizations)};
     if (!context.folder.empty())
       write(context);
-    context.log.line("harmonics: " + std::to_string(n_harmonics) + " of " + std::to_string(series.size()) +
+    context.log.line("harmonics: " + std::to_string(n_harmonics) + " harmonics of " + std::to_string(series.size()) +
                      " quantities of a motion that is periodic to " + number_to_text("%.1e", gap));
   }
 
