@@ -7,8 +7,9 @@ const [, , modules, file, picture, action] = process.argv;
 const { chromium } = createRequire(resolve(modules) + '/')('playwright-core');
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
 const tab = await (await browser.newContext({ viewport: { width: 1400, height: 800 }, colorScheme: 'light', reducedMotion: 'reduce' })).newPage();
+tab.setDefaultTimeout(120000); // drawing by software
 await tab.goto(pathToFileURL(resolve(file)).href);
-await tab.waitForFunction(() => window.page?.ready);
+await tab.waitForFunction(() => window.page?.ready, null, { polling: 100 });
 if (action) await tab.evaluate(action);
 await tab.waitForTimeout(500);
 await tab.screenshot({ path: picture });

@@ -12,6 +12,7 @@ const { chromium } = createRequire(resolve(modules) + '/')('playwright-core');
 mkdirSync(pictures, { recursive: true });
 const args = files[0] === '--without-webgl' ? ['--no-sandbox', '--disable-3d-apis'] : ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 const browser = await chromium.launch({ executablePath, args });
+const patiently = { timeout: 240000, polling: 100 }; // on a busy machine: not by frames, which may not come
 
 /** Pixels that are drawn. */
 const drawn = page => page.evaluate(() => {
@@ -182,11 +183,11 @@ async function follow(file) {
   page.on('pageerror', e => said.push('uncaught: ' + e.message));
   page.on('load', () => ++loads);
   await page.goto(pathToFileURL(resolve(file)).href);
-  await page.waitForFunction(() => window.page?.ready);
+  await page.waitForFunction(() => window.page?.ready, null, patiently);
   await page.evaluate(() => { window.page.open('energy'); window.page.theme(true); window.page.view.azimuth = 1.25; });
-  const count = () => page.waitForFunction(() => window.page?.ready && window.page.result.tables.dynamic.rows, null, { timeout: 30000 }).then(h => h.jsonValue()).catch(() => 0);
-  for (const until = Date.now() + 60000; Date.now() < until && (loads < 3 || rows[rows.length - 1] <= rows[0]);) { const n = await count(); if (n) rows.push(n); await page.waitForTimeout(500); }
-  await page.waitForFunction(() => window.page?.ready);
+  const count = () => page.waitForFunction(() => window.page?.ready && window.page.result.tables.dynamic.rows, null, { timeout: 30000, polling: 100 }).then(h => h.jsonValue()).catch(() => 0);
+  for (const until = Date.now() + 100000; Date.now() < until && (loads < 3 || rows[rows.length - 1] <= rows[0]);) { const n = await count(); if (n) rows.push(n); await page.waitForTimeout(500); }
+  await page.waitForFunction(() => window.page?.ready, null, patiently);
   const found = await page.evaluate(() => ({ panel: window.page.panels.find(p => !p.root.hidden).name, dark: document.documentElement.classList.contains('dark'), azimuth: window.page.view.azimuth }));
   return { ...found, loads, rows, said };
 }
@@ -196,7 +197,7 @@ async function withoutWebgl(file) {
   const page = await browser.newPage(), said = [];
   page.on('pageerror', e => said.push('uncaught: ' + e.message));
   await page.goto(pathToFileURL(resolve(file)).href);
-  await page.waitForFunction(() => window.page?.ready || document.getElementById('failed'));
+  await page.waitForFunction(() => window.page?.ready || document.getElementById('failed'), null, patiently);
   for (const key of ['2', '3', 'n', 'f', 'm', 't', ' ', 'o', 'x', 'Home', '+']) await page.keyboard.press(key);
   return { ...await page.evaluate(() => ({ note: document.getElementById('note').textContent, panels: window.page.panels.map(p => p.name), open: window.page.panels.find(p => !p.root.hidden).name })), said };
 }
@@ -225,7 +226,7 @@ for (const file of files) {
   const client = await context.newCDPSession(page);
   await client.send('Performance.enable', { timeDomain: 'threadTicks' }); // of the processor, counted from here on
   await page.goto(pathToFileURL(resolve(file)).href);
-  await page.waitForFunction(() => window.page?.ready || document.getElementById('failed'), null, { timeout: 120000 });
+  await page.waitForFunction(() => window.page?.ready || document.getElementById('failed'), null, patiently);
   const metrics = Object.fromEntries((await client.send('Performance.getMetrics')).metrics.map(m => [m.name, m.value]));
   found.seconds_of_page = metrics.TaskDuration;
   found.panels = await page.evaluate(() => window.page.panels.map(p => p.name));
