@@ -73,6 +73,20 @@ namespace samara
 
 
 
+    /** Whether anything moves by more than round-off [lengths of the model/s, rad/s]. */
+    bool
+    moves(const System &system, const State &state)
+    {
+      constexpr double round_off = 1e-12;
+      const double     length    = model_length(system.model);
+      for (unsigned int i = 6; i < state.y.size(); ++i)
+        if (std::abs(state.y[i]) > round_off * (i % 6 < 3 ? length : 1.))
+          return true;
+      return false;
+    }
+
+
+
     /** Velocities are made to obey the constraints. */
     void
     make_admissible(const Context &context, const StartOfMotion &how, State &state)
@@ -92,7 +106,7 @@ namespace samara
                            "; the dynamic analysis needs a mass or an inertia there");
         }
       refuse_turning_ground(context, how, given, state, change);
-      if (change > 1e-6)
+      if (change > 1e-6 && (moves(system, state) || moves(system, given)))
         {
           unsigned int worst = 6;
           for (unsigned int i = 6; i < state.y.size(); ++i)
