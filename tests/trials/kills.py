@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SIGNALS = signal.SIGKILL, signal.SIGINT, signal.SIGTERM, None  # None: a second start in the same folder
 LONGEST = 300  # s until somebody gives up
 LINGER = 10  # s in which what a killed run has started has to end
-LOCK = ".samara_lock"
+LOCK, REFUSED = ".samara_lock", "another run writes its results"
 
 NO_PICTURES = "Output/Pictures = false"
 JOBS = {
@@ -100,7 +100,8 @@ class Killed:
         allowed = {signal.SIGKILL: (-signal.SIGKILL, 0), None: (0,)}.get(self.signal, (130, 0))
         # before it has a folder, and behind its last word, a signal ends it as any program
         is_outside = code == -(self.signal or 0) and (not any(folder.glob("*.csv")) or "done in " in output)
-        if code not in allowed and not is_outside:
+        is_second = self.signal is None and REFUSED in output  # the other one was there before it
+        if code not in allowed and not is_outside and not is_second:
             yield f"ends with exit code {code}: {output[-300:]}"
         yield from still_runs(folder)
         yield from unreadable(folder, self.signal == signal.SIGKILL)
@@ -115,7 +116,7 @@ class Killed:
     def second_start(self, program, folder, first):
         code, output = self.finish(self.start(program, folder))
         # the first may be done, or not have begun
-        if code != 0 and not (code == 4 or code == 2) or code != 0 and "another run writes" not in output:
+        if code != 0 and REFUSED not in output:
             yield f"a second start ends with exit code {code}: {output[-300:]}"
         if code == 0 and first.poll() is None and (folder / LOCK).exists():
             yield "a second start goes on beside the first"

@@ -13,7 +13,7 @@ import relatives
 from generator import Generator
 from mechanism import Beam, Joint
 from program import Run
-from world import BENDING, FORCE, LENGTH, LINE_INERTIA, LINE_MASS, MOMENT, World
+from world import BENDING, FORCE, LENGTH, LINE_INERTIA, LINE_MASS, World
 
 
 @dataclass
