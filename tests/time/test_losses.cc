@@ -124,14 +124,20 @@ TEST(Losses, ALeadScrewWithLongStepsIsTold)
   EXPECT_EQ(fine.stream.str().find("the integrator has dissipated"), std::string::npos) << fine.stream.str();
   for (const std::string long_step : {"0.02", "0.005"})
     {
-      DynamicAnalysis::Budget budget;
-      const std::string       said = told(screw, {"Dynamic/Step = " + long_step}, &budget);
+      // of steps that do not resolve the oscillation at all the advice is nearer, and the next one right
+      const unsigned int most = long_step == "0.02" ? 2 : 1;
+      double             step = std::stod(long_step);
+      std::string        said = told(screw, {"Dynamic/Step = " + long_step});
       ASSERT_NE(said.find("the integrator has dissipated"), std::string::npos) << said;
-      const double step = step_that_would_do(said);
-      ASSERT_GT(step, 0) << said;
-      ASSERT_LT(step, std::stod(long_step)) << said;
-      const std::string short_enough = told(screw, {"Dynamic/Step = " + number_to_text("%g", step)});
-      EXPECT_EQ(short_enough.find("the integrator has dissipated"), std::string::npos) << step << short_enough;
+      for (unsigned int i = 0; i < most && said.find("the integrator has dissipated") != std::string::npos; ++i)
+        {
+          const double advised = step_that_would_do(said);
+          ASSERT_GT(advised, 0) << said;
+          ASSERT_LT(advised, step) << said;
+          step = advised;
+          said = told(screw, {"Dynamic/Step = " + number_to_text("%g", step)});
+        }
+      EXPECT_EQ(said.find("the integrator has dissipated"), std::string::npos) << step << said;
     }
 }
 
