@@ -65,8 +65,11 @@ namespace samara
     at = 0;
     for (const Part &part : parts)
       {
-        Eigen::Map<Eigen::VectorXd>(part.values, part.size).noalias() -=
-          images.block(at, 0, part.size, factors.size()) * factors;
+        // one after the other: of a product of so few columns Eigen fuses what is aligned alone, and where a vector
+        // stands in memory would change its last digit
+        Eigen::Map<Eigen::VectorXd> values(part.values, part.size);
+        for (unsigned int j = 0; j < factors.size(); ++j)
+          values -= factors(j) * images.col(j).segment(at, part.size);
         at += part.size;
       }
   }
