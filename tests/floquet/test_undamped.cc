@@ -100,6 +100,8 @@ subsection Floquet
   set Turns of = shaft
   set Settle = 2
   set Animations = 0
+  # at 8 rad/s the orbit closes to 1e-7 or to 1e-11, by what round-off of steps with 1e-12 and 1e-13 makes of a pair of ones
+  set Newton tolerance = 1e-14
 end
 )";
   }

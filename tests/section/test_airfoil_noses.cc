@@ -99,7 +99,7 @@ end
 subsection Sections
   subsection blade
     set Type        = airfoil
-    set Coordinates = )" SAMARA_SOURCE_DIR R"(/tests/reference/sections/airfoil_mh_104.csv
+    set Coordinates = )" SAMARA_SOURCE_DIR "/" R"(tests/reference/sections/airfoil_mh_104.csv
     set Chord       = 1.9 m
     set Origin      = 0.25
     set Layup       = nose
