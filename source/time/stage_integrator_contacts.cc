@@ -24,12 +24,15 @@ namespace samara
   StageIntegrator::evaluate_contacts_that_turn(const double h)
   {
     // bodies that touch need not be of one set: each set gets back what its own sides have done too much
-    std::vector<std::vector<double>> forces(2 * tableau.s, std::vector<double>(system.size() + 6, 0.));
-    std::vector<double *>            seen, in_axes;
-    for (unsigned int k = 0; k < tableau.s; ++k)
+    thread_local std::vector<std::vector<double>> forces;
+    thread_local std::vector<double *>            seen, in_axes;
+    forces.resize(2 * tableau.s);
+    seen.clear();
+    in_axes.clear();
+    for (auto &one : forces)
       {
-        seen.push_back(forces[k].data());
-        in_axes.push_back(forces[tableau.s + k].data());
+        one.assign(system.size() + 6, 0.);
+        (seen.size() < tableau.s ? seen : in_axes).push_back(one.data());
       }
     contacts.evaluate(points_of_stages, final_q.data(), h, seen, in_axes);
     for (unsigned int k = 0; k < tableau.s; ++k)

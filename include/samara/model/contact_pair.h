@@ -54,10 +54,17 @@ namespace samara
     {
       if (kind == plane)
         return radius_b - phi;
-      const double distance = std::sqrt(2 * phi);
-      return hollow ? distance + radius_b - radius_a : radius_a + radius_b - distance;
+      return gap_of(std::sqrt(2 * phi));
     }
     /** @} */
+
+    /** The gap of what is not a plane, at the distance d. */
+    template <typename Number>
+    Number
+    gap_of(const Number &distance) const
+    {
+      return hollow ? Number(distance + radius_b - radius_a) : Number(radius_a + radius_b - distance);
+    }
   };
 
 
@@ -142,8 +149,7 @@ namespace samara
               phi -= 0.5 * along * dot(p.axis, delta);
             }
           distance = Number(sqrt(Number(2. * phi)));
-          gap      = shape.hollow ? Number(distance + shape.radius_b - shape.radius_a) :
-                                    Number(shape.radius_a + shape.radius_b - distance);
+          gap      = shape.gap_of(distance);
         }
       rate   = Number(dot(of_place, moving) + dot(of_axis, p.axis_rate));
       normal = Number(-shape.sign() / distance) * of_place;
