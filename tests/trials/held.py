@@ -75,6 +75,8 @@ def complaints(program, model):
     runs, said = [first], list(judges.outcome(first))
     if first.code != 0:
         return runs, said
+    if first.linear is None:
+        return runs, said + ["no linear system is written"]
     A, B, C, D = (first.linear[name] for name in "ABCD")
     if len(A):
         said += compare_poles(A, first.tables["modes"], 1.0)
