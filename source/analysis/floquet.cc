@@ -27,8 +27,14 @@ namespace samara
     /** What a change carried on may be different by from what multipliers were found of. */
     constexpr double allowed_difference = 1e-6;
 
-    /** Of residuals, where none is given: with few columns slow modes come to theirs. @{ */
-    constexpr double tolerance_of_largest = 1e-9, tolerance_of_slow_modes = 1e-5;
+    /** Of residuals, where none is given: with few columns slow modes come to theirs; of all columns it is that of the
+     * equations of the steps. @{ */
+    constexpr double tolerance_of_largest = 1e-7, tolerance_of_slow_modes = 1e-5, tolerance_of_all = 1e-9;
+    /** @} */
+
+    /** Equations of the steps are solved to this part of the residuals of multipliers, within these limits: what is
+     * asked of them is what multipliers are changed by, and each decade costs one product with their matrix. @{ */
+    constexpr double share_of_steps = 1e-2, least_tolerance_of_steps = 1e-13, most_tolerance_of_steps = 1e-6;
     /** @} */
 
     /** Up to this many columns all of them are cheaper than Arnoldi's method. */
@@ -179,10 +185,11 @@ namespace samara
       "Modes up to this |lambda|, as the model linearised at the start has them, are found in place of those with the "
       "largest multipliers, which of elastic rotors are what the steps do not resolve; 0: the latter [rad/s].",
       Double(0));
-    prm.add("Tolerance",
-            tolerance,
-            "Of what is found by iteration: residual relative to each multiplier; 0: 1e-9, of slow modes 1e-5 [1].",
-            Double(0, 1));
+    prm.add(
+      "Tolerance",
+      tolerance,
+      "Of what is found by iteration: residual relative to each multiplier; 0: 1e-7, of slow modes 1e-5. Steps are linearised to a hundredth of it [1].",
+      Double(0, 1));
     prm.add(
       "Symmetry",
       symmetry,
@@ -318,7 +325,15 @@ namespace samara
     check_rotations_let_go(context, parameters.where(), first, T);
     const RepeatedParts named = repeated_parts(system), parts = is_by_sections() ? named : RepeatedParts(system);
     SectionMap          map(system,
-                   {T / parts.n(), n_steps / parts.n(), n_stages, spectral_radius, newton_tolerance, max_iterations},
+                   {T / parts.n(),
+                             n_steps / parts.n(),
+                             n_stages,
+                             spectral_radius,
+                             newton_tolerance,
+                             max_iterations,
+                             std::clamp(share_of_steps * tolerance_of(what_is_wanted(system)),
+                               least_tolerance_of_steps,
+                               most_tolerance_of_steps)},
                    parts);
     try
       {
@@ -448,19 +463,40 @@ namespace samara
 
 
 
+  FloquetAnalysis::Wanted
+  FloquetAnalysis::what_is_wanted(const System &system) const
+  {
+    // as many as the constraints leave; more where these are redundant
+    const Layout &layout = system.layout;
+    const int     n      = layout.n_kinematic() + layout.of_multiplier(0) - 2 * int(layout.n_multipliers);
+    if (method == "classical" || (method != "implicit" && n <= most_columns))
+      return Wanted::all;
+    if (highest_frequency > 0)
+      return Wanted::slow;
+    // what is found beyond those that there are is round-off
+    return int(wanted) >= n ? Wanted::all : Wanted::largest;
+  }
+
+
+
+  double
+  FloquetAnalysis::tolerance_of(const Wanted what) const
+  {
+    return tolerance > 0           ? tolerance :
+           what == Wanted::all     ? tolerance_of_all :
+           what == Wanted::largest ? tolerance_of_largest :
+                                     tolerance_of_slow_modes;
+  }
+
+
+
   FloquetModes
   FloquetAnalysis::find(SectionMap &map) const
   {
-    // as many as the constraints leave; more where these are redundant
-    const Layout &layout = map.system.layout;
-    const int     n      = layout.n_kinematic() + layout.of_multiplier(0) - 2 * int(layout.n_multipliers);
-    if (method == "classical" || (method != "implicit" && n <= most_columns))
-      return all_floquet_modes(map);
-    // what is found beyond those that there are is round-off
-    if (highest_frequency == 0 && int(wanted) >= n)
-      return all_floquet_modes(map);
-    if (highest_frequency > 0)
-      return slow_floquet_modes(map, {highest_frequency, tolerance > 0 ? tolerance : tolerance_of_slow_modes});
-    return largest_floquet_modes(map, wanted, tolerance > 0 ? tolerance : tolerance_of_largest);
+    const Wanted what      = what_is_wanted(map.system);
+    const double residuals = tolerance_of(what);
+    return what == Wanted::all     ? all_floquet_modes(map) :
+           what == Wanted::largest ? largest_floquet_modes(map, wanted, residuals) :
+                                     slow_floquet_modes(map, {highest_frequency, residuals});
   }
 } // namespace samara

@@ -222,9 +222,9 @@ namespace samara
         nearest   = std::min(nearest, std::abs(1. - values(i)));
       }
     // a gap g leaves the orbit away by (1 − Φ)⁻¹ g, and the map is as much another one
-    const double away    = map.gap.size / std::max(nearest, least_distance_from_one),
-                 size    = projected.cwiseAbs().maxCoeff();
-    change               = std::max(change, (away + map.map.settings.newton_tolerance) * size);
+    const double away = map.gap.size / std::max(nearest, least_distance_from_one),
+                 size = projected.cwiseAbs().maxCoeff();
+    change = std::max(change, (away + map.map.settings.newton_tolerance + map.map.settings.tangent_tolerance) * size);
     const auto distances = changes_of_values(projected, values, change);
     for (unsigned int i = 0; i < modes.found.size(); ++i)
       modes.found[i].error = map.repeated().n() * distances(i) / std::abs(values(i));
@@ -270,7 +270,6 @@ namespace samara
     const unsigned int n = map.map.size();
     ArnoldiSettings    settings;
     settings.tolerance     = tolerance;
-    settings.largest_basis = 2 * wanted + 10;
     settings.most_products = 1000;
     EigenPairs pairs;
     map.begin("the largest " + std::to_string(std::min(wanted, n)) + " multipliers", settings.most_products);

@@ -48,15 +48,20 @@ namespace samara
     void
     residual_at(const Point<Number> &point, Number *r) const
     {
-      evaluate<true>(point, r);
+      evaluate<gaps | forces>(pair_at(point), point, r);
+      if (joint.rows_on_b)
+        add_rows_on_b<gaps | forces>(joint.seen_from_b(point), point, r);
     }
     void
     constraints(const Point<double> &point, double *r) const override
     {
-      evaluate<false>(point, r);
+      evaluate<gaps>(pair_at(point), point, r);
+      if (joint.rows_on_b)
+        add_rows_on_b<gaps>(joint.seen_from_b(point), point, r);
     }
     void   tangent(const Point<double> &point, SparseMatrix &K) const override;
     void   rates(const Point<double> &point, double *rates) const override;
+    void   forces_and_rates(const Point<double> &point, double *r, double *all_rates) const override;
     void   time_rates(const Point<double> &point, double *rates) const override;
     void   second_rates(const Point<double> &point, double *rates) const override;
     void   follow_angles(State &state) const override;
@@ -67,11 +72,28 @@ namespace samara
     class Tangent;
     const Joint &joint;
 
-    /** The residual, or only those of its rows that hold constraints. */
-    template <bool with_forces, typename Number>
-    void evaluate(const Point<Number> &point, Number *r) const;
-    template <bool with_forces, typename Number>
-    void add_rows_on_b(const Point<Number> &point, Number *r) const;
+    /** What is wanted of the residual: rows that hold constraints, and those of what the joint joins. */
+    enum Wanted : unsigned int
+    {
+      gaps   = 1,
+      forces = 2
+    };
+
+    template <typename Number>
+    PairValues<Number>
+    pair_at(const Point<Number> &point) const
+    {
+      return {joint.frame_a, joint.frame_b, point.q, point.q_of_forces(), joint.with_axes_of_b};
+    }
+
+    template <unsigned int wanted, typename Number>
+    void evaluate(const PairValues<Number> &pair, const Point<Number> &point, Number *r) const;
+    template <unsigned int wanted, typename Number>
+    void add_rows_on_b(const PairValues<Number> &seen, const Point<Number> &point, Number *r) const;
+    /** Rates of all rows but those of rows_on_b, and of those; the multipliers of the joint start at @p g. @{ */
+    void set_rates(const PairValues<double> &pair, const Point<double> &point, double *g) const;
+    void set_rates_on_b(const PairValues<double> &seen, const Point<double> &point, double *g) const;
+    /** @} */
     /** Of the rows on B, @p value of their functions; those of the joint start at @p rows. */
     template <typename Value>
     void
@@ -271,25 +293,24 @@ namespace samara
 
 
 
-  template <bool with_forces, typename Number>
+  template <unsigned int wanted, typename Number>
   void
-  Joint::Constraints::evaluate(const Point<Number> &point, Number *r) const
+  Joint::Constraints::evaluate(const PairValues<Number> &pair, const Point<Number> &point, Number *r) const
   {
-    const PairValues<Number> pair(joint.frame_a, joint.frame_b, point.q, point.q_of_forces(), joint.with_axes_of_b);
-    PairForces<Number>       forces;
-    const Number *const      lambda = point.multipliers + joint.first_multiplier;
-    Number *const            g      = r + joint.first_row;
-    const auto              &used   = joint.used;
-    const Block             &block  = joint.block;
-    unsigned int             row    = 0;
+    constexpr bool      with_gaps = wanted & gaps, with_forces = wanted & Wanted::forces;
+    PairForces<Number>  forces;
+    const Number *const lambda = point.multipliers + joint.first_multiplier;
+    Number *const       g      = r + joint.first_row;
+    const auto         &used   = joint.used;
+    const Block        &block  = joint.block;
+    unsigned int        row    = 0;
 
-    if (joint.rows_on_b)
-      add_rows_on_b<with_forces>(point, r);
     for (const auto &l : joint.locked)
       {
         if (!joint.is_row_on_b(l))
           {
-            g[row] += l.measure(pair) - l.value;
+            if constexpr (with_gaps)
+              g[row] += l.measure(pair) - l.value;
             if constexpr (with_forces)
               if (lambda[row] != Number(0)) // most of a joint's rows may be left out
                 l.add_forces(pair, lambda[row], forces);
@@ -300,7 +321,8 @@ namespace samara
       {
         const FreeMotion &m          = *used[i];
         const Number     &coordinate = point.coordinates[m.coordinate];
-        g[row] += m.measure(pair, coordinate);
+        if constexpr (with_gaps)
+          g[row] += m.measure(pair, coordinate);
         if constexpr (with_forces)
           r[block.row(12 + i)] += m.add_forces(pair, coordinate, lambda[row], forces);
       }
@@ -308,14 +330,16 @@ namespace samara
       if (used[i]->is_prescribed)
         {
           const FreeMotion &m = *used[i];
-          g[row] += point.coordinates[m.coordinate] + m.reference - m.prescribed_at(point);
+          if constexpr (with_gaps)
+            g[row] += point.coordinates[m.coordinate] + m.reference - m.prescribed_at(point);
           if constexpr (with_forces)
             r[block.row(12 + i)] += lambda[row];
           ++row;
         }
     if (joint.is_screw)
       {
-        g[row] += point.coordinates[used[0]->coordinate] - joint.pitch * point.coordinates[used[1]->coordinate];
+        if constexpr (with_gaps)
+          g[row] += point.coordinates[used[0]->coordinate] - joint.pitch * point.coordinates[used[1]->coordinate];
         if constexpr (with_forces)
           {
             r[block.row(12)] += lambda[row];
@@ -332,17 +356,18 @@ namespace samara
 
 
 
-  template <bool with_forces, typename Number>
+  template <unsigned int wanted, typename Number>
   void
-  Joint::Constraints::add_rows_on_b(const Point<Number> &point, Number *r) const
+  Joint::Constraints::add_rows_on_b(const PairValues<Number> &seen, const Point<Number> &point, Number *r) const
   {
-    const PairValues<Number> seen   = joint.seen_from_b(point);
-    const Number *const      lambda = point.multipliers + joint.first_multiplier;
-    PairForces<Number>       forces;
+    constexpr bool      with_gaps = wanted & gaps, with_forces = wanted & Wanted::forces;
+    const Number *const lambda = point.multipliers + joint.first_multiplier;
+    PairForces<Number>  forces;
     for (unsigned int row = 0; row < joint.locked.size(); ++row)
       if (const Locked &l = joint.locked[row]; joint.is_row_on_b(l))
         {
-          r[joint.first_row + row] -= l.measure(seen);
+          if constexpr (with_gaps)
+            r[joint.first_row + row] -= l.measure(seen);
           if constexpr (with_forces)
             l.add_forces(seen, Number(-lambda[row]), forces);
         }
@@ -522,16 +547,46 @@ namespace samara
   void
   Joint::Constraints::rates(const Point<double> &point, double *rates) const
   {
-    const PairValues<double> pair(joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b);
-    const PairRates          change(pair, point.y);
-    const auto              &used = joint.used;
-    double                  *g    = rates + joint.first_multiplier;
+    double *const g = rates + joint.first_multiplier;
+    set_rates({joint.frame_a, joint.frame_b, point.q, joint.with_axes_of_b}, point, g);
     if (joint.rows_on_b)
-      {
-        const PairValues<double> seen(joint.frame_b, joint.frame_a, point.q, false);
-        const PairRates          change_of_seen(seen, point.y);
-        set_rows_on_b(g, [&](const PairFunction &gap) { return -gap.rate(seen, change_of_seen); });
-      }
+      set_rates_on_b({joint.frame_b, joint.frame_a, point.q, false}, point, g);
+  }
+
+
+
+  void
+  Joint::Constraints::forces_and_rates(const Point<double> &point, double *r, double *all_rates) const
+  {
+    if (!joint.no_slip.empty()) // the rates of their rows are not seen in reciprocal axes
+      return Constraint::forces_and_rates(point, r, all_rates);
+    double *const            g    = all_rates + joint.first_multiplier;
+    const PairValues<double> pair = pair_at(point);
+    evaluate<forces>(pair, point, r);
+    set_rates(pair, point, g);
+    if (!joint.rows_on_b)
+      return;
+    const PairValues<double> seen = joint.seen_from_b(point);
+    add_rows_on_b<forces>(seen, point, r);
+    set_rates_on_b(seen, point, g);
+  }
+
+
+
+  void
+  Joint::Constraints::set_rates_on_b(const PairValues<double> &seen, const Point<double> &point, double *g) const
+  {
+    const PairRates change(seen, point.y);
+    set_rows_on_b(g, [&](const PairFunction &gap) { return -gap.rate(seen, change); });
+  }
+
+
+
+  void
+  Joint::Constraints::set_rates(const PairValues<double> &pair, const Point<double> &point, double *g) const
+  {
+    const PairRates change(pair, point.y);
+    const auto     &used = joint.used;
     for (const auto &l : joint.locked)
       {
         if (!joint.is_row_on_b(l))

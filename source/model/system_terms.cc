@@ -105,11 +105,16 @@ namespace samara
 
 
   void
-  System::add_bonds_and_strain_rates(const Point<double> &point, double *const r, double *const rates) const
+  System::add_bonds_and_rates(const Point<double> &point,
+                              double *const        r,
+                              double *const        strain_rates,
+                              double *const        constraint_rates) const
   {
     for (const auto *d : deformations)
-      d->strain_rates_and_residual(point, rates + d->first_strain, r);
-    add_residuals(layout.constraints, point, r);
+      d->strain_rates_and_residual(point, strain_rates + d->first_strain, r);
+    std::fill_n(constraint_rates, layout.n_multipliers, 0.);
+    for (const auto *c : layout.constraints)
+      c->forces_and_rates(point, r, constraint_rates);
   }
 
 

@@ -4,6 +4,7 @@
 #include <samara/solvers/krylov_schur.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <random>
@@ -37,6 +38,9 @@ namespace samara
 
     /** Sizes of eigenvalues that differ by less are the same, for who asks whether one was missed. */
     constexpr double same_size = 1e-6;
+
+    /** The same of the two of a pair, which round-off may make different. */
+    constexpr double same_for_pairs = 1e-12;
 
 
 
@@ -94,14 +98,16 @@ namespace samara
         double smallest = -1; // of those that have converged once
         for (;;)
           {
-            while (size < m)
+            do
               expand();
-            const unsigned int kept = sort();
+            while (size < m && !is_worth_sorting(smallest >= 0));
+            const bool         is_all = size == n;
+            const unsigned int kept   = sort();
             if (const auto pairs = converged_pairs(kept))
               {
                 const double now = std::abs(pairs->values.back());
                 // all there is, or nothing larger beside it
-                const bool is_complete = m == n || (smallest >= 0 && now <= smallest * (1 + same_size));
+                const bool is_complete = is_all || (smallest >= 0 && now <= smallest * (1 + same_size));
                 if (is_complete && are_within_tolerance(*pairs))
                   return *pairs;
                 smallest = now;
@@ -111,7 +117,7 @@ namespace samara
                 else
                   leave_behind(random_vector(size));
               }
-            else
+            else if (size == m)
               truncate(kept + (m - kept) / 3);
             if (n_products >= settings.most_products)
               throw NotConverged("Arnoldi's method has not found " + std::to_string(wanted) + " eigenvalues of " +
@@ -181,11 +187,35 @@ namespace samara
           V.col(size) = random_vector(size); // the space is invariant: go on elsewhere
       }
 
+      /**
+       * Whether the Ritz pairs that are wanted have converged; @p once_more: and what is beside them is smaller, as far
+       * as its residuals tell. It is asked after every product, which costs more than the values of so small a matrix.
+       */
+      bool
+      is_worth_sorting(const bool once_more) const
+      {
+        if (size == n)
+          return true;
+        if (size <= wanted)
+          return false;
+        const EigenSystem     spectrum  = eigen_system_of(H.topLeftCorner(size, size));
+        const Eigen::VectorXd sizes     = spectrum.values.cwiseAbs(),
+                              residuals = (H.row(size).head(size) * spectrum.vectors).cwiseAbs().transpose();
+        std::vector<double> sorted(sizes.begin(), sizes.end());
+        std::nth_element(sorted.begin(), sorted.begin() + (wanted - 1), sorted.end(), std::greater<>());
+        const double least = sorted[wanted - 1] * (1 - same_for_pairs);
+        for (unsigned int i = 0; i < size; ++i)
+          if (sizes(i) >= least ? residuals(i) > allowed_residual(spectrum.values(i)) :
+                                  once_more && sizes(i) + residuals(i) > least)
+            return false;
+        return true;
+      }
+
       /** Bring S to Schur form, the largest eigenvalues in front; returns how many: those wanted, pairs not torn. */
       unsigned int
       sort()
       {
-        auto [T, U, was_found] = real_schur(H.topRows(m));
+        auto [T, U, was_found] = real_schur(H.topLeftCorner(size, size));
         if (!was_found)
           throw NotConverged("Arnoldi's method: no Schur form was found");
         const auto          values = values_of_blocks(T);
@@ -193,17 +223,16 @@ namespace samara
         for (const auto &value : values)
           sizes.push_back(std::abs(value));
         std::sort(sizes.rbegin(), sizes.rend());
-        // one size for both of a pair, which may differ by round-off
-        const double     least = sizes[wanted - 1] * (1 - 1e-12);
-        std::vector<int> select(m, 0);
-        for (unsigned int i = 0; i < m; ++i)
+        const double     least = sizes[wanted - 1] * (1 - same_for_pairs);
+        std::vector<int> select(size, 0);
+        for (unsigned int i = 0; i < size; ++i)
           select[i] = std::abs(values[i]) >= least;
-        for (unsigned int i = 0; i + 1 < m; ++i)
+        for (unsigned int i = 0; i + 1 < size; ++i)
           if (T(i + 1, i) != 0.)
             select[i] = select[i + 1] = select[i] || select[i + 1];
-        const int           size_of_T = m, n_numbers = m;
+        const int           size_of_T = size, n_numbers = size;
         int                 n_selected = 0, info = 0, n_integers = 1, integers[1];
-        std::vector<double> real(m), imag(m), work(m);
+        std::vector<double> real(size), imag(size), work(size);
         double              s = 0, sep = 0;
         dtrsen_("N",
                 "V",
@@ -227,11 +256,11 @@ namespace samara
           throw std::logic_error("dtrsen: argument " + std::to_string(-info));
         if (info > 0)
           throw NotConverged("Arnoldi's method: the largest eigenvalues cannot be brought to the front");
-        const VectorXd b = U.transpose() * H.row(m).transpose();
-        H.topRows(m)     = T;
-        H.row(m)         = b.transpose();
-        V.leftCols(m)    = (V.leftCols(m) * U).eval();
-        L                = (U.transpose() * L).eval();
+        const VectorXd b            = U.transpose() * H.row(size).head(size).transpose();
+        H.topLeftCorner(size, size) = T;
+        H.row(size).head(size)      = b.transpose();
+        V.leftCols(size)            = (V.leftCols(size) * U).eval();
+        L.topRows(size)             = (U.transpose() * L.topRows(size)).eval();
         return std::max<unsigned int>(n_selected, 1);
       }
 
@@ -254,11 +283,11 @@ namespace samara
           {
             const std::complex<double> value = spectrum.values(order[i]);
             const Eigen::VectorXcd     y     = spectrum.vectors.col(order[i]);
-            const Eigen::VectorXcd     b     = H.row(m).head(kept) * y;
+            const Eigen::VectorXcd     b     = H.row(size).head(kept) * y;
             if (b.norm() > allowed_residual(value))
               return {};
             pairs.values.push_back(value);
-            pairs.residuals.push_back((V.col(m) * b + D * (L.topRows(kept).transpose() * y)).norm());
+            pairs.residuals.push_back((V.col(size) * b + D * (L.topRows(kept).transpose() * y)).norm());
             pairs.vectors.col(i) = V.leftCols(kept) * y;
           }
         return pairs;
@@ -314,12 +343,12 @@ namespace samara
       void
       truncate(unsigned int n_kept)
       {
-        if (n_kept < m && H(n_kept, n_kept - 1) != 0.)
+        if (n_kept < size && H(n_kept, n_kept - 1) != 0.)
           ++n_kept;
         n_kept           = std::min(n_kept, m - 1);
-        const VectorXd b = H.row(m).head(n_kept);
+        const VectorXd b = H.row(size).head(n_kept);
         const MatrixXd T = H.topLeftCorner(n_kept, n_kept);
-        const VectorXd v = V.col(m);
+        const VectorXd v = V.col(size);
         H.setZero();
         H.topLeftCorner(n_kept, n_kept) = T;
         H.row(n_kept).head(n_kept)      = b.transpose();

@@ -358,18 +358,26 @@ namespace samara
   void
   StageIntegrator::evaluate_constraints(const State &state, const double h)
   {
+    for (auto &stage : stages)
+      {
+        stage.constraint_rates.resize(system.layout.n_multipliers);
+        system.constraint_rates(stage.point(), stage.constraint_rates.data());
+      }
+    close_constraints(state, h);
+  }
+
+
+
+  void
+  StageIntegrator::close_constraints(const State &state, const double h)
+  {
     const unsigned int s = tableau.s, n_multipliers = system.layout.n_multipliers;
     if (n_multipliers == 0)
       return;
     std::fill(mean_rates.begin(), mean_rates.end(), 0.);
     for (unsigned int k = 0; k < s; ++k)
-      {
-        Stage &stage = stages[k];
-        stage.constraint_rates.resize(n_multipliers);
-        system.constraint_rates(stage.point(), stage.constraint_rates.data());
-        for (unsigned int i = 0; i < n_multipliers; ++i)
-          mean_rates[i] += tableau.b(k) * stage.constraint_rates[i];
-      }
+      for (unsigned int i = 0; i < n_multipliers; ++i)
+        mean_rates[i] += tableau.b(k) * stages[k].constraint_rates[i];
 
     Point<double> end = stages[0].point();
     end.q             = final_q.data();
@@ -531,7 +539,11 @@ namespace samara
       {
         stage.residual.assign(system.size() + 6, 0.);
         stage.strain_rates.resize(system.layout.n_strains);
-        system.add_bonds_and_strain_rates(stage.point(), stage.residual.data(), stage.strain_rates.data());
+        stage.constraint_rates.resize(system.layout.n_multipliers);
+        system.add_bonds_and_rates(stage.point(),
+                                   stage.residual.data(),
+                                   stage.strain_rates.data(),
+                                   stage.constraint_rates.data());
         if (turns)
           find_powers(stage);
         system.add_loads_and_states(stage.point(), stage.residual.data());
@@ -559,7 +571,7 @@ namespace samara
     evaluate_springs(h);
     if (!contacts.is_empty())
       evaluate_contacts(h);
-    evaluate_constraints(state, h);
+    close_constraints(state, h);
     if (turns)
       take_work_back();
   }

@@ -65,8 +65,9 @@ namespace samara
     template <typename Number>
     void add_loads_and_states(const Point<Number> &point, Number *r) const;
     /** @} */
-    /** add_bonds(), and the rates of the strains. */
-    void add_bonds_and_strain_rates(const Point<double> &point, double *r, double *rates) const;
+    /** add_bonds() without the gaps, and the rates of strains and constraints. */
+    void
+    add_bonds_and_rates(const Point<double> &point, double *r, double *strain_rates, double *constraint_rates) const;
     /** −f of the loads, or only of those without potential. */
     void add_loads(const Point<double> &point, double *r, bool with_potential = true) const;
     /** −f of load @p i of n_loads(). */

@@ -168,6 +168,14 @@ namespace samara
      */
     virtual void rates(const Point<double> &, double *) const = 0;
 
+    /** residual() and rates() of one point, where g itself is not wanted: its rows of @p r are left undefined. */
+    virtual void
+    forces_and_rates(const Point<double> &point, double *r, double *all_rates) const
+    {
+      residual(point, r);
+      rates(point, all_rates);
+    }
+
     /** The part ∂g/∂t alone: of rows that are among Model::prescribed. */
     virtual void
     time_rates(const Point<double> &, double *) const

@@ -34,7 +34,8 @@ namespace samara
    * The @p wanted eigenvalues of largest size of an operator y = A x of size @p n, such as Floquet's multipliers of the
    * map over a period. Arnoldi's method with restarts by Krylov and Schur (Stewart 2001): of a basis that is full the
    * part of the largest Ritz values is kept, A V = V S + v bᵀ. When all that is wanted has converged, the iteration
-   * goes on once more from a random start beside it: so eigenvalues that are there more than once are found so often.
+   * goes on once more from a random start beside it, until nothing there is as large: so eigenvalues that are there
+   * more than once are found so often.
    *
    * @throws NotConverged with what was reached if the products do not suffice, std::invalid_argument for wanted > n.
    */

@@ -315,6 +315,8 @@ namespace samara
     /** From this many groups of four nodes on threads are faster. */
     static constexpr unsigned int worth_threads = 200;
     void                          evaluate_constraints(const State &state, double h);
+    /** The same where the rates of constraints are known: rows of multipliers, so that the step ends without gaps. */
+    void close_constraints(const State &state, double h);
     /** Work that the residuals of the last evaluation would add to the energy, and a bound where none cancel. */
     struct EnergyError
     {
