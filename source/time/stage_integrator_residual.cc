@@ -90,13 +90,7 @@ namespace samara
   bool
   StageIntegrator::confirm_without_forces(const State &state, const double h)
   {
-    for (unsigned int k = 0; k < tableau.s; ++k)
-      for (unsigned int i = 0; i < system.layout.n_states; ++i)
-        {
-          double &rate = stages[k].state_rates[i] = 0;
-          for (unsigned int l = 0; l < tableau.s; ++l)
-            rate += tableau.w(k, l) / h * (stages[l].states[i] - state.states[i]);
-        }
+    find_state_rates(state, h);
     evaluate_constraints(state, h);
     if (!(largest_gap(h) < allowed_gap()))
       return false;

@@ -532,8 +532,23 @@ namespace samara
 
 
   void
+  StageIntegrator::find_state_rates(const State &state, const double h)
+  {
+    for (unsigned int k = 0; k < tableau.s; ++k)
+      {
+        stages[k].state_rates.assign(system.layout.n_states, 0.);
+        for (unsigned int i = 0; i < system.layout.n_states; ++i)
+          for (unsigned int l = 0; l < tableau.s; ++l)
+            stages[k].state_rates[i] += tableau.w(k, l) / h * (stages[l].states[i] - state.states[i]);
+      }
+  }
+
+
+
+  void
   StageIntegrator::evaluate(const State &state, const double h)
   {
+    find_state_rates(state, h); // what is prescribed may ask for them
     // the iterated stress in its place; what it lacks, with the B of the matrices (mixed Newton)
     for (auto &stage : stages)
       {
@@ -555,18 +570,10 @@ namespace samara
     for (unsigned int k = 0; k < tableau.s; ++k)
       strains_in_matrix(k).add_forces(stages[k].excess.data(), stages[k].residual.data());
     kinetic_energy = add_inertia(state, h);
-    for (unsigned int k = 0; k < tableau.s; ++k)
-      {
-        Stage &stage = stages[k];
-        stage.state_rates.assign(system.layout.n_states, 0.);
-        for (unsigned int i = 0; i < system.layout.n_states; ++i)
-          {
-            for (unsigned int l = 0; l < tableau.s; ++l)
-              stage.state_rates[i] += tableau.w(k, l) / h * (stages[l].states[i] - state.states[i]);
-            if (!system.model.states[i].is_algebraic)
-              stage.residual[system.layout.of_state(i)] += stage.state_rates[i];
-          }
-      }
+    for (auto &stage : stages)
+      for (unsigned int i = 0; i < system.layout.n_states; ++i)
+        if (!system.model.states[i].is_algebraic)
+          stage.residual[system.layout.of_state(i)] += stage.state_rates[i];
     evaluate_stops(h);
     evaluate_springs(h);
     if (!contacts.is_empty())

@@ -314,6 +314,8 @@ namespace samara
     void add_inertia(const State &state, double h, double *energies);
     /** From this many groups of four nodes on threads are faster. */
     static constexpr unsigned int worth_threads = 200;
+    /** Rates of the states of first order at the stages. */
+    void                          find_state_rates(const State &state, double h);
     void                          evaluate_constraints(const State &state, double h);
     /** The same where the rates of constraints are known: rows of multipliers, so that the step ends without gaps. */
     void close_constraints(const State &state, double h);
