@@ -33,8 +33,9 @@ namespace samara
     /** @} */
 
     /** Equations of the steps are solved to this part of the residuals of multipliers, within these limits: what is
-     * asked of them is what multipliers are changed by, and each decade costs one product with their matrix. @{ */
-    constexpr double share_of_steps = 1e-2, least_tolerance_of_steps = 1e-13, most_tolerance_of_steps = 1e-6;
+     * asked of them is what multipliers are changed by, and each decade costs one product with their matrix. More would
+     * show in the check that a change carried on is what the map says. @{ */
+    constexpr double share_of_steps = 1e-2, least_tolerance_of_steps = 1e-13, most_tolerance_of_steps = 1e-8;
     /** @} */
 
     /** Up to this many columns all of them are cheaper than Arnoldi's method. */
