@@ -1,6 +1,8 @@
 // What joints evaluate in parts must be what they evaluate as a whole: constraints alone, their rates, and the strains
 // of one configuration for many uses, against residual and tangent. (Those agree with complex steps, tests/model.)
 
+#include <samara/time/stage_rotation.h>
+
 #include "../scene.h"
 #include <gtest/gtest.h>
 
@@ -103,6 +105,43 @@ TEST(JointEvaluations, ConstraintRatesAreRowsOfTheTangent)
       for (unsigned int i = 0; i < layout.n_multipliers; ++i)
         EXPECT_NEAR(rates[i] - time_rates[i], expected(layout.of_multiplier(i)), 2e-15) << joint[0] << ", row " << i;
     }
+}
+
+
+
+// In the axes of nodes, and in the reciprocal ones of steps that turn; equal to the last bit but for how sums are
+// fused.
+TEST(JointEvaluations, ForcesAndRatesAtOnceAreResidualAndRates)
+{
+  for (const auto &joint : joints)
+    for (const bool turns : {false, true})
+      {
+        SCOPED_TRACE(joint[0] + (turns ? ", turning" : ""));
+        const Scene         scene(two_bodies_and_motion(joint));
+        const System       &system = scene.system;
+        const Layout       &layout = system.layout;
+        const State         state  = some_state(system);
+        Point<double>       point  = state.point();
+        std::vector<double> reciprocal;
+        if (turns)
+          {
+            StageRotation::set_reciprocal(state.q.data(), layout.n_nodes, reciprocal);
+            point.reciprocal = reciprocal.data();
+          }
+        std::vector<double> all(system.size() + 6, 0.), at_once = all, rates(layout.n_multipliers, 0.),
+                                                        rates_at_once = rates;
+        std::vector<double> strain_rates(layout.n_strains), strain_rates_at_once = strain_rates;
+        system.add_bonds(point, all.data());
+        system.constraint_rates(point, rates.data());
+        system.strain_rates(point, strain_rates.data());
+        system.add_bonds_and_rates(point, at_once.data(), strain_rates_at_once.data(), rates_at_once.data());
+        for (int i = 0; i < layout.of_multiplier(0); ++i)
+          EXPECT_NEAR(at_once[i], all[i], 1e-15) << "row " << i;
+        for (unsigned int i = 0; i < layout.n_multipliers; ++i)
+          EXPECT_NEAR(rates_at_once[i], rates[i], 1e-15) << "row " << i;
+        for (unsigned int i = 0; i < layout.n_strains; ++i)
+          EXPECT_NEAR(strain_rates_at_once[i], strain_rates[i], 1e-15) << "strain " << i;
+      }
 }
 
 
