@@ -82,13 +82,18 @@ namespace samara
     for (unsigned int i = 0; i < settings.n_steps; ++i)
       {
         if (i % steps_of_one == 0)
-          integrators.push_back(make_integrator());
+          {
+            if (!integrators.empty())
+              integrators.back()->forget_matrices();
+            integrators.push_back(make_integrator());
+          }
         const State before = state;
         step(*integrators.back(), state);
         tangents.push_back(integrators.back()->linearize(before));
         tangents.back()->tolerance = settings.tangent_tolerance;
         along.push_back(state);
       }
+    integrators.back()->forget_matrices();
     raw_end = state;
     projection.velocities(along.back());
     return along.back();

@@ -267,8 +267,7 @@ namespace samara
     if (is_large)
       {
         frozen_strains.reset();
-        for (auto *const history : {&velocity_history, &rate_history, &stress_history, &multiplier_history})
-          *history = StageHistory(tableau.s);
+        forget_matrices();
       }
     try
       {
@@ -292,6 +291,18 @@ namespace samara
     n_steps_with_factors            = 0;
     extra_iterations                = 0;
     forget_columns();
+  }
+
+
+
+  void
+  StageIntegrator::forget_matrices()
+  {
+    for (auto *const values : {&K.values, &C.values, &real_matrix.values})
+      *values = std::vector<double>();
+    matrix = std::vector<std::complex<double>>();
+    for (auto *const history : {&velocity_history, &rate_history, &stress_history, &multiplier_history})
+      *history = StageHistory(tableau.s);
   }
 
 

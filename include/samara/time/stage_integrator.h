@@ -80,6 +80,9 @@ namespace samara
      */
     std::unique_ptr<StepTangent> linearize(const State &start);
 
+    /** Give memory back that only further steps need: matrices, not their factors, and the stages of earlier steps. */
+    void forget_matrices();
+
     const Tableau *
     family() const override
     {
