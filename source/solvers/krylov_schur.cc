@@ -4,7 +4,6 @@
 #include <samara/solvers/krylov_schur.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <random>
@@ -42,7 +41,12 @@ namespace samara
     /** The same of the two of a pair, which round-off may make different. */
     constexpr double same_for_pairs = 1e-12;
 
-
+    /** Products behind a new start before it is asked whether anything as large is there, and the part of the distance
+     * to it to which the residual of the next smaller value must have come down: at first Ritz values and their
+     * residuals are small because what is large is a small part of a random start. @{ */
+    constexpr unsigned int least_products_of_a_look = 6;
+    constexpr double       share_of_distance        = 0.1;
+    /** @} */
 
     /** Eigenvalues of the diagonal blocks of a real Schur form, one a column. */
     std::vector<std::complex<double>>
@@ -134,7 +138,7 @@ namespace samara
       MatrixXd                                              V, H;
       MatrixXd                                              D, L;           ///< left behind, one column a start
       unsigned int                                          size       = 0; ///< of V, without v
-      unsigned int                                          n_products = 0;
+      unsigned int                                          n_products = 0, n_of_look = 0; ///< the latter since a start
       std::mt19937                                          generator;
 
       /** Take from @p x what lies in the first vectors, twice, which is enough (Kahan; Parlett 1980). */
@@ -171,6 +175,7 @@ namespace samara
         VectorXd y(n);
         apply(V.col(size).data(), y.data());
         ++n_products;
+        ++n_of_look;
         if (!y.allFinite())
           throw NotConverged("Arnoldi's method: the operator gives what is not a number");
         const double before        = y.norm();
@@ -188,27 +193,36 @@ namespace samara
       }
 
       /**
-       * Whether the Ritz pairs that are wanted have converged; @p once_more: and what is beside them is smaller, as far
-       * as its residuals tell. It is asked after every product, which costs more than the values of so small a matrix.
+       * Whether the Ritz pairs that are wanted have converged; @p once_more: and what is beside them is smaller, by
+       * more than its residuals tell. It is asked after every product, which costs more than the values of so small a
+       * matrix.
        */
       bool
       is_worth_sorting(const bool once_more) const
       {
         if (size == n)
           return true;
-        if (size <= wanted)
+        if (size <= wanted || (once_more && n_of_look < least_products_of_a_look))
           return false;
         const EigenSystem     spectrum  = eigen_system_of(H.topLeftCorner(size, size));
         const Eigen::VectorXd sizes     = spectrum.values.cwiseAbs(),
                               residuals = (H.row(size).head(size) * spectrum.vectors).cwiseAbs().transpose();
         std::vector<double> sorted(sizes.begin(), sizes.end());
-        std::nth_element(sorted.begin(), sorted.begin() + (wanted - 1), sorted.end(), std::greater<>());
+        std::sort(sorted.rbegin(), sorted.rend());
         const double least = sorted[wanted - 1] * (1 - same_for_pairs);
+        double       next = 0, residual = 0; // of what is largest beside them
         for (unsigned int i = 0; i < size; ++i)
-          if (sizes(i) >= least ? residuals(i) > allowed_residual(spectrum.values(i)) :
-                                  once_more && sizes(i) + residuals(i) > least)
-            return false;
-        return true;
+          if (sizes(i) >= least)
+            {
+              if (residuals(i) > allowed_residual(spectrum.values(i)))
+                return false;
+            }
+          else if (sizes(i) > next)
+            {
+              next     = sizes(i);
+              residual = residuals(i);
+            }
+        return !once_more || residual < share_of_distance * (least - next);
       }
 
       /** Bring S to Schur form, the largest eigenvalues in front; returns how many: those wanted, pairs not torn. */
@@ -320,6 +334,7 @@ namespace samara
         L.rightCols(1).topRows(size) = H.row(size).head(size).transpose();
         H.row(size).setZero();
         V.col(size) = start;
+        n_of_look   = 0;
       }
 
       /** Go on from what is largest of all that was left behind: d = V c + ρ v, so that S becomes S + c lᵀ, b = ρ l. */
