@@ -27,15 +27,17 @@ namespace samara
     /** What a change carried on may be different by from what multipliers were found of. */
     constexpr double allowed_difference = 1e-6;
 
-    /** Of residuals, where none is given: with few columns slow modes come to theirs; of all columns it is that of the
-     * equations of the steps. @{ */
-    constexpr double tolerance_of_largest = 1e-7, tolerance_of_slow_modes = 1e-5, tolerance_of_all = 1e-9;
+    /** Of residuals, where none is given: with few columns slow modes come to theirs. @{ */
+    constexpr double tolerance_of_largest = 1e-7, tolerance_of_slow_modes = 1e-5;
     /** @} */
 
-    /** Equations of the steps are solved to this part of the residuals of multipliers, within these limits: what is
-     * asked of them is what multipliers are changed by, and each decade costs one product with their matrix. More would
-     * show in the check that a change carried on is what the map says. @{ */
-    constexpr double share_of_steps = 1e-2, least_tolerance_of_steps = 1e-13, most_tolerance_of_steps = 1e-8;
+    /**
+     * Where the largest multipliers are wanted, equations of steps are solved to this part of their residuals: each
+     * decade costs one product with the matrix of the stages, and it is an error of the map that all multipliers have.
+     * Those smaller than the largest by more than the second number need more.
+     * @{
+     */
+    constexpr double share_of_steps = 1e-3, least_of_largest = 1e-2;
     /** @} */
 
     /** Up to this many columns all of them are cheaper than Arnoldi's method. */
@@ -186,11 +188,10 @@ namespace samara
       "Modes up to this |lambda|, as the model linearised at the start has them, are found in place of those with the "
       "largest multipliers, which of elastic rotors are what the steps do not resolve; 0: the latter [rad/s].",
       Double(0));
-    prm.add(
-      "Tolerance",
-      tolerance,
-      "Of what is found by iteration: residual relative to each multiplier; 0: 1e-7, of slow modes 1e-5. Steps are linearised to a hundredth of it [1].",
-      Double(0, 1));
+    prm.add("Tolerance",
+            tolerance,
+            "Of what is found by iteration: residual relative to each multiplier; 0: 1e-7, of slow modes 1e-5 [1].",
+            Double(0, 1));
     prm.add(
       "Symmetry",
       symmetry,
@@ -326,15 +327,7 @@ namespace samara
     check_rotations_let_go(context, parameters.where(), first, T);
     const RepeatedParts named = repeated_parts(system), parts = is_by_sections() ? named : RepeatedParts(system);
     SectionMap          map(system,
-                   {T / parts.n(),
-                             n_steps / parts.n(),
-                             n_stages,
-                             spectral_radius,
-                             newton_tolerance,
-                             max_iterations,
-                             std::clamp(share_of_steps * tolerance_of(what_is_wanted(system)),
-                               least_tolerance_of_steps,
-                               most_tolerance_of_steps)},
+                   {T / parts.n(), n_steps / parts.n(), n_stages, spectral_radius, newton_tolerance, max_iterations},
                    parts);
     try
       {
@@ -480,24 +473,26 @@ namespace samara
 
 
 
-  double
-  FloquetAnalysis::tolerance_of(const Wanted what) const
-  {
-    return tolerance > 0           ? tolerance :
-           what == Wanted::all     ? tolerance_of_all :
-           what == Wanted::largest ? tolerance_of_largest :
-                                     tolerance_of_slow_modes;
-  }
-
-
-
   FloquetModes
   FloquetAnalysis::find(SectionMap &map) const
   {
-    const Wanted what      = what_is_wanted(map.system);
-    const double residuals = tolerance_of(what);
-    return what == Wanted::all     ? all_floquet_modes(map) :
-           what == Wanted::largest ? largest_floquet_modes(map, wanted, residuals) :
-                                     slow_floquet_modes(map, {highest_frequency, residuals});
+    switch (what_is_wanted(map.system))
+      {
+        case Wanted::all:
+          return all_floquet_modes(map);
+        case Wanted::slow:
+          return slow_floquet_modes(map, {highest_frequency, tolerance > 0 ? tolerance : tolerance_of_slow_modes});
+        default:
+          {
+            const double residuals = tolerance > 0 ? tolerance : tolerance_of_largest,
+                         exact     = map.map.settings.tangent_tolerance;
+            FloquetModes result =
+              largest_floquet_modes(map, wanted, residuals, std::max(exact, share_of_steps * residuals));
+            if (!result.found.empty() &&
+                std::abs(result.found.back().of_section) < least_of_largest * std::abs(result.found[0].of_section))
+              result = largest_floquet_modes(map, wanted, residuals, exact);
+            return result;
+          }
+      }
   }
 } // namespace samara

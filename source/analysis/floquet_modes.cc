@@ -211,7 +211,10 @@ namespace samara
 
 
   void
-  estimate_errors(const SectionMap &map, const Eigen::MatrixXd &projected, FloquetModes &modes)
+  estimate_errors(const SectionMap      &map,
+                  const Eigen::MatrixXd &projected,
+                  const double           tolerance_of_steps,
+                  FloquetModes          &modes)
   {
     Eigen::VectorXcd values(modes.found.size());
     double           change = 0, nearest = 1;
@@ -222,9 +225,9 @@ namespace samara
         nearest   = std::min(nearest, std::abs(1. - values(i)));
       }
     // a gap g leaves the orbit away by (1 − Φ)⁻¹ g, and the map is as much another one
-    const double away = map.gap.size / std::max(nearest, least_distance_from_one),
-                 size = projected.cwiseAbs().maxCoeff();
-    change = std::max(change, (away + map.map.settings.newton_tolerance + map.map.settings.tangent_tolerance) * size);
+    const double away    = map.gap.size / std::max(nearest, least_distance_from_one),
+                 size    = projected.cwiseAbs().maxCoeff();
+    change               = std::max(change, (away + map.map.settings.newton_tolerance + tolerance_of_steps) * size);
     const auto distances = changes_of_values(projected, values, change);
     for (unsigned int i = 0; i < modes.found.size(); ++i)
       modes.found[i].error = map.repeated().n() * distances(i) / std::abs(values(i));
@@ -258,15 +261,19 @@ namespace samara
           result.found.push_back(mode_of(map, value, shape, (images * y - value * shape).norm()));
         }
     put_in_order(result, A.norm());
-    estimate_errors(map, A, result);
+    estimate_errors(map, A, map.map.settings.tangent_tolerance, result);
     return result;
   }
 
 
 
   FloquetModes
-  largest_floquet_modes(SectionMap &map, const unsigned int wanted, const double tolerance)
+  largest_floquet_modes(SectionMap        &map,
+                        const unsigned int wanted,
+                        const double       tolerance,
+                        const double       tolerance_of_steps)
   {
+    map.map.set_tolerance(tolerance_of_steps);
     const unsigned int n = map.map.size();
     ArnoldiSettings    settings;
     settings.tolerance     = tolerance;
@@ -293,7 +300,7 @@ namespace samara
       if (is_wanted(pairs.values[i]))
         result.found.push_back(mode_of(map, pairs.values[i], pairs.vectors.col(i), pairs.residuals[i]));
     put_in_order(result, std::abs(pairs.values[0]));
-    estimate_errors(map, pairs.projected, result);
+    estimate_errors(map, pairs.projected, tolerance_of_steps, result);
     return result;
   }
 

@@ -535,7 +535,7 @@ namespace samara
     for (const auto &mode : result.found)
       largest = std::max(largest, std::abs(mode.of_section));
     put_in_order(result, largest);
-    estimate_errors(map, space.projected(), result);
+    estimate_errors(map, space.projected(), map.map.settings.tangent_tolerance, result);
     return result;
   }
 } // namespace samara

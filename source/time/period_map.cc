@@ -102,6 +102,15 @@ namespace samara
 
 
   void
+  PeriodMap::set_tolerance(const double tolerance)
+  {
+    for (auto &tangent : tangents)
+      tangent->tolerance = tolerance;
+  }
+
+
+
+  void
   PeriodMap::apply(double *x)
   {
     for (unsigned int i = 0; i < settings.n_steps; ++i)

@@ -65,7 +65,6 @@ namespace samara
       slow
     };
     Wanted       what_is_wanted(const System &system) const;
-    double       tolerance_of(Wanted what) const;
     FloquetModes find(SectionMap &map) const;
     void                                  tell_stability(const Context &context, const FloquetModes &found) const;
     void                                  tell_lost_modes(const Context &context, const FloquetModes &found) const;

@@ -57,9 +57,10 @@ namespace samara
 
   /**
    * The @p wanted largest multipliers by Arnoldi's method, of pairs both counted, each to the relative @p tolerance.
+   * @p tolerance_of_steps: of the linear equations of each step, see PeriodMap::set_tolerance().
    * @throws NotConverged
    */
-  FloquetModes largest_floquet_modes(SectionMap &map, unsigned int wanted, double tolerance);
+  FloquetModes largest_floquet_modes(SectionMap &map, unsigned int wanted, double tolerance, double tolerance_of_steps);
 
   /** What is known of a mode when the eigenvalue @p value of the section and its vector, in scales, have been found. */
   FloquetMode
@@ -68,10 +69,13 @@ namespace samara
   /**
    * Errors of multipliers from @p projected, the map of the section in the space of the modes that were found: as far
    * as they move when it changes by their residuals, by how far the gap of the motion leaves the orbit away, and by
-   * what Newton's method leaves in its steps. Multipliers one of what has no damping are often there twice with one
+   * what Newton's method and the equations of the linearised steps leave. Multipliers one of what has no damping are often there twice with one
    * shape, and move by the root of that.
    */
-  void estimate_errors(const SectionMap &map, const Eigen::MatrixXd &projected, FloquetModes &modes);
+  void estimate_errors(const SectionMap      &map,
+                       const Eigen::MatrixXd &projected,
+                       double                 tolerance_of_steps,
+                       FloquetModes          &modes);
 
   /** Largest first; those lost in round-off of a map of this @p size are taken away. */
   void put_in_order(FloquetModes &modes, double size);

@@ -49,6 +49,10 @@ namespace samara
 
     const PeriodSettings settings;
 
+    /** From now on linear equations of steps are solved to @p tolerance; PeriodSettings::tangent_tolerance to begin with.
+     */
+    void set_tolerance(double tolerance);
+
     /** The state a period after @p start, whose time goes on. @throws NotConverged if a step has no solution. */
     State march(const State &start);
 
