@@ -45,7 +45,7 @@ namespace samara
      * to it to which the residual of the next smaller value must have come down: at first Ritz values and their
      * residuals are small because what is large is a small part of a random start. @{ */
     constexpr unsigned int least_products_of_a_look = 6;
-    constexpr double       share_of_distance        = 0.1;
+    constexpr double       share_of_distance        = 0.5;
     /** @} */
 
     /** Eigenvalues of the diagonal blocks of a real Schur form, one a column. */
