@@ -1,6 +1,6 @@
 // Shells with elements that are found, and with uniform ones: what was wanted, estimated, and what the error of the
 // strains in the energy norm is, against a mesh of four times as many elements and two degrees more. Prints comma
-// separated values; drawn by doc/benchmarks/automatic_shells_figures.
+// separated values; drawn by contrib/figures automatic_shells.
 
 #include "../shells/strain_error.h"
 

@@ -1,6 +1,6 @@
 // What a multiplier costs, in this family and in the schemes for comparison: the flap-lag blade in forward flight of
 // prm/examples/floquet, whose multipliers are known to nine digits (tests/reference/README.md). A table for
-// doc/theory/floquet_figures.
+// contrib/figures floquet.
 //
 // All schemes find the orbit and the map over a turn in the same way, by central differences of turns, as schemes have
 // to of which only steps are known; the family does it by the exact tangents of its steps, too. All begin from the

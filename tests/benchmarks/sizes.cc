@@ -1,6 +1,6 @@
 // What a step and the model cost, by the number of unknowns and the library that factorises: a beam thrown freely, and
 // a garland of rigid bodies that falls. Prints comma separated values; asserts nothing. Drawn by
-// doc/benchmarks/sizes_figures.
+// contrib/figures sizes.
 //
 //   bench_sizes                        all, the largest of 100 000 unknowns
 //   bench_sizes beam 500 MUMPS         one: a beam of 500 elements, or a garland of 500 bodies

@@ -3,7 +3,7 @@
 // takes no more steps, those that are made again included.
 //
 // Reference: the same model with a fine fixed step of three stages (self). The whole set:
-// doc/benchmarks/tolerance_tables.
+// contrib/figures tolerance.
 
 #include "motion.h"
 

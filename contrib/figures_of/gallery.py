@@ -1,27 +1,17 @@
-#!/usr/bin/python3
-"""A picture of each example of a joint or a contact, doc/pictures/gallery/*.png, and the page with all of them,
-doc/examples_gallery.md.
+"""The page examples_gallery.md: a picture of each example of a joint or a contact. Parts: names of examples.
 
-    doc/gallery_figures [--drawn] [NAME ...]
+Runs the examples, in about a minute, and draws where they go: grey at first, then in colours until the end, blue where they come to
+rest in statics."""
 
-runs the named examples (all of them without names, in about a minute), draws where they go: grey at first, then in colours
-until the end, blue where they come to rest in statics. With --drawn the page is written and nothing is run. Run from the top
-of the project after contrib/run has built it; the environment variable SAMARA may name another program."""
-
-import importlib.machinery
-import importlib.util
-import os
-import pathlib
-import subprocess
-import sys
-import tempfile
-
-import numpy as np
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap
+from PIL import Image
+from plot_pictures import SCREEN, TO_EYE, Picture, fit, series, shaded
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-SAMARA = os.path.abspath(os.environ.get("SAMARA", ROOT / "build/release/samara"))
-FOLDER, PAGE = ROOT / "doc/pictures/gallery", ROOT / "doc/examples_gallery.md"
+from figures_of import common
+from figures_of.common import TOP, Run, doc, few, np, plt
+
+
 WIDTH, HEIGHT, COLUMNS = 240, 180, 4
 
 # what else is set, so that a run is short
@@ -41,21 +31,14 @@ GROUPS = [
 ]
 NAMES = [name for _, names in GROUPS for name in names.split()]
 
-TIME_COLORS = LinearSegmentedColormap.from_list("samara time", ["#b9cbe0", "#1f5fa8", "#7b4fa3", "#cf3a4b"])
+TIME_COLORS = LinearSegmentedColormap.from_list("samara time", common.TIME_COLORS)
 
 
-def plot_module():
-    loader = importlib.machinery.SourceFileLoader("plot", str(ROOT / "contrib/plot"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
-    loader.exec_module(module)
-    return module
-
-
-def states(plot, folder):
+def states(folder):
     """Places of the same points, first to last, their cells, and whether it is a motion."""
     for name, is_motion in (("dynamic.pvd", True), ("static.pvd", False), ("mode_1.pvd", True)):
         if (folder / name).exists():
-            pictures = [plot.Picture(file) for file in plot.series(folder / name)]
+            pictures = [Picture(file) for file in series(folder / name)]
             pictures = [p for p in pictures if len(p.points)]
             if pictures:
                 first = pictures[0].points - pictures[0].displacement if name == "static.pvd" else pictures[0].points
@@ -66,12 +49,7 @@ def states(plot, folder):
     raise SystemExit(f"nothing to draw in {folder}")
 
 
-def draw(plot, name, folder):
-    import matplotlib.pyplot as plt
-    from matplotlib.collections import PolyCollection
-    from PIL import Image
-
-    rows, cells, is_motion = states(plot, folder)
+def draw(name, rows, cells, is_motion):
     shown = [rows[i] for i in np.unique(np.linspace(0, len(rows) - 1, 9 if is_motion else 2).round().astype(int))]
     figure = plt.figure(figsize=(WIDTH / 50, HEIGHT / 50), dpi=100)
     ax = figure.add_axes([0.02, 0.02, 0.96, 0.96])
@@ -84,23 +62,24 @@ def draw(plot, name, folder):
             colour = np.array([0.6, 0.6, 0.6, 0.35])
         mine = [points[c] for c in cells]
         corners += mine
-        look = plot.shaded(np.tile(colour, (len(mine), 1)), mine)
+        look = shaded(np.tile(colour, (len(mine), 1)), mine)
         faces.append(look)
         edges.append(np.column_stack([0.75 * look[:, :3], look[:, 3:]]))
     faces, edges = np.vstack(faces), np.vstack(edges)
     n = len(cells)
-    order = sorted(range(len(corners)), key=lambda i: (i >= len(corners) - n, corners[i].mean(axis=0) @ plot.TO_EYE))
+    order = sorted(range(len(corners)), key=lambda i: (i >= len(corners) - n, corners[i].mean(axis=0) @ TO_EYE))
     wide = [1.4 if len(corners[i]) < 3 else 0.2 for i in order]
-    ax.add_collection(PolyCollection([corners[i] @ plot.SCREEN for i in order], facecolors=faces[order], edgecolors=edges[order],
+    ax.add_collection(PolyCollection([corners[i] @ SCREEN for i in order], facecolors=faces[order], edgecolors=edges[order],
                                      linewidths=wide))
     # the axes of the ground
     places = np.vstack(shown + [np.zeros((1, 3))])
     length = 0.18 * (places.max(axis=0) - places.min(axis=0)).max()
     for name_of_axis, tip in zip("xyz", length * np.eye(3)):
-        ax.plot(*np.column_stack([np.zeros(2), tip @ plot.SCREEN]), color="0.25", lw=1.2, zorder=3)
-        ax.text(*(1.25 * tip @ plot.SCREEN), name_of_axis, ha="center", va="center", color="0.25", fontsize=13)
-    plot.fit(ax, np.vstack([places, 1.4 * length * np.eye(3)]) @ plot.SCREEN)
-    file = FOLDER / (name.replace("/", "_") + ".png")
+        ax.plot(*np.column_stack([np.zeros(2), tip @ SCREEN]), color="0.25", lw=1.2, zorder=3)
+        ax.text(*(1.25 * tip @ SCREEN), name_of_axis, ha="center", va="center", color="0.25", fontsize=13)
+    fit(ax, np.vstack([places, 1.4 * length * np.eye(3)]) @ SCREEN)
+    file = doc("pictures/gallery") / (name.replace("/", "_") + ".png")
+    file.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(file)
     plt.close(figure)
     with Image.open(file) as image:
@@ -109,7 +88,7 @@ def draw(plot, name, folder):
 
 
 def title_of(name):
-    for line in (ROOT / "prm/examples" / (name + ".prm")).read_text().splitlines():
+    for line in (TOP / "prm/examples" / (name + ".prm")).read_text().splitlines():
         if line.split("=")[0].split() == ["set", "Title"]:
             return line.split("=", 1)[1].strip()
     return name
@@ -129,26 +108,12 @@ def write_page():
             links = [f"[{n.split('/')[-1]}](../prm/examples/{n}.prm): {title_of(n)}" for n in row] + [""] * (COLUMNS - len(row))
             text += (["| | | | |", "|---|---|---|---|"] if i == 0 else []) + ["| " + " | ".join(cells) + " |", "| " + " | ".join(links) + " |"]
         text.append("")
-    PAGE.write_text("\n".join(text))
+    doc("examples_gallery.md").write_text("\n".join(text))
 
 
-def main():
-    arguments = sys.argv[1:]
-    if "--drawn" not in arguments:
-        FOLDER.mkdir(parents=True, exist_ok=True)
-        plot = plot_module()
-        for name in arguments or NAMES:
-            with tempfile.TemporaryDirectory() as folder:
-                command = [SAMARA, str(ROOT / "prm/examples" / (name + ".prm")), "--output", folder, "--quiet"]
-                for override in SHORT.get(name, []):
-                    command += ["--set", override]
-                run = subprocess.run(command, capture_output=True, text=True)
-                if run.returncode:
-                    sys.exit(f"{name}: {run.stderr}")
-                draw(plot, name, pathlib.Path(folder))
-                print(name, flush=True)
+def make(parts, drawn):
+    for name in [] if drawn else few(parts or NAMES, 2):
+        run = Run(f"examples/{name}.prm", *SHORT.get(name, []), pictures=True, see=states)
+        draw(name, *run.seen)
+        print(name, flush=True)
     write_page()
-
-
-if __name__ == "__main__":
-    main()

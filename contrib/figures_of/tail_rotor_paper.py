@@ -1,30 +1,17 @@
-#!/usr/bin/python3
-"""Figures 20 to 24 of the paper from a run of the tail rotor transmission:  tail_rotor_transmission_figures RESULTS [FOLDER]
+"""Figures 20 to 24 of the paper, two pictures of applications/tail_rotor_transmission.md: shaft speeds, tail tip, moments, whirl.
 
-Reads RESULTS/dynamic.csv and writes motion.png (shaft speeds, tail tip, bending moments of shaft 1) and whirl.png (orbit of
-the middle of shaft 1, spectrum of the bending moments at the root of the fuselage) into FOLDER, RESULTS/figures if not given.
-contrib/run calls it, because of its name."""
+Some seconds."""
 
-import importlib.machinery
-import importlib.util
-import pathlib
-import sys
-
-import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap
+from plot_time import peaks, spectrum
 
-sys.dont_write_bytecode = True
-PLOT = pathlib.Path(__file__).resolve().parents[2] / "contrib" / "plot"
-loader = importlib.machinery.SourceFileLoader("plot", str(PLOT))
-plot = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
-loader.exec_module(plot)
-plt = plot.plt
+from figures_of.common import BLUE, GREEN, RED, SMALL, TIME_COLORS, Run, np, plt, save
 
+
+SHORT = ["Dynamic/End time = 0.5 s"] if SMALL else []
 ZONE = (46.9, 49.1)  # rad/s, unstable in the paper
 END = 50.5  # rad/s, reached in the paper
-TIME_COLORS = LinearSegmentedColormap.from_list("samara time", ["#b9cbe0", "#1f5fa8", "#7b4fa3", "#cf3a4b"])
-BLUE, RED, GREEN = "#1f5fa8", "#d1495b", "#2a9d5c"
 
 
 def label(ax, text):
@@ -32,7 +19,7 @@ def label(ax, text):
 
 
 def draw_motion(table):
-    t = table["t"].to_numpy()
+    t = table["t"]
     figure, axes = plt.subplots(
         4, 1, figsize=(8.5, 9.4), sharex=True, layout="constrained", gridspec_kw={"height_ratios": [3, 2.4, 2.4, 2.4]}
     )
@@ -70,13 +57,13 @@ def draw_motion(table):
 
 
 def draw_whirl(table):
-    t = table["t"].to_numpy()
+    t = table["t"]
     figure, (left, right) = plt.subplots(
         1, 2, figsize=(11, 4.6), layout="constrained", gridspec_kw={"width_ratios": [1, 1.15]}
     )
-    places = 1e3 * table[[f"shaft 1.middle.displacement {i}" for i in "yz"]].to_numpy()
+    places = 1e3 * np.column_stack([table[f"shaft 1.middle.displacement {i}"] for i in "yz"])
     cuts = np.unique(np.linspace(0, len(t) - 1, 401).astype(int))
-    lines = LineCollection([places[i : j + 1] for i, j in zip(cuts, cuts[1:])], cmap=TIME_COLORS, lw=0.8)
+    lines = LineCollection([places[i : j + 1] for i, j in zip(cuts, cuts[1:])], cmap=LinearSegmentedColormap.from_list("samara time", TIME_COLORS), lw=0.8)
     lines.set_array(0.5 * (t[cuts[1:]] + t[cuts[:-1]]))
     left.add_collection(lines)
     left.autoscale_view()
@@ -89,10 +76,10 @@ def draw_whirl(table):
 
     resolution = 2 * np.pi / np.ptp(t)
     for i, name, color, line in ((2, "M₂, sideways", BLUE, "-"), (3, "M₃, vertical", RED, (0, (4, 1.2)))):
-        frequencies, amplitudes = plot.spectrum(t, table[f"fuselage.start.moment {i}"].to_numpy())
+        frequencies, amplitudes = spectrum(t, table[f"fuselage.start.moment {i}"])
         shown = frequencies < 225
         right.plot(frequencies[shown], amplitudes[shown], color=color, ls=line, lw=1.2, label=name)
-        for frequency, amplitude in plot.peaks(frequencies, amplitudes, 1.5 * resolution)[:2]:
+        for frequency, amplitude in peaks(frequencies, amplitudes, 1.5 * resolution)[:2]:
             if amplitude > 0.1 * amplitudes.max():
                 above = (5, 3) if i == 3 or frequency > 50 else (-31, 3)
                 right.annotate(f"{frequency:.1f}", (frequency, amplitude), above, textcoords="offset points", color=color, fontsize=10)
@@ -111,34 +98,7 @@ def draw_whirl(table):
     return figure
 
 
-def save(figure, path):
-    """With 128 colours, which is enough for lines and saves bytes."""
-    figure.savefig(path, dpi=110)
-    try:
-        from PIL import Image
-
-        with Image.open(path) as image:
-            image.convert("RGB").quantize(128).save(path, optimize=True)
-    except ImportError:
-        pass
-    print(path)
-
-
-def main():
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit(__doc__)
-    results = pathlib.Path(sys.argv[1])
-    folder = pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else results / "figures"
-    folder.mkdir(exist_ok=True)
-    plt.rcParams.update(plot.STYLE)
-    try:
-        table = plot.read(results / "dynamic.csv")
-        table = table.rename(columns=plot.plot_style.name_of)
-        for name, draw in (("motion", draw_motion), ("whirl", draw_whirl)):
-            save(draw(table), folder / f"{name}.png")
-    except plot.Skip as reason:
-        sys.exit(f"tail_rotor_transmission_figures: {reason}")
-
-
-if __name__ == "__main__":
-    main()
+def make(parts, drawn):
+    table = Run("rotorcraft/tail_rotor_transmission.prm", "Analyses = static, dynamic", *SHORT).dynamic
+    save(draw_motion(table), "tail_rotor_motion.png")
+    save(draw_whirl(table), "tail_rotor_whirl.png")

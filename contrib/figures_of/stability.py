@@ -1,42 +1,15 @@
-#!/usr/bin/python3
-"""Pictures and numbers of doc/benchmarks/stability.md: where integrators and elements fail.
+"""Pictures and numbers of benchmarks/stability.md: where integrators and elements fail. Parts: names of pictures.
 
-    doc/benchmarks/stability_figures [STORY ...]
+A quarter of an hour."""
 
-draws doc/pictures/stability_<story>.png of the named stories (of all without names, in a quarter of an hour) and prints what was
-measured. Run from the top of the project after contrib/run has built it; the environment variable SAMARA may name another
-program."""
-
-import csv
-import importlib.machinery
-import importlib.util
 import math
-import os
-import pathlib
 import re
-import resource
-import subprocess
-import sys
-import tempfile
 
-import numpy as np
+from figures_of import common
+from figures_of.common import BLUE, BROWN, CYAN, GREEN, GREY, ORANGE, PURPLE, RED, few, np, plt, save, scheme as family
 
-sys.dont_write_bytecode = True
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-TOP = pathlib.Path(__file__).resolve().parents[2]
-loader = importlib.machinery.SourceFileLoader("plot", str(TOP / "contrib" / "plot"))
-plot = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
-loader.exec_module(plot)
-plt = plot.plt
+
 HERE = "stability/"
-
-BLUE, RED, GREEN, ORANGE, PURPLE, CYAN, BROWN, GREY = (
-    "#1f5fa8", "#d1495b", "#2a9d5c", "#e08e1b", "#7b4fa3", "#17a2b8", "#8c564b", "#666666")
-
-
-def family(s, rho):
-    return [f"Dynamic/Stages = {s}", f"Dynamic/Spectral radius = {rho}"]
-
 
 def rival(name, rho=1.0, tolerance=1e-4):
     return [f"Dynamic/Integrator = {name}", f"Dynamic/Spectral radius = {rho}", f"Dynamic/Tolerance = {tolerance}"]
@@ -65,33 +38,13 @@ def line(name):
     return dict(color=color, marker=marker, ls="-" if ours else (0, (4, 1.2)), ms=6, mfc=color if ours else "none", label=name)
 
 
-class Run:
-    """A run of a model with entries: columns of the probes (`of`), energies (`energy`), the end, and what it took."""
+class Run(common.Run):
+    """A run with a limit on its time: columns of the probes (`of`), energies (`energy`), the end, and what it took."""
 
     def __init__(self, model, *entries, seconds=60):
-        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
-        with tempfile.TemporaryDirectory() as folder:
-            command = [SAMARA, f"prm/benchmarks/{model}.prm", "--output", folder]
-            for entry in (*entries, "Output/Pictures = false"):
-                command += ["--set", entry]
-            run = subprocess.run(command, capture_output=True, text=True, preexec_fn=limit, cwd=TOP,
-                                 env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
-            if run.returncode == 2:
-                sys.exit(run.stderr)
-            self.returncode, self.text = run.returncode, run.stdout + run.stderr
-            self.dynamic, self.energies, self.sizes, self.static = (
-                self.table(pathlib.Path(folder) / name)
-                for name in ("dynamic.csv", "dynamic_energy.csv", "dynamic_steps.csv", "static.csv"))
-
-    @staticmethod
-    def table(path):
-        """Columns by name; without the last row of a run that was killed, which may be half."""
-        if not path.exists():
-            return {}
-        rows = list(csv.reader(path.open()))
-        rows = [r for r in rows if len(r) == len(rows[0])]
-        values = np.array(rows[1:], float)
-        return {head.split(" [")[0]: values[:, i] for i, head in enumerate(rows[0])} if len(values) else {}
+        super().__init__(f"benchmarks/{model}.prm", *entries, limit=3 if common.SMALL else seconds, may_fail=True)
+        self.energies = self.dynamic_energy
+        self.sizes, self.returncode = self.dynamic_steps, self.code
 
     def of(self, probe):
         return self.dynamic[probe]
@@ -104,36 +57,14 @@ class Run:
     def end(self):
         return self.dynamic["t"][-1]
 
-    def number(self, pattern):
-        return float((re.search(pattern, self.text) or [0, "nan"])[1])
-
     @property
     def work(self):
         """Steps, iterations a step, seconds; of runs that ended."""
-        return (self.number(r"dynamic: (\d+) steps"), self.number(r"([\d.]+) Newton iterations"),
-                self.number(r"; ([\d.e+-]+) s, [\d.e+-]+ s of the processor"))
-
-    @property
-    def why(self):
-        return {0: "", 3: "no convergence", 4: "singular matrix"}.get(self.returncode, "out of time")
+        return (self.number(r"dynamic: (\d+) steps"), self.number(r"([\d.]+) Newton iterations"), self.processor)
 
 
 def vectors(run, probe):
     return np.stack([run.of(f"{probe} {c}") for c in "xyz"], 1)
-
-
-def save(figure, story):
-    path = TOP / "doc" / "pictures" / f"stability_{story}.png"
-    figure.savefig(path, dpi=110)
-    try:
-        from PIL import Image
-
-        with Image.open(path) as image:
-            image.convert("RGB").quantize(256).save(path, optimize=True)
-    except ImportError:
-        pass
-    plt.close(figure)
-    print(path.relative_to(TOP))
 
 
 def two_axes():
@@ -154,8 +85,8 @@ def legend_beside(figure):
 def stiff_spring_pendulum():
     """Largest energy, error of the tension, against h omega."""
     model = HERE + "stiff_spring_pendulum"
-    values = [1, 3, 10, 30, 100, 1000, 1e4, 1e5]
-    names = [n for n in METHODS if not n.startswith("BDF index 1")]
+    values = few([1000, 1, 3, 10, 30, 100, 1e4, 1e5])
+    names = few([n for n in METHODS if not n.startswith("BDF index 1")])
     figure, (left, right) = two_axes()
     histories = {}
     for name in names:
@@ -185,10 +116,10 @@ def stiff_spring_pendulum():
     left.set_xlabel("hω, radians of the fast vibration a step")
     left.set_ylabel("largest change of the energy, relative")
     left.set_title("Energy in 10 s (thick crosses: the run stopped)", loc="left", fontsize=11)
-    for name, color in (("family s = 1, ρ∞ = 1 (midpoint)", BLUE), ("family s = 2, ρ∞ = 0", GREEN)):
+    for name, color in few((("family s = 1, ρ∞ = 1 (midpoint)", BLUE), ("family s = 2, ρ∞ = 0", GREEN))):
         t, force, _ = histories[name]
         right.plot(t, force, color=color, lw=1, ls="-", label=name)
-    t, _, rigid = histories["family s = 2, ρ∞ = 0"]
+    t, _, rigid = histories[name]
     right.plot(t, rigid, color="k", lw=1, ls=(0, (1, 1.5)), label="rigid rod, from the motion of the second")
     right.set_xlim(0, 3)
     right.set_ylim(-150, 250)
@@ -197,18 +128,18 @@ def stiff_spring_pendulum():
     right.set_title("hω = 1000: what preserves energy rings", loc="left", fontsize=11)
     right.legend(loc="upper right", fontsize=8)
     legend_beside(figure)
-    save(figure, "stiff_spring_pendulum")
+    save(figure, "stability_stiff_spring_pendulum.png", colours=256)
 
 
 def spinning_blade():
     """Energy over revolutions at 5 degrees a step, from the steady state and from the unstretched blade."""
     model = HERE + "spinning_blade"
-    lengths = {name: 20 if name.startswith("BDF") else 1000 for name in METHODS}
+    lengths = {name: 20 if common.SMALL or name.startswith("BDF") else 1000 for name in METHODS}
     figure, axes = two_axes()
     for ax, analyses, title in ((axes[0], "static, dynamic", "from the steady state"),
                                 (axes[1], "dynamic", "from the unstretched blade")):
         print(title)
-        for name, n in lengths.items():
+        for name, n in few(lengths).items():
             run = Run(model, *METHODS[name][0], f"Constants/revolutions = {n}", f"Dynamic/Output every = {max(1, n // 50)}",
                       f"Analyses = {analyses}", "Dynamic/Smallest step = 1e-6", seconds=90)
             E = run.energy / run.energy[0]
@@ -230,15 +161,15 @@ def spinning_blade():
         ax.set_ylabel("change of the energy, relative")
         ax.set_title(title, loc="left", fontsize=11)
     legend_beside(figure)
-    save(figure, "spinning_blade")
+    save(figure, "stability_spinning_blade.png", colours=256)
 
 
 def slider_crank():
     """Loss per revolution against the step."""
     model = "dynamics/slider_crank"
-    steps = [0.02, 0.01, 0.005, 0.0025]
+    steps = few([0.02, 0.01, 0.005, 0.0025])
     probes = "Output/Probes = crank.angular velocity x"
-    names = list(METHODS)
+    names = few(list(METHODS))
     figure, ax = plt.subplots(figsize=(10, 5), layout="constrained")
     for name in names:
         losses = []
@@ -264,7 +195,7 @@ def slider_crank():
     ax.set_ylabel("part of the energy lost in a revolution")
     ax.set_title("Circles: gained", loc="left", fontsize=11)
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5), fontsize=8.5)
-    save(figure, "slider_crank")
+    save(figure, "stability_slider_crank.png", colours=256)
 
 
 def drift():
@@ -280,8 +211,8 @@ def drift():
         "BDF index 1, 1e-8": (rival("BDF index 1", 1, 1e-8), GREEN, "|"),
     }
     figure, (left, right) = two_axes()
-    for name, (entries, color, _) in cases.items():
-        run = Run(model, *entries, "Dynamic/End time = 60", "Dynamic/Smallest step = 1e-6", seconds=20)
+    for name, (entries, color, _) in few(cases).items():
+        run = Run(model, *entries, f"Dynamic/End time = {2 if common.SMALL else 60}", "Dynamic/Smallest step = 1e-6", seconds=20)
         gap = np.maximum(np.linalg.norm(vectors(run, "a.end.position") -
                                         vectors(run, "b.start.position"), axis=1),
                          np.linalg.norm(vectors(run, "a.start.position"), axis=1))
@@ -302,15 +233,15 @@ def drift():
         ax.set_xlabel("t [s]")
         ax.set_ylabel(title)
     legend_beside(figure)
-    save(figure, "drift")
+    save(figure, "stability_drift.png", colours=256)
 
 
 def solvability():
     """Steps that have no solution, and what comes out, against radians a step: a heavy top."""
     model = "dynamics/heavy_top"
     speed = 150.0
-    radians = [0.25, 0.5, 0.75, 1, 1.25, 1.5, 2, 2.5, 3]
-    names = [n for n in METHODS if not n.startswith("BDF")]
+    radians = few([0.25, 0.5, 0.75, 1, 1.25, 1.5, 2, 2.5, 3])
+    names = few([n for n in METHODS if not n.startswith("BDF")])
     half = ["Dynamic/End time = 0.5", "Dynamic/Smallest step = 1e-6"]
     exact = Run(model, *family(3, 1), *half, "Dynamic/Step = 2.5e-4")
     places = [name for name in exact.dynamic if "position" in name]
@@ -340,12 +271,12 @@ def solvability():
     for ax in (left, right):
         ax.set_xlabel("radians of rotation a step")
     legend_beside(figure)
-    save(figure, "solvability")
+    save(figure, "stability_solvability.png", colours=256)
 
 
 def inconsistent_velocities():
     """What the projection takes, against the angle."""
-    angles = [0.01, 1, 5, 10, 20, 30, 45, 60, 75, 85, 89]
+    angles = few([0.01, 1, 5, 10, 20, 30, 45, 60, 75, 85, 89], 2)
     left_over, force = [], []
     for off in angles:
         run = Run(HERE + "inconsistent_velocities", f"Constants/off = {off} deg")
@@ -362,14 +293,14 @@ def inconsistent_velocities():
     ax.set_xlabel("angle of the velocity off what the rod allows [°]")
     ax.set_ylabel("energy after the projection, relative")
     ax.legend()
-    save(figure, "inconsistent_velocities")
+    save(figure, "stability_inconsistent_velocities.png", colours=256)
 
 
 def stop_impact():
     """Energy after one second of rebounds against the step."""
     model = HERE + "stop_impact"
-    steps = [8e-3, 4e-3, 2e-3, 1e-3, 5e-4]
-    names = [n for n in METHODS if not n.startswith("BDF")]
+    steps = few([8e-3, 4e-3, 2e-3, 1e-3, 5e-4])
+    names = few([n for n in METHODS if not n.startswith("BDF")])
     figure, (left, right) = two_axes()
     for name in names:
         losses = []
@@ -395,14 +326,14 @@ def stop_impact():
     left.set_xlabel("step [s]")
     left.set_ylabel("change of the energy in 1 s, relative")
     legend_beside(figure)
-    save(figure, "stop_impact")
+    save(figure, "stability_stop_impact.png", colours=256)
 
 
 def locking():
     """Error of the end against the thickness."""
     figure, ax = plt.subplots(figsize=(8, 4.4), layout="constrained")
-    thickness = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6]
-    for p, n, color, marker in ((1, 8, RED, "x"), (1, 32, ORANGE, "+"), (2, 8, GREEN, "^"), (3, 4, BLUE, "o"), (3, 8, PURPLE, "D")):
+    thickness = few([0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
+    for p, n, color, marker in few([(1, 8, RED, "x"), (1, 32, ORANGE, "+"), (2, 8, GREEN, "^"), (3, 4, BLUE, "o"), (3, 8, PURPLE, "D")]):
         errors, iterations = [], []
         for t in thickness:
             entries = [f"Constants/thickness = {t} m", f"Bodies/beam/Degree = {p}"]
@@ -423,7 +354,7 @@ def locking():
     ax.set_xlabel("length over thickness")
     ax.set_ylabel("error of the displacement of the end, relative")
     ax.legend(fontsize=9, loc="center left", bbox_to_anchor=(1, 0.5))
-    save(figure, "locking")
+    save(figure, "stability_locking.png", colours=256)
 
 
 def free_flight():
@@ -447,9 +378,9 @@ def free_flight():
             L = L + m * np.cross(x, v) + np.array(turn)
         return P, L - np.cross(centre, P)
 
-    names = [n for n in METHODS if n != "BDF index 1, 1e-4" and n != "generalised α, ρ∞ = 0"]
+    names = few([n for n in METHODS if n != "BDF index 1, 1e-4" and n != "generalised α, ρ∞ = 0"])
     figure, axes = plt.subplots(2, 2, figsize=(12.5, 8), layout="constrained")
-    for row, (spring, title) in enumerate(((10, "spring of 10 N/m, resolved"), (1e4, "spring of 10 kN/m, not resolved"))):
+    for row, (spring, title) in enumerate(few(((10, "spring of 10 N/m, resolved"), (1e4, "spring of 10 kN/m, not resolved")))):
         print(title)
         left, right = axes[row]
         for name in names:
@@ -479,14 +410,14 @@ def free_flight():
             ax.set_ylabel("largest change so far, relative")
             ax.set_title(f"{what}: {title}", loc="left", fontsize=11)
     axes[0, 1].legend(loc="center left", bbox_to_anchor=(1, 0.5), fontsize=9, frameon=False)
-    save(figure, "free_flight")
+    save(figure, "stability_free_flight.png", colours=256)
 
 
 def four_bar():
     """Time at which runs get stuck, by spectral radius and Newton tolerance."""
-    tolerances = [1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13]
-    radii = [1, 0.99, 0.9, 0.5, 0]
-    steps = [0.02, 0.01, 0.005, 0.0025]
+    tolerances = few([1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13])
+    radii = few([1, 0.99, 0.9, 0.5, 0])
+    steps = few([0.02, 0.01, 0.005, 0.0025])
     figure, (left, right) = two_axes()
     passed = np.zeros((len(radii), len(tolerances)))
     for i, rho in enumerate(radii):
@@ -504,7 +435,7 @@ def four_bar():
     left.set_xlabel("Newton tolerance")
     left.set_ylabel("ρ∞")
     left.set_title("Runs of 8 that pass (s = 2, 3; four steps)", loc="left", fontsize=11)
-    for name in METHODS:
+    for name in few(METHODS):
         ends = []
         for h in steps:
             run = Run("dynamics/four_bar", *METHODS[name][0], f"Dynamic/Step = {h}", "Dynamic/Smallest step = 1e-6", seconds=15)
@@ -522,16 +453,16 @@ def four_bar():
     right.set_ylabel("time that is reached [s]")
     handles, labels = right.get_legend_handles_labels()
     figure.axes[2].legend(handles, labels, loc="center left", bbox_to_anchor=(-0.2, 0.5), fontsize=9, frameon=False)
-    save(figure, "four_bar")
+    save(figure, "stability_four_bar.png", colours=256)
 
 
 STORIES = {f.__name__: f for f in (stiff_spring_pendulum, spinning_blade, slider_crank, drift, solvability, inconsistent_velocities,
                                    stop_impact, locking, free_flight, four_bar)}
 
-if __name__ == "__main__":
-    plt.rcParams.update(plot.STYLE)
-    for wanted in sys.argv[1:] or STORIES:
+
+def make(parts, drawn):
+    for wanted in parts or STORIES:
         if wanted not in STORIES:
-            sys.exit(f"no story {wanted}; there are " + ", ".join(STORIES))
-        print("==", wanted, flush=True)
+            raise SystemExit(f"no story {wanted}; there are " + ", ".join(STORIES))
+        print("--", wanted, flush=True)
         STORIES[wanted]()

@@ -1,114 +1,57 @@
-#!/usr/bin/python3
-"""Work and precision beside other programs, doc/benchmarks/peers.md: runs the problems with several members of the integrator
-family, steps, tolerances and meshes, and draws error against time, the figures of the peer beside ours.
+"""Work and precision beside other programs, benchmarks/peers.md. Parts: names of problems.
 
-    doc/benchmarks/peers_figures [--drawn] [--series TEXT] [PROBLEM ...]
-
-computes the named problems (all of them without names, in about ten minutes; with --series only the series whose names have
-this text), keeps every run in doc/benchmarks/peers.csv and its reference in results/peers, and draws
-doc/pictures/peers_<problem>.png and puts the table into the page. With --drawn nothing is computed. Run from the top of the project after contrib/run has
-built it; the environment variable SAMARA may name another program.
+Runs the problems with several members of the integrator family, steps, tolerances and meshes, and draws error against time, the figures
+of the peer beside ours. About ten minutes. Every run is kept in benchmarks/peers.csv and its reference in results/peers.
 
 `seconds` are those of the processor that the lines `dynamic: ...` and `static: ...` tell: an analysis with its tables of results,
 without start-up and input. `whole` is all that the process took, libraries, input and files with it. Each is the least of
 several runs: three, of short ones nine. One thread, no pictures."""
 
-import argparse
-import csv
 import math
-import os
-import pathlib
-import re
-import subprocess
-import sys
-import tempfile
 
-import numpy as np
+import matplotlib.ticker
 
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-KEPT = "doc/benchmarks/peers.csv"
-PAGE = "doc/benchmarks/peers.md"
-PICTURES = "doc/pictures/peers_%s.png"
-REFERENCES = pathlib.Path("results/peers")
+from figures_of import common
+from figures_of.common import SMALL, TOP, few, into_page, interpolated, np, on_mesh as mesh, plt, read, results, runge_kutta, save, scheme
+
+
+KEPT, PAGE = "benchmarks/peers.csv", "benchmarks/peers.md"
 COLUMNS = ["problem", "series", "value", "error", "seconds", "whole", "unknowns", "steps", "rejected", "iterations a step",
            "factorisations a step", "rows", "fails"]
 LIMIT = 20  # seconds, after which a run is given up
 
 
-class Run:
-    """A run of a model with overrides: its table of probes, and what it took."""
+class Run(common.Run):
+    """The least of several runs of a model with overrides: its table of probes, and what it took."""
 
     def __init__(self, model, overrides, repeat=True):
-        self.failure, self.whole, self.times = "", math.inf, []
-        spent, n = 0, 0
-        while n == 0 or (repeat and n < (9 if self.short() else 3) and spent < (6 if self.short() else 1.5) and not self.failure):
-            spent += self.once(model, overrides)
-            n += 1
-        if not self.failure:
-            self.seconds = min(self.times)
-
-    def short(self):
-        return self.times and min(self.times) < 0.05
-
-    def once(self, model, overrides):
-        with tempfile.TemporaryDirectory() as folder:
-            command = [SAMARA, model, "--output", folder, "--set", "Threads = 1"]
-            for override in overrides:
-                command += ["--set", override]
-            # not by a limit on the time of the processor: with one, Linux may count in hundredths of a second
-            started = os.times()
-            try:
-                done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT,
-                                      env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"})
-            except subprocess.TimeoutExpired:
-                self.failure = "no end in %d s" % LIMIT
-                return LIMIT
-            ended = os.times()
-            whole = ended.children_user - started.children_user + ended.children_system - started.children_system
-            text, errors = done.stdout, done.stderr
-            if done.returncode:
-                found = re.search(r"t = ([\d.e+-]+) s", errors)
-                if not found:
-                    sys.exit("%s\n%s" % (" ".join(command), errors))
-                self.failure = "stuck at t = %.4g s" % float(found[1])
-                return whole
-            self.times.append(float(re.findall(r"([\d.e+-]+) s of the processor", text)[-1]))
-            self.whole = min(self.whole, whole)
-            static = not os.path.exists(folder + "/dynamic.csv")
-            with open(folder + ("/static.csv" if static else "/dynamic.csv")) as table:
-                rows = list(csv.reader(table))
-        names = [re.sub(r" \[.*\]$", "", name) for name in rows[0]]
-        self.table = np.array(rows[1:], float)
-        self.columns = {name: i for i, name in enumerate(names)}
-        number = lambda pattern: float((re.search(pattern, text) or [0, "0"])[1])
-        self.unknowns = int(number(r"(\d+) unknowns"))
-        self.steps = int(number(r"(\d+) steps")) or 1
-        self.rejected = int(number(r"(\d+) rejected") + number(r"(\d+) without solution"))
-        self.iterations = number(r"([\d.]+) Newton") or number(r"(\d+) iterations")
-        self.factorizations = number(r"([\d.]+) factorizations")
-        return whole
+        self.failure, times, wholes = "", [], []
+        while not times or (repeat and not SMALL and len(times) < (9 if min(times) < 0.05 else 3)
+                            and sum(wholes) < (6 if min(times) < 0.05 else 1.5)):
+            super().__init__(model, "Threads = 1", *overrides, limit=LIMIT, may_fail=True)
+            if self.code:
+                at = self.number(r"t = ([\d.e+-]+) s")
+                self.failure = "no end in %d s" % LIMIT if math.isnan(at) else "stuck at t = %.4g s" % at
+                return
+            times.append(self.processor)
+            wholes.append(self.whole)
+        self.seconds, self.whole = min(times), min(wholes)
+        self.probes = self.dynamic or self.static
+        count = lambda pattern: self.number(pattern, 0)
+        self.unknowns, self.steps = int(count(r"(\d+) unknowns")), int(count(r"(\d+) steps")) or 1
+        self.rejected = int(count(r"(\d+) rejected") + count(r"(\d+) without solution"))
+        self.iterations = count(r"([\d.]+) Newton") or count(r"(\d+) iterations")
+        self.factorizations = count(r"([\d.]+) factorizations")
 
     def vectors(self, points, axes):
         """Times, and the vectors (time, point, component) of the probes <point> x, y, z; components without a probe are left out."""
-        axes = [[self.columns[p + " " + c] for c in axes if p + " " + c in self.columns] for p in points]
-        return self.table[:, 0], np.array([self.table[:, a] for a in axes]).transpose(1, 0, 2)
+        columns = [[self.probes[p + " " + c] for c in axes if p + " " + c in self.probes] for p in points]
+        return next(iter(self.probes.values())), np.array(columns).transpose(2, 0, 1)
 
 
-def interpolated(times, values, at):
-    """Values at other times, by polynomials of degree 7 (fewer between the rows of a corner would be no better)."""
-    if len(times) == len(at) and np.allclose(times, at, atol=1e-9, rtol=0):
-        return values
-    n = 8
-    first = np.clip(np.searchsorted(times, at) - n // 2, 0, len(times) - n)
-    nodes = times[first[:, None] + np.arange(n)]
-    result = np.zeros((len(at),) + values.shape[1:])
-    for i in range(n):
-        weight = np.ones(len(at))
-        for j in range(n):
-            if j != i:
-                weight *= (at - nodes[:, j]) / (nodes[:, i] - nodes[:, j])
-        result += weight.reshape(-1, *[1] * (values.ndim - 1)) * values[first + i]
-    return result
+def at_times(times, values, at):
+    """Values at other times; those of the rows where these are the times."""
+    return values if len(times) == len(at) and np.allclose(times, at, atol=1e-9, rtol=0) else interpolated(times, values, at)
 
 
 class Series:
@@ -119,15 +62,11 @@ class Series:
 
     def members(self, duration, rows):
         """Value and overrides of each; of fixed steps about so many rows are written, of others every second step."""
-        for value in self.values:
+        for value in few(self.values, 1):
             overrides = self.overrides + ["%s = %s" % (entry, value) for entry in self.vary]
             if duration:
                 overrides.append("Dynamic/Output every = %d" % (max(1, round(duration / value / rows)) if self.vary == [STEP] else 2))
             yield str(value), overrides
-
-
-def scheme(s, rho, *more):
-    return ["Dynamic/Stages = %d" % s, "Dynamic/Spectral radius = %g" % rho, *more]
 
 
 def adaptive(s, rho, *more):
@@ -176,17 +115,16 @@ class Problem:
 
     def reference_run(self):
         """Times and vectors; kept in a file from one call of this script to the next."""
-        file = REFERENCES / (self.name + ".npz")
-        recipe = "\n".join([open(self.model).read(), *self.base, *self.reference, self.axes])
+        file = results("peers") / (self.name + ".npz")
+        recipe = "\n".join([(TOP / "prm" / self.model).read_text(), *self.base, *self.reference, self.axes])
         if file.exists():
             kept = np.load(file)
             if str(kept["recipe"]) == recipe:
                 return kept["times"], kept["values"]
         run = Run(self.model, self.base + self.reference, repeat=False)
         if run.failure:
-            sys.exit("reference of %s: %s" % (self.name, run.failure))
+            raise SystemExit("reference of %s: %s" % (self.name, run.failure))
         times, values = run.vectors(self.points, self.axes)
-        REFERENCES.mkdir(parents=True, exist_ok=True)
         np.savez(file, recipe=recipe, times=times, values=values)
         print("%s: reference with %d unknowns, %d steps, %.3g s" % (self.name, run.unknowns, run.steps, run.seconds), flush=True)
         return times, values
@@ -195,7 +133,7 @@ class Problem:
         times, values = run.vectors(self.points, self.axes)
         if self.static:
             return np.abs(np.linalg.norm(values - reference[1], axis=2)).max() / np.linalg.norm(reference[1], axis=2).max()
-        true = self.exact(times) if self.exact else interpolated(*reference, times)
+        true = self.exact(times) if self.exact else at_times(*reference, times)
         if self.scale:
             scale = self.scale(*reference) if callable(self.scale) else self.scale
         else:
@@ -208,12 +146,10 @@ class Problem:
             return math.sqrt(np.mean(distance**2)) / scale
         return distance.max() / scale
 
-    def compute(self, kept, only):
+    def compute(self, kept):
         reference = None if self.exact else self.reference_run()
-        rows = [r for r in kept if r["problem"] != self.name or (only and only not in r["series"])]
-        for series in self.series:
-            if only and only not in series.name:
-                continue
+        rows = [r for r in kept if r["problem"] != self.name or SMALL]
+        for series in few(self.series):
             for value, overrides in series.members(self.duration, self.rows):
                 run = Run(self.model, self.base + overrides)
                 row = {"problem": self.name, "series": series.name, "value": value, "fails": run.failure}
@@ -221,23 +157,16 @@ class Problem:
                     row.update({"error": "%.3e" % self.error(run, reference), "seconds": "%.4g" % run.seconds,
                                 "whole": "%.3g" % run.whole, "unknowns": run.unknowns, "steps": run.steps,
                                 "rejected": run.rejected, "iterations a step": "%g" % run.iterations,
-                                "factorisations a step": "%g" % run.factorizations, "rows": len(run.table)})
+                                "factorisations a step": "%g" % run.factorizations, "rows": len(next(iter(run.probes.values())))})
                 print("  %-34s %-10s" % (series.name, value),
                       run.failure or "%s  %s s  (%d unknowns, %d + %d steps, %g iterations, %g factorisations, %d rows)"
                       % (row["error"], row["seconds"], run.unknowns, run.steps, run.rejected, run.iterations,
-                         run.factorizations, len(run.table)), flush=True)
+                         run.factorizations, len(next(iter(run.probes.values())))), flush=True)
                 rows.append(row)
         return rows
 
     def draw(self, kept):
-        import matplotlib
-
-        matplotlib.use("agg")
-        import matplotlib.pyplot as plt
-        import matplotlib.ticker
-
-        plt.rcParams.update({"font.size": 10, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
-                             "grid.color": "0.9", "axes.axisbelow": True})
+        plt.rcParams.update({"font.size": 10})
         figure, axes = plt.subplots(1, 2, figsize=(11, 4.8), layout="constrained", sharey=True)
         colours = ["#1f5fa8", "#d1495b", "#2a9d5c", "#e08e1b", "#7b4fa3", "#3aa6b9", "#8c6d46", "#c65db7"]
         clocks = (("seconds", lambda f: f.analysis, "analysis"), ("whole", lambda f: f.whole, "whole process"))
@@ -262,17 +191,7 @@ class Problem:
         # many names need the room that the other chart has
         axes[0 if len(self.series) < 8 else 1].legend(*axes[0].get_legend_handles_labels(), fontsize=8, framealpha=0.9)
         axes[0].set_title(self.title, loc="left", fontsize=11)
-        path = PICTURES % self.name
-        figure.savefig(path, dpi=100)
-        plt.close(figure)
-        try:
-            from PIL import Image
-
-            with Image.open(path) as image:
-                image.convert("RGB").quantize(64).save(path, optimize=True)
-        except ImportError:
-            pass
-        print(path)
+        save(figure, f"peers_{self.name}.png", 100, 64)
 
     def table(self, kept):
         """Rows of Markdown: for each point of the peer the fastest member that is as exact, and whose finer ones are, too, with
@@ -308,7 +227,7 @@ class Problem:
         return next(s for s in self.series if s.name == row["series"])
 
 
-PEERS = "prm/benchmarks/peers/"
+PEERS = "benchmarks/peers/"
 QUIET = ["Dynamic/Pictures = 0", "Output/Pictures = false"]
 
 
@@ -330,25 +249,13 @@ def spin_up_scale(times, values):
 def corner_of_forty(times):
     """Corner of the N-four-bar, N = 40, from its equation of motion: ((N+1)/3 + N) theta'' = -((N+1)/2 + N) g cos theta."""
     factor = -(41 / 2 + 40) * 9.81 / (41 / 3 + 40)
-    grid, state, where = np.array(times), np.array([math.pi / 2, -1.0]), 0.0
-    rate = lambda y: np.array([y[1], factor * math.cos(y[0])])
-    result = []
-    for time in grid:
-        n = max(1, math.ceil((time - where) / 5e-4)) if time > where else 0
-        h = (time - where) / n if n else 0
-        for _ in range(n):
-            a = rate(state)
-            b = rate(state + h / 2 * a)
-            c = rate(state + h / 2 * b)
-            d = rate(state + h * c)
-            state = state + h / 6 * (a + 2 * b + 2 * c + d)
+    state, where, result = np.array([math.pi / 2, -1.0]), 0.0, []
+    rate = lambda _, y: np.array([y[1], factor * math.cos(y[0])])
+    for time in times:
+        state = runge_kutta(rate, state, where, time, math.ceil((time - where) / 5e-4))
         where = time
         result.append([[math.cos(state[0]), math.sin(state[0])]])
     return np.array(result)
-
-
-def mesh(bodies, degree, elements=1):
-    return [e for b in bodies for e in ("Bodies/%s/Degree = %d" % (b, degree), "Bodies/%s/Elements = %d" % (b, elements))]
 
 
 def princeton_points():
@@ -368,7 +275,7 @@ PROBLEMS = [
                     "Static/Tolerance = 1e-3")],
             without_start("Kynema", (5.2e-3, 2.5e-4), (6.6e-3, 9.3e-6), (8.4e-3, 8e-7)), goals=[1.7e-3, 2.2e-3, 2.8e-3], static=True,
             label="largest error of an end / largest displacement"),
-    Problem("spin_up", "Spin-up of a beam", "prm/benchmarks/dynamics/spin_up.prm", ["beam.end.position"], QUIET,
+    Problem("spin_up", "Spin-up of a beam", "benchmarks/dynamics/spin_up.prm", ["beam.end.position"], QUIET,
             scheme(3, 1) + mesh(["beam"], 4, 6) + ["Dynamic/Step = 0.0125", "Dynamic/Newton tolerance = 1e-13"],
             [Series("p = 4 × 1, s = 3, ρ∞ = 1", STEP, [0.2, 0.1, 0.05], *scheme(3, 1), *mesh(["beam"], 4, 1)),
              Series("p = 4 × 2, s = 3, ρ∞ = 1", STEP, [0.2, 0.15, 0.1, 0.05], *scheme(3, 1), *mesh(["beam"], 4, 2)),
@@ -408,7 +315,7 @@ PROBLEMS = [
             without_start("Kynema", (0.061, 3.4e-5), (0.15, 2.6e-6), (0.21, 1.7e-8)), goals=[0.020, 0.045, 0.070],
             duration=12.2, rows=120, windows=[(0.4, 2.6), (4.2, 7.6), (8.8, 12.2)], axes="z", scale=4.26e-3,
             label="largest error of C across the plane / 4.26 mm"),
-    Problem("swept_tip", "Rotating beam with a swept tip", "prm/benchmarks/swept_tip_dynamics.prm", ["tip.end.position"],
+    Problem("swept_tip", "Rotating beam with a swept tip", "benchmarks/swept_tip_dynamics.prm", ["tip.end.position"],
             QUIET + ["Loads/pulse/Axes = body"], scheme(3, 1) + ["Dynamic/Step = 3.125e-5", "Dynamic/Newton tolerance = 1e-12"],
             [Series("s = %d, ρ∞ = %g" % (s, r), STEP, steps, *scheme(s, r)) for s, r, steps in
              ((1, 1, [2e-3, 1e-3, 5e-4, 2.5e-4]), (2, 1, [5e-3, 2.5e-3, 1.25e-3]), (2, 0, [5e-3, 2.5e-3, 1.25e-3]),
@@ -428,7 +335,7 @@ PROBLEMS = [
              Series("p = 3, s = 3, ρ∞ = 1", STEP, [0.02, 0.01, 0.005], *scheme(3, 1), *mesh(["left"], 3)),
              Series("p = 4, s = 3, ρ∞ = 0.5, adaptive", TOLERANCE, [1e-3, 1e-4, 1e-5], *adaptive(3, 0.5), *mesh(["left"], 4))],
             [mbdyn(1.4e-2, 0.266), mbdyn(3.6e-3, 0.613), mbdyn(1.1e-3, 1.32), mbdyn(4.8e-4, 2.90)], duration=3.5, rows=200),
-    Problem("tail_rotor", "Tail rotor transmission", "prm/rotorcraft/tail_rotor_transmission.prm",
+    Problem("tail_rotor", "Tail rotor transmission", "rotorcraft/tail_rotor_transmission.prm",
             ["shaft 1.middle.displacement", "tail.end.displacement"],
             QUIET + ["Analyses = static, dynamic",
                      "Output/Probes = " + ", ".join(p + " " + c for p in ("shaft 1.middle.displacement", "tail.end.displacement")
@@ -466,7 +373,7 @@ PROBLEMS = [
              Series("s = 2, ρ∞ = 1, Newton 1e-6", STEP, [0.1, 0.08, 0.0625, 0.04, 0.03, 0.02], *scheme(2, 1),
                     "Dynamic/Newton tolerance = 1e-6")],
             without_start("Exudyn", (0.43, 2.3e-2), (1.25, 1.2e-3)), goals=[0.14, 0.4], duration=10, exact=corner_of_forty, scale=1.0, label="largest error of the corner [m]"),
-    Problem("squeezer", "Andrews' squeezer, 0.05 s", "prm/benchmarks/dynamics/andrews_squeezer.prm",
+    Problem("squeezer", "Andrews' squeezer, 0.05 s", "benchmarks/dynamics/andrews_squeezer.prm",
             [b + ".displacement" for b in BARS],
             QUIET + ["Dynamic/End time = 0.05", "Output/Probes = " + ", ".join("%s.displacement %s" % (b, c) for b in BARS for c in "xy")],
             scheme(3, 1) + ["Dynamic/Step = 2.5e-5"],
@@ -479,54 +386,18 @@ PROBLEMS = [
 ]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--drawn", action="store_true", help="compute nothing")
-    parser.add_argument("--series", default="", help="only series whose names have this text")
-    parser.add_argument("problems", nargs="*", metavar="PROBLEM")
-    options = parser.parse_args()
-    unknown = set(options.problems) - {p.name for p in PROBLEMS}
+def make(parts, drawn):
+    unknown = set(parts) - {p.name for p in PROBLEMS}
     if unknown:
-        sys.exit("no problem %s; there are: %s" % (", ".join(sorted(unknown)), ", ".join(p.name for p in PROBLEMS)))
-    for problem in PROBLEMS:
-        if options.problems and problem.name not in options.problems:
-            continue
-        if not options.drawn:
+        raise SystemExit("no problem %s; there are: %s" % (", ".join(sorted(unknown)), ", ".join(p.name for p in PROBLEMS)))
+    for problem in few([p for p in PROBLEMS if not parts or p.name in parts]):
+        if not drawn:
             print(problem.title, flush=True)
-            rows = problem.compute(read_kept(), options.series)
+            rows = problem.compute(read(KEPT))
             order = {(p.name, s.name): (i, j) for i, p in enumerate(PROBLEMS) for j, s in enumerate(p.series)}
-            rows = [r for r in rows if (r["problem"], r["series"]) in order]
-            rows.sort(key=lambda r: order[r["problem"], r["series"]])
-            with open(KEPT, "w", newline="") as file:
-                writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-                writer.writeheader()
-                writer.writerows(rows)
-        kept = read_kept()
-        problem.draw(kept)
-        print("\n".join(problem.table(kept)), flush=True)
-    into_page(read_kept())
-
-
-def into_page(kept):
-    """In place of the lines with bars that follow the comment."""
-    mark = "<!-- table -->\n"
-    with open(PAGE) as file:
-        before, _, after = file.read().partition(mark)
-    while after.startswith("|"):
-        after = after.partition("\n")[2]
+            common.write(KEPT, sorted((r for r in rows if (r["problem"], r["series"]) in order),
+                                      key=lambda r: order[r["problem"], r["series"]]), COLUMNS)
+        problem.draw(read(KEPT))
     text = "| problem | peer: error | its seconds | Samara: error, member | seconds | times faster | goal reached |\n"
     text += "|---|---|---|---|---|---|---|\n"
-    text += "\n".join(line for p in PROBLEMS for line in p.table(kept)) + "\n"
-    with open(PAGE, "w") as file:
-        file.write(before + mark + text + after)
-
-
-def read_kept():
-    if not os.path.exists(KEPT):
-        return []
-    with open(KEPT) as file:
-        return list(csv.DictReader(file))
-
-
-if __name__ == "__main__":
-    main()
+    into_page(PAGE, "peers", text + "\n".join(line for p in PROBLEMS for line in p.table(read(KEPT))) + "\n")

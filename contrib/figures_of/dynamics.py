@@ -1,82 +1,47 @@
-#!/usr/bin/python3
-"""Tables and picture of doc/benchmarks/dynamics.md: error and work of each member of the integrator family at each step.
+"""Tables and picture of benchmarks/dynamics.md: error and work of each member of the integrator family. Parts: titles of tables.
 
-    doc/benchmarks/dynamics_tables [--drawn] [TABLE ...]
+About twenty minutes; every run is kept in benchmarks/dynamics.csv."""
 
-computes the named tables (all of them without names, in about twenty minutes), keeps every run in doc/benchmarks/dynamics.csv,
-prints the tables as Markdown, puts them into doc/benchmarks/dynamics.md and draws doc/pictures/dynamics_work_precision.svg.
-With --drawn nothing is computed: tables and picture come from the runs that are kept. Run from the top of the project after contrib/run has built it; the environment
-variable SAMARA may name another program."""
-
-import argparse
-import contextlib
-import csv
-import io
 import math
-import os
-import re
-import resource
 import signal
-import subprocess
-import sys
-import tempfile
 
-import numpy as np
+from figures_of import common
+from figures_of.common import SMALL, few, into_page, measured as table_of, np, on_mesh, plt, printed, read, save, scheme, short
 
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-FOLDER = "prm/benchmarks/dynamics/"
-KEPT = "doc/benchmarks/dynamics.csv"
-PAGE = "doc/benchmarks/dynamics.md"
-PICTURE = "doc/pictures/dynamics_work_precision.svg"
+
+KEPT, CLASSICAL = "benchmarks/dynamics.csv", ", classical schemes"
 COLUMNS = ["table", "s", "rho", "control", "step or tolerance", "mesh", "errors", "steps", "rejected", "unsolved",
            "iterations a step", "factorisations a step", "seconds", "budget closes to"]
 
 
-def limit_time():
-    """More than the longest of the runs takes: then steps have become so short that it will not end."""
-    resource.setrlimit(resource.RLIMIT_CPU, (10, 20))
-
-
-class Run:
-    """A run of a model with overrides: the probes at each time, and what it took."""
+class Run(common.Run):
+    """The best of three: what it took, and until when it went if it failed. Steps of a run that will not end become so short that the
+    time of the processor is limited to more than the longest takes."""
 
     def __init__(self, model, overrides):
-        self.failure = None
-        with tempfile.TemporaryDirectory() as folder:
-            command = [SAMARA, FOLDER + model + ".prm", "--output", folder, "--set", "Output/Pictures = false"]
-            for override in overrides:
-                command += ["--set", override]
-            seconds = []
-            while not seconds or (sum(seconds) < 0.1 and len(seconds) < 3):  # the best of three
-                run = subprocess.run(command, capture_output=True, text=True, preexec_fn=limit_time,
-                                     env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
-                if run.returncode == -signal.SIGXCPU:
-                    with open(folder + "/dynamic_steps.csv") as table:
-                        self.failure = "%.4g" % float(table.readlines()[-2].split(",")[0])
-                    return
-                if run.returncode not in (0, 3):
-                    sys.exit(run.stderr)
-                if run.returncode == 3:
-                    self.failure = re.search(r"t = ([\d.e+-]+) s", run.stderr)[1]
-                    return
-                text = next(line for line in run.stdout.splitlines() if line.startswith("dynamic:"))
-                number = lambda pattern: float((re.search(pattern, text) or [0, "0"])[1])
-                seconds.append(number(r"([\d.e+-]+) s of the processor"))
-            with open(folder + "/dynamic.csv") as table:
-                rows = list(csv.reader(table))
-        names = [re.sub(r" \[.*\]$", "", name) for name in rows[0]]
-        self.table = np.array(rows[1:], float)
-        self.columns = {name: i for i, name in enumerate(names)}
-        self.steps, self.rejected = number(r"(\d+) steps"), number(r"(\d+) rejected")
-        self.unsolved = number(r"(\d+) without solution")
-        self.iterations, self.factorizations = number(r"([\d.]+) Newton"), number(r"([\d.]+) factorizations")
-        self.balance = number(r"closes to ([\d.e+-]+)")
+        seconds = []
+        while not seconds or (sum(seconds) < 0.1 and len(seconds) < 3):
+            super().__init__(f"benchmarks/dynamics/{model}.prm", *overrides, limit=10, may_fail=True)
+            self.failure = None
+            if self.code == -signal.SIGXCPU:
+                self.failure = "%.4g" % self.dynamic_steps["t"][-1]
+                return
+            if self.code:
+                self.failure = "%g" % self.number(r"t = ([\d.e+-]+) s")
+                return
+            seconds.append(self.processor)
         self.seconds = min(seconds)
+        count = lambda pattern: self.number(pattern, 0)
+        self.steps, self.rejected = count(r"dynamic: (\d+) steps"), count(r"(\d+) rejected")
+        self.unsolved = count(r"(\d+) without solution")
+        self.iterations, self.factorizations = count(r"([\d.]+) Newton"), count(r"([\d.]+) factorizations")
+        self.balance = count(r"closes to ([\d.e+-]+)")
 
     def value(self, when, probe):
-        row = np.argmin(abs(self.table[:, 0] - when))
-        assert abs(self.table[row, 0] - when) < 1e-9 * max(1, when), "no row at %g s" % when
-        return self.table[row, self.columns[probe]]
+        times = self.dynamic["t"]
+        row = np.argmin(abs(times - when))
+        assert abs(times[row] - when) < 1e-9 * max(1, when), "no row at %g s" % when
+        return self.dynamic[probe][row]
 
 
 class Values:
@@ -96,8 +61,8 @@ class Exact:
         self.probes, self.motion = probes.split(", "), motion
 
     def error(self, run):
-        values = run.table[:, [run.columns[p] for p in self.probes]]
-        return max(max(abs(v - e) for v, e in zip(row, self.motion(t)[1:])) for t, row in zip(run.table[:, 0], values))
+        values = np.column_stack([run.dynamic[p] for p in self.probes])
+        return max(max(abs(v - e) for v, e in zip(row, self.motion(t)[1:])) for t, row in zip(run.dynamic["t"], values))
 
 
 class Andrews:
@@ -119,8 +84,7 @@ class Andrews:
 
     def __init__(self, table=None):
         if table:
-            with open("tests/reference/multibody/" + table) as file:
-                rows = [line.strip().split(",") for line in file if not line.startswith("#")][1:]
+            rows = [list(row.values()) for row in table_of("multibody/" + table)]
             self.bars = {bar: (float(angle), float(velocity)) for bar, angle, velocity in rows}
 
     def error(self, run):
@@ -147,43 +111,44 @@ def pendulum(t):
     return t, -2 * half * math.sqrt(1 - half * half), -(1 - 2 * half * half)
 
 
+IN_TABLES = [(1, 1), (1, 0.5), (2, 1), (2, 0), (3, 1), (3, 0.5)]
+
+
 class Steps:
     """A table of error against step, one row for each member of the family."""
 
     schemes = [(s, rho) for s in (1, 2, 3) for rho in (1, 0.5, 0)]
 
-    def __init__(self, title, model, errors, steps, *overrides, mesh=None, finer=(), floor=1e-12, schemes=None, printed=9):
+    def __init__(self, title, model, errors, steps, *overrides, mesh=None, finer=(), floor=1e-12, schemes=None):
         self.title, self.model, self.errors, self.steps, self.overrides = title, model, errors, steps.split(), list(overrides)
         self.mesh, self.finer, self.schemes = mesh, finer, schemes or self.schemes
-        self.printed = printed  # errors that have a table, of those that are kept
-        self.floor = floor if isinstance(floor, tuple) else (floor,) * 5  # errors below are round-off, and show no order
+        self.floor = floor  # errors below are round-off, and show no order
 
     def compute(self):
         if callable(self.errors):
             self.errors = self.errors()
-        for s, rho in self.schemes:
-            for step in self.steps + list(self.finer if s == 1 else ()):
-                overrides = scheme(s, rho) + ["Dynamic/Step = " + step] + self.overrides + on_mesh(self.mesh)
+        for s, rho in few(self.schemes):
+            for step in few(self.steps + list(self.finer if s == 1 else ())):
+                overrides = scheme(s, rho, step) + self.overrides + beam(self.mesh)
                 yield measured(self.model, self.errors, overrides, s, rho, "fixed", step, self.mesh)
 
+    def shown(self):
+        """At most four steps of the table; the file has all."""
+        return [self.steps[i] for i in sorted({round(k * (len(self.steps) - 1) / 3) for k in range(4)})]
+
+    def head(self):
+        heads = ["s, ρ∞, or scheme", *("h = " + h for h in self.shown()), "order", "seconds"]
+        return "| " + " | ".join(heads) + " |\n" + "|---" * len(heads) + "|"
+
     def print(self, rows):
-        for i in range(min(self.printed, max(len(r["errors"].split()) for r in rows if r["steps"]))):
-            work = ["iterations", "factorisations", "seconds"] if i == 0 else []
-            print("| " + " | ".join(["s, ρ∞"] + ["h = " + h for h in self.steps] + ["order"] + work) + " |\n"
-                  + "|---" * (len(self.steps) + 2 + len(work)) + "|")
-            for who in self.schemes:
-                mine = [r for r in rows if (int(r["s"]), float(r["rho"])) == who]
-                done = {r["step or tolerance"]: r for r in mine if r["steps"]}
-                cells = [error_of(done[h], i) if h in done else "stuck" for h in self.steps]
-                orders = [math.log(float(a["errors"].split()[i]) / float(b["errors"].split()[i]))
-                          / math.log(float(a["step or tolerance"]) / float(b["step or tolerance"]))
-                          for a, b in zip(mine, mine[1:])
-                          if a["steps"] and b["steps"] and float(b["errors"].split()[i]) > self.floor[i]]
-                shown = [done[h] for h in self.steps if h in done]
-                took = [" … ".join(dict.fromkeys((f % float(shown[j][key])) for j in (0, -1))) if shown else "–"
-                        for f, key in work and (("%.1f", "iterations a step"), ("%.2f", "factorisations a step"), ("%.2g", "seconds"))]
-                print("| %d, %g | " % who + " | ".join(cells + ["%.1f" % orders[-1] if orders else "–"] + took) + " |")
-            print()
+        """Of the first error, for each member of IN_TABLES."""
+        for who in [w for w in self.schemes if w in IN_TABLES]:
+            mine = [r for r in rows if (r["s"], float(r["rho"])) == (str(who[0]), who[1])]
+            done = {r["step or tolerance"]: r for r in mine if r["steps"]}
+            orders = [order(a, b) for a, b in zip(mine, mine[1:])
+                      if a["steps"] and b["steps"] and float(b["errors"].split()[0]) > self.floor]
+            print("| %d, %g | " % who + " | ".join([error_of(done[h], 0) if h in done else "stuck" for h in self.shown()]
+                                                 + ["%.1f" % orders[-1] if orders else "–", seconds_of(done, self.shown())]) + " |")
 
 
 class Meshes:
@@ -197,9 +162,9 @@ class Meshes:
     def compute(self):
         if callable(self.errors):
             self.errors = self.errors()
-        for p, n, *own in self.meshes:
+        for p, n, *own in few(self.meshes):
             step = own[0] if own else self.step
-            overrides = scheme(*self.scheme) + ["Dynamic/Step = " + step] + self.overrides + on_mesh((p, n))
+            overrides = scheme(*self.scheme, step) + self.overrides + beam((p, n))
             yield measured(self.model, self.errors, overrides, *self.scheme, "fixed", step, (p, n))
 
     def print(self, rows):
@@ -223,7 +188,7 @@ class Classical(Steps):
     schemes = [("generalised alpha", 0.5), ("trapezoidal", 1), ("energy decaying", 0), ("BDF index 2", 0)]
 
     def __init__(self, title, model, errors, steps, tolerances, *overrides, floor=1e-12, call=None):
-        super().__init__(title, model, errors, steps, *overrides, floor=floor, printed=1)
+        super().__init__(title, model, errors, steps, *overrides, floor=floor)
         self.tolerances, self.call = tolerances.split(), call  # call: where steps of BDF have to end at the latest
 
     def sizes(self, name):
@@ -232,49 +197,43 @@ class Classical(Steps):
     def compute(self):
         if callable(self.errors):
             self.errors = self.errors()
-        for name, rho in self.schemes:
-            for size in self.sizes(name):
+        for name, rho in few(self.schemes):
+            for size in few(self.sizes(name)):
                 overrides = ["Dynamic/Integrator = " + name, "Dynamic/Spectral radius = %g" % rho]
                 overrides += ["Dynamic/Tolerance = " + size, "Dynamic/Step = " + self.call] if name.startswith("BDF") else \
                              ["Dynamic/Step = " + size]
                 yield measured(self.model, self.errors, overrides + self.overrides, name, rho, "fixed", size, None)
 
     def print(self, rows):
-        heads = ["h = " + h for h in self.steps]
-        print("| " + " | ".join(["integrator"] + heads + ["order", "iterations", "seconds"]) + " |\n" + "|---" * (len(heads) + 4) + "|")
         for name, rho in self.schemes:
-            done = {r["step or tolerance"]: r for r in rows if r["s"] == name and r["steps"]}
-            sizes = self.sizes(name)
-            cells = [(size + ": " if name.startswith("BDF") else "") + (error_of(done[size], 0) if size in done else "stuck")
-                     for size in sizes] + ["–"] * (len(self.steps) - len(sizes))
-            shown = [done[size] for size in sizes if size in done]
-            order = "–"
-            if len(shown) > 1 and not name.startswith("BDF"):
-                a, b = shown[-2:]
-                order = "%.1f" % (math.log(float(a["errors"].split()[0]) / float(b["errors"].split()[0]))
-                                  / math.log(float(a["step or tolerance"]) / float(b["step or tolerance"])))
-            took = [" … ".join(f % float(shown[j][key]) for j in (0, -1)) if shown else "–"
-                    for f, key in (("%.1f", "iterations a step"), ("%.2g", "seconds"))]
-            label = name + (", ρ∞ = %g" % rho if name == "generalised alpha" else "")
-            print("| " + " | ".join([label] + cells + [order] + took) + " |")
-        print()
+            mine = [r for r in rows if r["s"] == name]
+            done = {r["step or tolerance"]: r for r in mine if r["steps"]}
+            is_bdf = name.startswith("BDF")
+            sizes = self.sizes(name)[:4] if is_bdf else self.shown()
+            cells = [(size + ": " if is_bdf else "") + (error_of(done[size], 0) if size in done else "stuck") for size in sizes]
+            cells += ["–"] * (len(self.shown()) - len(sizes))
+            pairs = [(a, b) for a, b in zip(mine, mine[1:]) if a["steps"] and b["steps"]]
+            cells += ["%.1f" % order(*pairs[-1]) if pairs and not is_bdf else "–", seconds_of(done, sizes)]
+            print("| " + " | ".join([name + (", ρ∞ = %g" % rho if name == "generalised alpha" else ""), *cells]) + " |")
 
 
-def scheme(s, rho):
-    return ["Dynamic/Stages = %d" % s, "Dynamic/Spectral radius = %g" % rho]
+def order(a, b):
+    """Of the errors of two runs with the steps."""
+    return (math.log(float(a["errors"].split()[0]) / float(b["errors"].split()[0]))
+            / math.log(float(a["step or tolerance"]) / float(b["step or tolerance"])))
 
 
-def on_mesh(mesh):
-    return ["Bodies/beam/Degree = %d" % mesh[0], "Bodies/beam/Elements = %d" % mesh[1]] if mesh else []
+def seconds_of(done, sizes):
+    """Of the shortest step that has an end."""
+    return next(("%.2g" % float(done[size]["seconds"]) for size in reversed(sizes) if size in done), "–")
+
+
+def beam(mesh):
+    return on_mesh(["beam"], *mesh) if mesh else []
 
 
 def error_of(row, i):
     return short(float(row["errors"].split()[i]))
-
-
-def short(number):
-    """4.1e-06 as 4.1e-6, 0.41 as 0.41."""
-    return "%.0f" % number if number >= 100 else "%.2g" % number if number >= 0.01 else re.sub("e-0", "e-", "%.1e" % number)
 
 
 def measured(model, errors, overrides, s, rho, control, size, mesh):
@@ -342,7 +301,7 @@ BUCKLED = "beam.middle.displacement y, beam.middle.displacement z"
 
 def buckled():
     """Against another step on the same mesh."""
-    fine = scheme(3, 1) + ["Dynamic/Step = 6.25e-5", "Dynamic/Newton tolerance = 1e-12"] + on_mesh((3, 4))
+    fine = scheme(3, 1) + ["Dynamic/Step = 6.25e-5", "Dynamic/Newton tolerance = 1e-12"] + beam((3, 4))
     return against("lateral_buckling", BUCKLED, (0.2, 0.3, 0.4, 0.5), fine)
 
 
@@ -369,8 +328,7 @@ def flexible_shaft():
 
 def governor():
     """Height of the slider, from tests/reference/multibody/flyball_governor.csv."""
-    with open("tests/reference/multibody/flyball_governor.csv") as file:
-        rows = [line.split(",") for line in file if not line.startswith("#")][1:]
+    rows = [list(row.values()) for row in table_of("multibody/flyball_governor.csv")]
     return Values("slider.position z", [(float(t), float(z)) for t, z, *_ in rows])
 
 
@@ -380,7 +338,7 @@ SPUN_END = Values(SPIN, [(20, 4.60918837, -1.9387935, 9.21826992, -3.87734331)])
 TABLES = [
     Steps("Simple pendulum", "simple_pendulum", [PENDULUM], "0.1 0.05 0.025 0.0125 0.00625 0.003125", TIGHT,
           finer=("7.8125e-4",), floor=2e-11),
-    Classical("Simple pendulum, classical schemes", "simple_pendulum", [PENDULUM], "0.1 0.05 0.025 0.0125 0.00625 0.003125",
+    Classical("Simple pendulum" + CLASSICAL, "simple_pendulum", [PENDULUM], "0.1 0.05 0.025 0.0125 0.00625 0.003125",
               "1e-4 1e-5 1e-6 1e-7 1e-8", call="0.1"),
     Steps("Heavy top", "heavy_top", [TOP.error], "1e-2 5e-3 2.5e-3 1.25e-3 6.25e-4 3.125e-4", TIGHT, finer=("7.8125e-5",), floor=2e-11),
     Steps("Slider-crank", "slider_crank", [CRANK.error], "2e-2 1e-2 5e-3 2.5e-3 1.25e-3 6.25e-4", TIGHT, finer=("1.5625e-4",),
@@ -388,50 +346,50 @@ TABLES = [
     Steps("Slider-crank, centre of mass of the crank at its hinge", "slider_crank", [CRANK_AT_HINGE.error],
           "1e-2 5e-3 2.5e-3 1.25e-3", TIGHT, "Constants/arm = 0", floor=1e-10, schemes=[(1, 1), (2, 1), (2, 0), (3, 1), (3, 0.5)]),
     Steps("Andrews' squeezer", "andrews_squeezer", [Andrews().error, Andrews().error_of_angles],
-          "4e-4 2e-4 1e-4 5e-5 2.5e-5 1.25e-5", TIGHT, Andrews.probes, finer=("3.125e-6",), floor=(5e-9, 2e-10)),
-    Classical("Andrews' squeezer, classical schemes", "andrews_squeezer", [Andrews().error, Andrews().error_of_angles],
+          "4e-4 2e-4 1e-4 5e-5 2.5e-5 1.25e-5", TIGHT, Andrews.probes, finer=("3.125e-6",), floor=5e-9),
+    Classical("Andrews' squeezer" + CLASSICAL, "andrews_squeezer", [Andrews().error, Andrews().error_of_angles],
               "4e-4 2e-4 1e-4 5e-5 2.5e-5 1.25e-5", "1e-4 1e-5 1e-6 1e-7 1e-8", Andrews.probes, call="1e-3"),
     Steps("Andrews' squeezer with a stop", "andrews_squeezer_stop", [STOPPED.error_of_angles], "2e-4 1e-4 5e-5 2.5e-5 1.25e-5 6.25e-6",
           TIGHT, Andrews.probes, floor=1e-9),
-    Classical("Andrews' squeezer with a stop, classical schemes", "andrews_squeezer_stop", [STOPPED.error_of_angles],
+    Classical("Andrews' squeezer with a stop" + CLASSICAL, "andrews_squeezer_stop", [STOPPED.error_of_angles],
               "2e-4 1e-4 5e-5 2.5e-5 1.25e-5 6.25e-6", "1e-4 1e-5 1e-6 1e-7 1e-8", Andrews.probes, call="1e-3"),
     Steps("Lateral buckling", "lateral_buckling", buckled, "4e-3 2e-3 1e-3 5e-4 2.5e-4", "Dynamic/Newton tolerance = 1e-11",
           mesh=(3, 4), floor=1e-9),
-    Classical("Lateral buckling, classical schemes", "lateral_buckling", buckled, "4e-3 2e-3 1e-3 5e-4 2.5e-4",
+    Classical("Lateral buckling" + CLASSICAL, "lateral_buckling", buckled, "4e-3 2e-3 1e-3 5e-4 2.5e-4",
               "1e-4 1e-5 1e-6", call="0.02"),
     Meshes("Lateral buckling, mesh", "lateral_buckling",
-           lambda: against("lateral_buckling", BUCKLED, (0.1, 0.2, 0.3, 0.4, 0.5), scheme(3, 1) + ["Dynamic/Step = 5e-4"] + on_mesh((5, 8))),
+           lambda: against("lateral_buckling", BUCKLED, (0.1, 0.2, 0.3, 0.4, 0.5), scheme(3, 1) + ["Dynamic/Step = 5e-4"] + beam((5, 8))),
            ["0.1 to 0.5 s"], [(1, 8), (1, 16), (1, 32), (2, 4), (2, 8), (2, 16), (3, 4), (3, 8), (4, 2), (4, 4), (5, 2)], 3, 1, "1e-3"),
     Steps("Four-bar", "four_bar", [FOUR_BAR.error], "0.02 0.01 0.005 0.0025", floor=1e-7),
-    Classical("Four-bar, classical schemes", "four_bar", [FOUR_BAR.error], "0.02 0.01 0.005 0.0025", "1e-4 1e-5 1e-6", call="0.1"),
+    Classical("Four-bar" + CLASSICAL, "four_bar", [FOUR_BAR.error], "0.02 0.01 0.005 0.0025", "1e-4 1e-5 1e-6", call="0.1"),
     Steps("Bricard's mechanism", BRICARD, bricard, "0.1 0.05 0.025 0.0125 0.00625", TIGHT, floor=1e-9),
-    Classical("Bricard's mechanism, classical schemes", BRICARD, bricard, "0.1 0.05 0.025 0.0125 0.00625", "1e-4 1e-5 1e-6 1e-7 1e-8",
+    Classical("Bricard's mechanism" + CLASSICAL, BRICARD, bricard, "0.1 0.05 0.025 0.0125 0.00625", "1e-4 1e-5 1e-6 1e-7 1e-8",
               call="0.1"),
     Steps("Stiff flyball governor", "flyball_governor", [GOVERNOR.error], "0.02 0.01 0.005 0.0025", floor=1e-10),
-    Classical("Stiff flyball governor, classical schemes", "flyball_governor", [GOVERNOR.error], "0.02 0.01 0.005 0.0025",
+    Classical("Stiff flyball governor" + CLASSICAL, "flyball_governor", [GOVERNOR.error], "0.02 0.01 0.005 0.0025",
               "1e-4 1e-5 1e-6 1e-7", call="0.1"),
     Steps("Flexible four-bar", "../peers/four_bar", flexible_four_bar, "0.1 0.05 0.025 0.0125", "Dynamic/Newton tolerance = 1e-11",
           floor=1e-9),
-    Classical("Flexible four-bar, classical schemes", "../peers/four_bar", flexible_four_bar, "0.1 0.05 0.025 0.0125", "1e-4 1e-5",
+    Classical("Flexible four-bar" + CLASSICAL, "../peers/four_bar", flexible_four_bar, "0.1 0.05 0.025 0.0125", "1e-4 1e-5",
               call="0.1"),
     Steps("Flexible shaft", "../peers/shaft", flexible_shaft, "0.02 0.01 0.005 0.0025 0.00125", "Dynamic/Newton tolerance = 1e-11",
           floor=1e-8),
-    Classical("Flexible shaft, classical schemes", "../peers/shaft", flexible_shaft, "0.02 0.01 0.005 0.0025 0.00125", "1e-4 1e-5",
+    Classical("Flexible shaft" + CLASSICAL, "../peers/shaft", flexible_shaft, "0.02 0.01 0.005 0.0025 0.00125", "1e-4 1e-5",
               call="0.02"),
     Steps("Spin-up", "spin_up",
-          lambda: against("spin_up", SPIN, (5, 10, 15, 20), scheme(3, 1) + ["Dynamic/Step = 0.0125", TIGHT] + on_mesh((3, 4)))
-          + [SPUN.error, SPUN_END.error], "0.5 0.25 0.1 0.05 0.025", TIGHT, mesh=(3, 4), finer=("0.00625",), floor=2e-9, printed=1),
+          lambda: against("spin_up", SPIN, (5, 10, 15, 20), scheme(3, 1) + ["Dynamic/Step = 0.0125", TIGHT] + beam((3, 4)))
+          + [SPUN.error, SPUN_END.error], "0.5 0.25 0.1 0.05 0.025", TIGHT, mesh=(3, 4), finer=("0.00625",), floor=2e-9),
     Meshes("Spin-up, mesh", "spin_up", [SPUN.error, SPUN_END.error], ["5, 10, 15 s", "20 s"],
            [(1, 12), (1, 24), (2, 6), (2, 12), (3, 1), (3, 2), (3, 4), (3, 8), (4, 3)], 3, 1, "0.05", TIGHT, floor=1e-6),
     Steps("Flying beam, thrown smoothly", "flying_beam",
-          lambda: against("flying_beam", FLYING, (5,), scheme(3, 1) + ["Dynamic/Step = 0.003125"] + SMOOTH + on_mesh((3, 8))),
+          lambda: against("flying_beam", FLYING, (5,), scheme(3, 1) + ["Dynamic/Step = 0.003125"] + SMOOTH + beam((3, 8))),
           "0.2 0.1 0.05 0.025 0.0125", *SMOOTH, mesh=(3, 8), finer=("0.003125",), floor=1e-8),
     Meshes("Flying beam, thrown smoothly, mesh", "flying_beam",
-           lambda: against("flying_beam", FLYING, (5,), scheme(3, 1) + ["Dynamic/Step = 0.025"] + SMOOTH + on_mesh((4, 24))),
+           lambda: against("flying_beam", FLYING, (5,), scheme(3, 1) + ["Dynamic/Step = 0.025"] + SMOOTH + beam((4, 24))),
            ["5 s"], [(1, 20), (1, 40), (1, 80), (2, 10), (2, 20), (2, 40), (3, 8), (3, 16), (3, 32), (4, 6), (4, 12)], 3, 1,
            "0.025", *SMOOTH),
     Steps("Flying beam", "flying_beam", [e.error for e in (BEAM[1], BEAM[4])], "0.1 0.05 0.025 0.0125", mesh=(3, 40),
-          floor=(1.4e-4, 9e-4)),
+          floor=1.4e-4),
     Meshes("Flying beam, mesh", "flying_beam", [e.error for e in BEAM], ["%g s" % e.rows[0][0] for e in BEAM],
            [(1, 120), (2, 60), (3, 5), (3, 10), (3, 20), (3, 40), (3, 64), (3, 128), (4, 30)], 3, 1, "0.025", floor=3e-4),
     Meshes("Flying beam, first second", "flying_beam", [FIRST_SECOND.error], ["0.25, 0.5, 0.75, 1 s"],
@@ -442,13 +400,6 @@ TABLES = [
 
 def draw(kept):
     """Error against seconds: a panel for each problem, colour the stages, line the spectral radius."""
-    import matplotlib
-
-    matplotlib.use("svg")
-    import matplotlib.pyplot as plt
-
-    plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "samara", "font.size": 9, "axes.spines.top": False,
-                         "axes.spines.right": False, "font.family": "DejaVu Sans"})
     panels = [("Simple pendulum", "error [m]"), ("Heavy top", "error [m]"), ("Slider-crank", "error [m]"),
               ("Andrews' squeezer", "error of velocities"), ("Four-bar", "error [m]"), ("Spin-up", "error [m]"),
               ("Flying beam, thrown smoothly", "error"), ("Flying beam", "error at t = 2.5"),
@@ -457,7 +408,8 @@ def draw(kept):
               ("Flexible four-bar", "error across the plane [m]"), ("Flexible shaft", "error [m]")]
     colours, lines = {1: "#0072b2", 2: "#d55e00", 3: "#009e73"}, {1: "-", 0.5: "--", 0: ":"}
     marks = {"generalised alpha": "s", "trapezoidal": "^", "energy decaying": "v", "BDF index 2": "D"}
-    figure, axes = plt.subplots(5, 3, figsize=(10, 15))
+    plt.rcParams.update({"svg.fonttype": "none", "font.size": 9})
+    figure, axes = plt.subplots(5, 3, figsize=(10, 15), layout="constrained")
     for axis, (title, label) in zip(axes.flat, panels):
         for s in colours:
             for rho in lines:
@@ -466,68 +418,39 @@ def draw(kept):
                 axis.loglog([float(r["seconds"]) for r in rows], [float(r["errors"].split()[0]) for r in rows], lines[rho],
                             color=colours[s], marker=".", markersize=4, linewidth=1.2)
         for name, mark in marks.items():
-            rows = [r for r in kept if r["table"] == title + ", classical schemes" and r["steps"] and r["s"] == name]
+            rows = [r for r in kept if r["table"] == title + "" + CLASSICAL and r["steps"] and r["s"] == name]
             axis.loglog([float(r["seconds"]) for r in rows], [float(r["errors"].split()[0]) for r in rows], "-", color="#777777",
                         marker=mark, markersize=4, linewidth=0.8)
         axis.set(title=title, xlabel="time of computing [s]", ylabel=label)
         axis.title.set_fontsize(10)
-        axis.grid(True, which="major", linewidth=0.3)
     key = axes.flat[14]
     key.axis("off")
     handles = [plt.Line2D([], [], color=colours[s], linestyle=lines[r], label="s = %d, ρ∞ = %g" % (s, r)) for s in colours for r in lines]
     handles += [plt.Line2D([], [], color="#777777", marker=mark, markersize=4, linewidth=0.8, label=name) for name, mark in marks.items()]
     key.legend(handles=handles, loc="center", frameon=False)
-    figure.tight_layout()
-    figure.savefig(PICTURE, metadata={"Date": None})
+    save(figure, "dynamics_work_precision.svg")
 
 
-def read_kept():
-    if not os.path.exists(KEPT):
-        return []
-    with open(KEPT) as file:
-        return list(csv.DictReader(file))
-
-
-def into_page(title, text):
-    """In place of the lines with bars that follow the comment with this title."""
-    with open(PAGE) as file:
-        page = file.read()
-    mark = "<!-- table: %s -->\n" % title
-    before, found, after = page.partition(mark)
-    if found:
-        with open(PAGE, "w") as file:
-            file.write(before + mark + text.rstrip() + "\n" + re.sub(r"^(\|.*\n|\n(?=\|))*", "", after))
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--drawn", action="store_true", help="compute nothing")
-    parser.add_argument("tables", nargs="*", metavar="TABLE")
-    options = parser.parse_args()
-    unknown = set(options.tables) - {t.title for t in TABLES}
+def make(parts, drawn):
+    unknown = set(parts) - {t.title for t in TABLES}
     if unknown:
-        sys.exit("no table %s; there are:\n  %s" % (", ".join(sorted(unknown)), "\n  ".join(t.title for t in TABLES)))
-    kept = read_kept()
+        raise SystemExit("no table %s; there are:\n  %s" % (", ".join(sorted(unknown)), "\n  ".join(t.title for t in TABLES)))
+    for table in few([t for t in TABLES if not parts or t.title in parts]):
+        kept = read(KEPT)
+        if not drawn:
+            rows = [{**row, "table": table.title} for row in table.compute()]
+            key = lambda r: [str(r[c]) for c in COLUMNS[:6]]
+            others = [r for r in kept if r["table"] != table.title or SMALL and key(r) not in map(key, rows)]
+            kept = [{c: str(r[c]) for c in COLUMNS} for r in sorted(rows + others, key=lambda r: [t.title for t in TABLES].index(r["table"]))]
+            common.write(KEPT, kept, COLUMNS)
+    kept = read(KEPT)
+    of = lambda title: [r for r in kept if r["table"] == title]
     for table in TABLES:
-        if options.tables and table.title not in options.tables:
+        if isinstance(table, Classical) or not of(table.title):
             continue
-        if not options.drawn:
-            rows = [{**row, "table": table.title, "s": str(row["s"])} for row in table.compute()]
-            kept = [r for r in read_kept() if r["table"] != table.title] + rows
-            kept.sort(key=lambda r: [t.title for t in TABLES].index(r["table"]))
-            with open(KEPT, "w", newline="") as file:
-                writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-                writer.writeheader()
-                writer.writerows(kept)
-        if not any(r["table"] == table.title for r in kept):
-            continue
-        text = io.StringIO()
-        with contextlib.redirect_stdout(text):
-            table.print([r for r in kept if r["table"] == table.title])
-        print("### %s\n\n%s" % (table.title, text.getvalue()), flush=True)
-        into_page(table.title, text.getvalue())
+        text = printed(table.print, of(table.title))
+        classical = [c for c in TABLES if c.title == table.title + CLASSICAL]
+        if isinstance(table, Steps):
+            text = table.head() + "\n" + text + "".join(printed(c.print, of(c.title)) for c in classical)
+        into_page("benchmarks/dynamics.md", table.title, text)
     draw(kept)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,32 +1,21 @@
-#!/usr/bin/python3
-"""Tables of doc/applications/tail_rotor_transmission.md: how the four frequencies of the tail rotor transmission depend on
-what the paper leaves open and on the size of the model. Run from the top of the project after contrib/run has built it."""
+"""Tables of the modes in applications/tail_rotor_transmission.md: four frequencies against what the paper leaves open, and size.
 
-import csv
-import subprocess
-import sys
-import tempfile
+Some minutes."""
 
-SAMARA = "build/release/samara"
-MODEL = "prm/rotorcraft/tail_rotor_transmission.prm"
+from figures_of.common import Run, few, into_page, table
+
+
+MODEL = "rotorcraft/tail_rotor_transmission.prm"
 PAPER = (46.91, 49.09, 51.90, 61.03)
 BEAMS = ("fuselage", "tail", "shaft 1", "shaft 2")
 
 
 def frequencies(overrides):
     """Number of unknowns, the four frequencies between 45.5 and 75 rad/s."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [SAMARA, MODEL, "--output", folder, "--set", "Output/Pictures = false", "--set", "Analyses = static, modal"]
-        for override in overrides:
-            command += ["--set", override]
-        run = subprocess.run(command, capture_output=True, text=True)
-        if run.returncode != 0:
-            return None, run.stderr.strip().splitlines()[0]
-        unknowns = next(line for line in run.stdout.splitlines() if " unknowns (" in line).split(": ")[1].split()[0]
-        with open(folder + "/modes.csv") as table:
-            rows = list(csv.DictReader(table))
-    values = [float(row["frequency [rad/s]"]) for row in rows]
-    return unknowns, [v for v in values if 45.5 < v < 75][:4]
+    run = Run(MODEL, "Analyses = static, modal", *overrides, may_fail=True)
+    if run.code:
+        return None, run.text.strip().splitlines()[-1]
+    return int(run.number(r": (\d+) unknowns \(")), [v for v in run.modes["frequency"] if 45.5 < v < 75][:4]
 
 
 def all_beams(entry, value, beams=BEAMS):
@@ -83,17 +72,19 @@ STUDIES = {
     ],
 }
 
-if __name__ == "__main__":
-    failures = 0
+def make(parts, drawn):
+    failed = []
     for title, cases in STUDIES.items():
-        print("\n### %s\n\n| model | unknowns | shaft | shaft | fuselage | fuselage | largest difference from the paper |" % title)
-        print("|---|---|---|---|---|---|---|")
-        for name, overrides in cases:
+        rows = []
+        for name, overrides in few(cases):
             unknowns, found = frequencies(overrides)
             if unknowns is None or len(found) < 4:
-                print("| %s | fails: %s |" % (name, found))
-                failures += 1
+                rows.append([name, f"fails: {found}"])
+                failed.append(name)
                 continue
             worst = max(abs(f / p - 1) for f, p in zip(found, PAPER))
-            print("| %s | %s | %s | %.2f %% |" % (name, unknowns, " | ".join("%.3f" % f for f in found), 100 * worst))
-    sys.exit(1 if failures else 0)
+            rows.append([name, unknowns, *(f"{f:.3f}" for f in found), f"{100 * worst:.2f} %"])
+        into_page("applications/tail_rotor_transmission.md", title,
+                  table("model | unknowns | shaft | shaft | fuselage | fuselage | largest difference from the paper", rows))
+    if failed:
+        raise SystemExit("no four frequencies: " + ", ".join(failed))

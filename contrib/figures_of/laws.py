@@ -1,27 +1,13 @@
-#!/usr/bin/python3
-"""Forces, springs and controllers as laws of the state, against what is known of them:  laws_figures [FOLDER]
+"""The table and the figure of benchmarks/laws.md: forces, springs and controllers as laws of the state, against what is known of them.
 
 Runs four of prm/examples/laws with steps of 1, 1/2 and 1/4 of what they say, and compares the histories with the equations of
 motion of one coordinate, written out here and integrated by Runge and Kutta's method of fourth order in 40 000 steps that end where
-something jumps. Prints the table of doc/benchmarks/laws.md and draws laws.png into FOLDER. Run from the top of the project after
-contrib/run has built it, in some ten seconds; the environment variable SAMARA may name another program."""
+something jumps. Some ten seconds."""
 
-import csv
-import os
-import pathlib
-import subprocess
-import sys
-import tempfile
+from figures_of.common import BLUE, RED, SMALL, TOP, Run, few, into_page, np, plt, save, table
 
-import matplotlib
-import numpy as np
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-BLUE, RED, GREY = "#1f5fa8", "#d1495b", "0.45"
-G = 9.80665
+GREY, G = "0.45", 9.80665
 
 
 def spring(t, u):  # m x" = -50 x - 2000 x^3
@@ -45,7 +31,7 @@ def blade(t, u):  # lag, its rate, the filtered rate
 
 def solution(f, start, ends, times):
     """u at the times, by steps within the pieces that end at @p ends."""
-    u, result, n_steps = np.array(start, dtype=float), [], 40000
+    u, result, n_steps = np.array(start, dtype=float), [], 400 if SMALL else 40000
     marks = sorted(set(np.round(list(times) + list(ends), 12)))
     wanted = {round(t, 12) for t in times}
     if 0 in wanted:
@@ -76,45 +62,34 @@ SCENES = [
 ]
 
 
-def run(name, step):
-    with tempfile.TemporaryDirectory() as folder:
-        command = [SAMARA, f"prm/examples/laws/{name}.prm", "--output", folder, "--quiet", "--set", f"Dynamic/Step = {step}",
-                   "--set", "Output/Pictures = false"]
-        done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode:
-            sys.exit(done.stderr)
-        rows = list(csv.reader(open(pathlib.Path(folder) / "dynamic.csv")))
-    return {head.split(" [")[0]: np.array([float(r[i]) for r in rows[1:]]) for i, head in enumerate(rows[0])}
-
-
 def step_of(name):
-    for line in open(f"prm/examples/laws/{name}.prm"):
+    for line in open(TOP / f"prm/examples/laws/{name}.prm"):
         words = line.split()
         if words[:2] == ["set", "Step"]:
             return float(words[3])
 
 
-def main():
-    figure, axes = plt.subplots(2, 2, figsize=(10, 6.4), constrained_layout=True)
-    print("| model | step [s] | largest difference, step | step/2 | step/4 |\n|---|---|---|---|---|")
+def make(parts, drawn):
+    figure, axes = plt.subplots(2, 2, figsize=(10, 6.4), layout="constrained")
+    rows = []
     for ax, (name, title, f, start, jumps, columns, label) in zip(axes.flat, SCENES):
         h, errors = step_of(name), [[], []]
-        for part in (1, 2, 4):
-            found = run(name, h / part)
-            times = found["t"] if "t" in found else found["time"]
+        for part in few((1, 2, 4)):
+            found = Run(f"examples/laws/{name}.prm", f"Dynamic/Step = {h / part}").dynamic
+            times = found["t"]
             exact = solution(f, start, [j for j in jumps if j < times[-1]], times)
             for k, (column, i, factor) in enumerate(columns):
                 errors[k].append(np.abs(found[column] * factor - exact[:, i]).max() / np.abs(exact[:, i]).max())
             if part == 1:
                 fine = np.linspace(0, times[-1], 801)
                 curve = solution(f, start, [j for j in jumps if j < fine[-1]], fine)
-                ax.plot(fine, curve[:, columns[0][1]], color=GREY, lw=1.2, label="one equation, Runge-Kutta")
+                ax.plot(fine, curve[:, columns[0][1]], color=GREY, lw=1.2, ls="-", label="one equation, Runge-Kutta")
                 shown = slice(None, None, max(1, len(times) // 60))
                 ax.plot(times[shown], found[columns[0][0]][shown] * columns[0][2], "o", color=BLUE, ms=3.5, label="Samara")
         for (column, *_), error in zip(columns, errors):
-            print(f"| [{name}](../../prm/examples/laws/{name}.prm), {column} | {h} | " + " | ".join(f"{e:.1e}" for e in error) + " |")
+            rows.append([f"[{name}](../../prm/examples/laws/{name}.prm), {column}", h] + [f"{e:.1e}" for e in error])
         ax.set(title=title, xlabel="t [s]", ylabel=label)
-        ax.grid(alpha=0.3)
+    into_page("benchmarks/laws.md", "differences", table("model | step [s] | largest difference, step | step/2 | step/4", rows))
     # what is known in closed form
     A = np.sqrt((-50 + np.sqrt(50**2 + 4 * 2000 * 0.36)) / 2000)
     axes[0, 0].axhline(A, color=RED, lw=0.8, ls="--")
@@ -128,8 +103,4 @@ def main():
     axes[1, 1].axvspan(0.5, 0.6, color=RED, alpha=0.15)
     axes[1, 1].text(0.48, 0.02, "500 N m\nfor 0.1 s", color=RED, fontsize=8, ha="right")
     axes[0, 0].legend(loc="lower right", fontsize=8)
-    figure.savefig(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "doc/pictures") / "laws.png", dpi=90)
-
-
-if __name__ == "__main__":
-    main()
+    save(figure, "laws.png", 90)

@@ -1,28 +1,18 @@
-#!/usr/bin/python3
-"""Damping of the lag modes of the SA 330's rotor against damper, advance ratio, blades and inflow: the tables and the picture of
-doc/applications/puma_trim.md.
+"""Damping of the lag modes of the SA 330 against damper, advance ratio, blades and inflow: applications/puma_trim.md.
 
-    doc/applications/puma_lag_damping [--drawn]
+Trims each case and finds its multipliers; those that applications/puma_lag_damping.csv has are not computed again. Seconds are those of
+the processor for both analyses. All together take about half an hour."""
 
-trims each case and finds its multipliers; those that doc/applications/puma_lag_damping.csv has are not computed again. With --drawn
-nothing is computed. Seconds are those of the processor for both analyses. Run from the top of the project after contrib/run has built
-it; the environment variable SAMARA may name another program. All together take about half an hour of one core."""
-
-import argparse
 import csv
 import math
-import os
-import pathlib
-import resource
-import subprocess
-import tempfile
 
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-KEPT = pathlib.Path("doc/applications/puma_lag_damping.csv")
-PICTURE = "doc/pictures/puma_lag_damping.png"
+from figures_of.common import Run, few, into_page, plt, read, save, table, write
+
+
+KEPT = "applications/puma_lag_damping.csv"
 COLUMNS = ["blades", "inflow", "mu", "damper [N m s/rad]", "family", "pattern", "growth rate [1/s]", "frequency [rad/s]",
            "collective [deg]", "seconds"]
-MODELS = {"rigid": "prm/rotorcraft/puma_flight.prm", "elastic": "prm/rotorcraft/puma_elastic_flight.prm"}
+MODELS = {"rigid": "rotorcraft/puma_flight.prm", "elastic": "rotorcraft/puma_elastic_flight.prm"}
 INFLOWS = {"uniform": ("uniform inflow", []), "Pitt & Peters": ("Pitt-Peters inflow", []),
            "Peters & He (2, 4)": ("Peters-He inflow", ["Harmonics = 2", "Power = 4"]),
            "Peters & He (4, 8)": ("Peters-He inflow", ["Harmonics = 4", "Power = 8"])}
@@ -34,7 +24,7 @@ CASES += [(blades, inflow, 0.321, 7000) for blades in MODELS for inflow in INFLO
 def run(blades, inflow, mu, damper):
     """Rows of the lag modes, least damped first."""
     kind, more = INFLOWS[inflow]
-    entries = ["Analyses = trim, floquet", "Threads = 1", "Output/Pictures = false", "Constants/mu = %g" % mu,
+    entries = ["Analyses = trim, floquet", "Threads = 1", "Constants/mu = %g" % mu,
                "Subsystems/blade/Joints/lag/rotation/Damper = %g N*m*s/rad" % damper, "Aerodynamics/flow/Type = %s" % kind,
                "Floquet/Period = T", "Floquet/Steps = 60", "Floquet/Spectral radius = 0.5",
                "Floquet/Symmetry = blade 1, blade 2, blade 3, blade 4", "Floquet/Turning = hub, shaft"]
@@ -47,28 +37,18 @@ def run(blades, inflow, mu, damper):
         entries += ["Floquet/Wanted = 60", "Output/Probes = flow.thrust, " + ", ".join(angles)]
     if damper < 1000:
         entries.append("Trim/Settle = 30")  # little damping: the start takes its time to come near
-    with tempfile.TemporaryDirectory() as folder:
-        command = [SAMARA, MODELS[blades], "--output", folder]
-        for entry in entries:
-            command += ["--set", entry]
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL,
-                       env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"})
-        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-        with open(folder + "/trim.csv") as table:
-            collective = next(float(row["value"]) for row in csv.DictReader(table) if row["name"] == "collective")
-        with open(folder + "/floquet.csv") as table:
-            modes = [mode for mode in csv.DictReader(table) if mode["family"].startswith("lag")]
+    done = Run(MODELS[blades], *entries, see=lambda folder: read_texts(folder))
+    collective, modes = done.seen
     return [dict(zip(COLUMNS, (blades, inflow, mu, damper, mode["family"], mode["pattern"], "%.5g" % float(mode["growth rate [1/s]"]),
-                               "%.5g" % float(mode["frequency [rad/s]"]), "%.4f" % math.degrees(collective), "%.1f" % seconds)))
+                               "%.5g" % float(mode["frequency [rad/s]"]), "%.4f" % math.degrees(collective), "%.1f" % done.user)))
             for mode in modes]
 
 
-def kept():
-    if not KEPT.exists():
-        return []
-    with open(KEPT) as file:
-        return list(csv.DictReader(file))
+def read_texts(folder):
+    with open(folder / "trim.csv") as file:
+        collective = next(float(row["value"]) for row in csv.DictReader(file) if row["name"] == "collective")
+    with open(folder / "floquet.csv") as file:
+        return collective, [mode for mode in csv.DictReader(file) if mode["family"].startswith("lag")]
 
 
 def case_of(row):
@@ -76,10 +56,6 @@ def case_of(row):
 
 
 def draw(rows):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
     figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), layout="constrained")
     for blades, fill, line in (("rigid", "none", "--"), ("elastic", None, "-")):
         for mu, color in ((0.15, "#1f5fa8"), (0.321, "#d1495b")):
@@ -97,11 +73,10 @@ def draw(rows):
     axes[0].set_ylim(-10, 0.4)
     axes[0].legend()
     figure.suptitle("Lag modes of the trimmed rotor: all patterns (dots), the least damped one (lines)")
-    figure.savefig(PICTURE, dpi=110)
+    save(figure, "puma_lag_damping.png")
 
 
 def print_tables(rows):
-    print("| damper [N m s/rad] | " + " | ".join("%s, μ = %g" % (b, mu) for b in MODELS for mu in (0.15, 0.321)) + " |\n|---|---|---|---|---|")
     cases = {}
     for row in rows:
         cases.setdefault(case_of(row), []).append(row)
@@ -113,24 +88,20 @@ def print_tables(rows):
         least = max(found, key=lambda r: float(r["growth rate [1/s]"]))
         return "%.3f 1/s, %.2f rad/s, %s" % (float(least["growth rate [1/s]"]), float(least["frequency [rad/s]"]), least["pattern"])
 
-    for damper in DAMPERS:
-        print("| %d | " % damper + " | ".join(told((b, "Pitt & Peters", mu, damper)) for b in MODELS for mu in (0.15, 0.321)) + " |")
-    print("\n| inflow | " + " | ".join(MODELS) + " |\n|---|---|---|")
-    for inflow in INFLOWS:
-        print("| %s | " % inflow + " | ".join(told((b, inflow, 0.321, 7000)) for b in MODELS) + " |")
+    columns = [(blades, mu) for blades in MODELS for mu in (0.15, 0.321)]
+    into_page("applications/puma_trim.md", "lag modes and dampers", table(
+        "damper [N m s/rad] | " + " | ".join(f"{blades}, μ = {mu:g}" for blades, mu in columns),
+        [[damper] + [told((blades, "Pitt & Peters", mu, damper)) for blades, mu in columns] for damper in DAMPERS]))
+    into_page("applications/puma_trim.md", "lag modes and inflows", table(
+        "inflow | " + " | ".join(MODELS), [[inflow] + [told((b, inflow, 0.321, 7000)) for b in MODELS] for inflow in INFLOWS]))
 
 
-if __name__ == "__main__":
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("--drawn", action="store_true", help="compute nothing")
-    options = arguments.parse_args()
-    table = kept()
-    for case in [] if options.drawn else CASES:
-        if case not in {case_of(row) for row in table}:
-            table += run(*case)
-            with open(KEPT, "w", newline="") as output:
-                writer = csv.DictWriter(output, COLUMNS, lineterminator="\n")
-                writer.writeheader()
-                writer.writerows(table)
-    print_tables(table)
-    draw(table)
+def make(parts, drawn):
+    rows = read(KEPT)
+    computed = {case_of(row) for row in rows}
+    for case in [] if drawn else few([case for case in CASES if case not in computed] or CASES):
+        if case not in computed:
+            rows += run(*case)
+            write(KEPT, rows, COLUMNS)
+    print_tables(rows)
+    draw(rows)

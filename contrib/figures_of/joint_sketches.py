@@ -1,18 +1,12 @@
-#!/usr/bin/python3
-"""Sketches of all kinds of joints and contacts, doc/pictures/joints/*.svg, for doc/joints_at_a_glance.md.
+"""Sketches of all kinds of joints and contacts for joints_at_a_glance.md. Parts: names of sketches.
 
-    doc/joint_sketches [NAME ...]
-
-Grey is body A, blue is body B, red what may move or what acts between them. Run from the top of the project. Needs numpy alone:
-what is drawn is few lines, and the files are small."""
+Grey is body A, blue is body B, red what may move or what acts between them."""
 
 import math
-import pathlib
-import sys
 
-import numpy as np
+from figures_of.common import doc, np
 
-FOLDER = pathlib.Path("doc/pictures/joints")
+
 WIDTH, HEIGHT, SCALE = 180, 130, 36
 A, B, RED, LIGHT = ("#e3e6ea", "#6b727c"), ("#cfe0f3", "#1f5fa8"), "#d1495b", ("#f3f4f6", "#a9afb8")
 AZIMUTH, ELEVATION = math.radians(-62), math.radians(22)
@@ -178,7 +172,7 @@ class Sketch:
     def write(self, name):
         head = '<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" viewBox="0 0 %d %d" font-family="sans-serif" ' \
                'stroke-linejoin="round" stroke-linecap="round">' % (WIDTH, HEIGHT, WIDTH, HEIGHT)
-        (FOLDER / (name.replace(" ", "_") + ".svg")).write_text(
+        doc("pictures/joints/" + name.replace(" ", "_") + ".svg").write_text(
             "\n".join([head, '<rect width="100%" height="100%" fill="white"/>'] + self.lines + ["</svg>", ""]))
 
 
@@ -601,14 +595,9 @@ KINDS = [revolute, prismatic, screw, cylindrical, planar, spherical, universal, 
          rolling_friction, turning_friction, support, distributing]
 
 
-def main():
-    FOLDER.mkdir(parents=True, exist_ok=True)
+def make(parts, drawn):
     for kind in KINDS:
-        if len(sys.argv) == 1 or kind.__name__ in sys.argv[1:]:
+        if not parts or kind.__name__ in parts:
             sketch = Sketch()
             kind(sketch)
             sketch.write(kind.__name__)
-
-
-if __name__ == "__main__":
-    main()

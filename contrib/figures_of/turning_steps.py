@@ -1,17 +1,9 @@
-#!/usr/bin/python3
-"""Pictures and numbers of doc/benchmarks/turning_steps.md: errors, iterations and times of steps that turn, over steps a turn.
+"""Pictures and numbers of benchmarks/turning_steps.md: errors, iterations and times of steps that turn, over steps a turn.
 
-    doc/benchmarks/turning_steps_figures [--draw | --short] [STORY ...]
-
-measures the named stories (all without names, in half an hour), keeps the numbers in doc/benchmarks/turning_steps.csv, draws
-doc/pictures/turning_steps_<story>.png and prints tables. With --draw it measures nothing: pictures and tables are those of the file.
-With --short motions are run once each, with 12 and 24 steps. It keeps and draws nothing; <rod> takes seconds. Run from anywhere after contrib/run
-has built the program. The environment variable SAMARA may name another program. SAMARA_BEFORE names one to compare with; without it there is
-one set."""
+Parts: names of models, multipliers, slow_multipliers, blow, trim; all without names, in half an hour. Numbers are kept in
+benchmarks/turning_steps.csv. The environment variable SAMARA_BEFORE names a program to compare with; without it there is one set."""
 
 import csv
-import importlib.machinery
-import importlib.util
 import math
 import os
 import pathlib
@@ -20,20 +12,14 @@ import subprocess
 import sys
 import tempfile
 
-import numpy as np
+from figures_of import common
+from figures_of.common import SAMARA, TOP, doc, interpolated, np, plt
 
-sys.dont_write_bytecode = True
-TOP = pathlib.Path(__file__).resolve().parents[2]
-loader = importlib.machinery.SourceFileLoader("plot", str(TOP / "contrib" / "plot"))
-plot = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
-loader.exec_module(plot)
-plt = plot.plt
-
-PROGRAMS = {"after": os.environ.get("SAMARA", "build/release/samara")}
+DRAWN, SHORT = False, common.SMALL
+PROGRAMS = {"after": SAMARA}
 if "SAMARA_BEFORE" in os.environ:
     PROGRAMS = {"before": os.environ["SAMARA_BEFORE"], **PROGRAMS}
-SHORT = "--short" in sys.argv
-NUMBERS = TOP / "doc" / "benchmarks" / "turning_steps.csv"
+NUMBERS = doc("benchmarks/turning_steps.csv")
 COLUMNS = ["story", "program", "stages", "steps a turn", "probe", "error", "value", "range", "iterations a step", "factorisations a step",
            "halvings", "processor time [s]", "user time of the process [s]", "why"]
 COLORS = {1: "#d1495b", 2: "#2a9d5c", 3: "#1f5fa8"}
@@ -158,22 +144,17 @@ class Run:
         return {0: "", 3: "no convergence", 4: "singular matrix", 124: "out of time"}.get(self.returncode, f"exit code {self.returncode}")
 
 
-def interpolated(t, times, values):
-    """By the polynomial through the six nearest rows of a fine run."""
+def at_times(t, times, values):
+    """By the polynomials through the six nearest rows of a fine run."""
     times, keep = np.unique(times, return_index=True)
-    values, result = values[keep], np.empty(len(t))
-    for n, when in enumerate(t):
-        first = min(max(np.searchsorted(times, when) - 3, 0), len(times) - 6)
-        x, y = times[first:first + 6], values[first:first + 6]
-        result[n] = sum(y[i] * np.prod([(when - x[j]) / (x[i] - x[j]) for j in range(6) if j != i]) for i in range(6))
-    return result
+    return interpolated(times, values[keep], t, 6)
 
 
 def error(run, reference, probe):
     """Of the last turn of a run: rms of the error over rms of the value; rms; how much the reference varies, of that."""
     t, end = run.dynamic["t"], reference.dynamic["t"][-1]
     last = t > end - reference.turn * (1 - 1e-6)
-    exact = interpolated(t[last], reference.dynamic["t"], reference.dynamic[probe])
+    exact = at_times(t[last], reference.dynamic["t"], reference.dynamic[probe])
     size = math.sqrt(np.mean(exact ** 2))
     fine = reference.dynamic[probe][reference.dynamic["t"] > end - reference.turn]
     return math.sqrt(np.mean((run.dynamic[probe][last] - exact) ** 2)) / size, size, (max(fine) - min(fine)) / size
@@ -227,17 +208,7 @@ def keep(story, rows):
 
 
 def save(figure, story):
-    path = TOP / "doc" / "pictures" / f"turning_steps_{story}.png"
-    figure.savefig(path, dpi=110)
-    try:
-        from PIL import Image
-
-        with Image.open(path) as image:
-            image.convert("RGB").quantize(256).save(path, optimize=True)
-    except ImportError:
-        pass
-    plt.close(figure)
-    print(path.relative_to(TOP))
+    common.save(figure, f"turning_steps_{story}.png", colours=256)
 
 
 def curve(rows, stages, program, column, probe=None):
@@ -327,7 +298,7 @@ def summary():
     """The two tables of all models: errors, and what steps take."""
     rows = [r for r in kept() if r["story"] in MODELS]
     at = {(r["story"], r["program"], int(r["stages"]), int(r["steps a turn"]), r["probe"]): r for r in rows}
-    programs = [p for p in PROGRAMS if any(r["program"] == p for r in rows)] if "--draw" not in sys.argv else \
+    programs = [p for p in PROGRAMS if any(r["program"] == p for r in rows)] if not DRAWN else \
         [p for p in ("before", "after") if any(r["program"] == p for r in rows)]
 
     def cell(story, stages, steps, column):
@@ -511,20 +482,19 @@ STORIES["slow_multipliers"] = (lambda: measure_multipliers(SLOW, "slow_multiplie
 STORIES["blow"] = (lambda: measure_blow("blow"), lambda: None, lambda: table_blow("blow"))
 STORIES["trim"] = (lambda: measure_trim("trim"), lambda: None, lambda: table_trim("trim"))
 
-if __name__ == "__main__":
-    plt.rcParams.update(plot.STYLE)
-    names = [a for a in sys.argv[1:] if a not in ("--draw", "--short")]
-    for wanted in names or STORIES:
+
+def make(parts, drawn):
+    global DRAWN
+    DRAWN = drawn
+    for wanted in parts or (["rod"] if SHORT else STORIES):
         if wanted not in STORIES:
-            sys.exit(f"no story {wanted}; there are " + ", ".join(STORIES))
+            raise SystemExit(f"no story {wanted}; there are " + ", ".join(STORIES))
         take, paint, tell = STORIES[wanted]
-        print("==", wanted, flush=True)
-        rows = take() if "--draw" not in sys.argv else []
-        if SHORT:
-            continue
-        if rows:
+        print("--", wanted, flush=True)
+        rows = [] if drawn else take()
+        if rows and not SHORT:
             keep(wanted, rows)
         paint()
         tell()
-    if not names and not SHORT:
+    if not parts and not SHORT:
         summary()

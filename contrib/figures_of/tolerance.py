@@ -1,81 +1,33 @@
-#!/usr/bin/python3
-"""What a tolerance of adaptive steps means: tables and pictures of doc/benchmarks/tolerance.md.
+"""What a tolerance of adaptive steps means: tables and pictures of benchmarks/tolerance.md. Parts: names of problems, or fixed.
 
-    doc/benchmarks/tolerance_tables [--drawn] [--members s,rho ...] [--fixed] [--] [PROBLEM ...]
+Runs the problems with each member of the integrator family and each tolerance, with the part `fixed` with fixed steps instead, and
+compares with a fine fixed step. The error is the largest distance of a point from where it should be, in the last fifth of the run,
+over the length that the tolerance is a part of. Every run is kept in benchmarks/tolerance.csv, references in results/tolerance. About
+ten minutes."""
 
-runs the named problems (all of them without names) with each member of the integrator family (seven if none are named) and each
-tolerance, with --fixed with fixed steps instead, and compares with a fine fixed step. The error is the largest distance of a point
-from where it should be, in the last fifth of the run, over the length that the tolerance is a part of. Every run is kept in
-doc/benchmarks/tolerance.csv, references in results/tolerance; the table is put into doc/benchmarks/tolerance.md, the pictures
-are doc/pictures/tolerance_*.png. With --drawn nothing is computed. Run from the top of the project after contrib/run has built
-it; the environment variable SAMARA may name another program. All together take about ten minutes."""
+from figures_of import common
+from figures_of.common import TOP, few, interpolated, into_page, np, on_mesh as mesh, plt, read, results, save, scheme, table
 
-import argparse
-import csv
-import math
-import os
-import pathlib
-import re
-import subprocess
-import sys
-import tempfile
 
-import numpy as np
-
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-KEPT = "doc/benchmarks/tolerance.csv"
-PAGE = "doc/benchmarks/tolerance.md"
-PICTURES = "doc/pictures/tolerance_%s.png"
-REFERENCES = pathlib.Path("results/tolerance")
+KEPT = "benchmarks/tolerance.csv"
 COLUMNS = ["problem", "s", "rho", "control", "value", "error", "steps", "rejected", "unsolved", "iterations", "fails"]
 MEMBERS = ["3,1", "3,0.5", "3,0", "2,1", "2,0.5", "2,0", "1,1"]
 ORDER = ["3,1", "3,0.95", "3,0.8", "3,0.5", "3,0", "2,1", "2,0.95", "2,0.8", "2,0.5", "2,0", "1,1", "1,0.5", "1,0"]
+IN_TABLE = ["3,1", "3,0.5", "2,1", "2,0"]
 TOLERANCES = ["1e-2", "1e-3", "1e-4", "1e-5", "1e-6"]
-DYNAMICS, PEERS = "prm/benchmarks/dynamics/", "prm/benchmarks/peers/"
+DYNAMICS, PEERS = "benchmarks/dynamics/", "benchmarks/peers/"
 LIMIT = 20  # seconds, after which a run is given up
 
 
 def run(model, overrides):
-    """Table of times and positions, columns, counts; or the words of what went wrong."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [SAMARA, model, "--output", folder]
-        for override in ["Output/Pictures = false", "Threads = 1", *overrides]:
-            command += ["--set", override]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT,
-                                  env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"})
-        except subprocess.TimeoutExpired:
-            return "no end in %d s" % LIMIT
-        if done.returncode:
-            found = re.search(r"t = ([\d.e+-]+) s", done.stderr)
-            if found:
-                return "stuck at t = %.4g s" % float(found[1])
-            if "Stages" in done.stderr:
-                return "refused"
-            sys.exit("%s\n%s" % (" ".join(command), done.stderr))
-        with open(folder + "/dynamic.csv") as table:
-            rows = list(csv.reader(table))
-    text = next(line for line in done.stdout.splitlines() if line.startswith("dynamic:"))
-    number = lambda pattern: float((re.search(pattern, text) or [0, "0"])[1])
-    counts = {"steps": int(number(r"(\d+) steps")), "rejected": int(number(r"(\d+) rejected")),
-              "unsolved": int(number(r"(\d+) without solution")), "iterations": "%g" % number(r"([\d.]+) Newton")}
-    names = [re.sub(r" \[.*\]$", "", name) for name in rows[0]]
-    return np.array(rows[1:], float), names, counts
-
-
-def interpolated(times, values, at):
-    """By polynomials of degree 7 through neighbouring rows."""
-    n = 8
-    first = np.clip(np.searchsorted(times, at) - n // 2, 0, len(times) - n)
-    nodes = times[first[:, None] + np.arange(n)]
-    result = np.zeros((len(at),) + values.shape[1:])
-    for i in range(n):
-        weight = np.ones(len(at))
-        for j in range(n):
-            if j != i:
-                weight *= (at - nodes[:, j]) / (nodes[:, i] - nodes[:, j])
-        result += weight.reshape(-1, *[1] * (values.ndim - 1)) * values[first + i]
-    return result
+    """A run and its counts; or the words of what went wrong."""
+    done = common.Run(model, "Threads = 1", *overrides, limit=LIMIT, may_fail=True)
+    if done.code:
+        at = done.number(r"t = ([\d.e+-]+) s")
+        return "refused" if "Stages" in done.text else "no end in %d s" % LIMIT if np.isnan(at) else "stuck at t = %.4g s" % at
+    count = lambda pattern: done.number(pattern, 0)
+    return done.dynamic, {"steps": int(count(r"dynamic: (\d+) steps")), "rejected": int(count(r"(\d+) rejected")),
+                          "unsolved": int(count(r"(\d+) without solution")), "iterations": "%g" % count(r"([\d.]+) Newton")}
 
 
 class Problem:
@@ -87,21 +39,19 @@ class Problem:
                           "Dynamic/Pictures = 0", *overrides]
         self.fine = [*scheme(*reference), "Dynamic/Step = %s" % step, "Dynamic/Newton tolerance = 1e-12"]
 
-    def vectors(self, table, names):
-        axes = [[names.index("%s %s" % (p, c)) for c in "xyz"] for p in self.points]
-        return table[:, 0], np.array([table[:, a] for a in axes]).transpose(1, 0, 2)
+    def vectors(self, motion):
+        return motion["t"], np.array([[motion[f"{p} {c}"] for c in "xyz"] for p in self.points]).transpose(2, 0, 1)
 
     def reference(self):
-        file = REFERENCES / (self.name + ".npz")
-        recipe = "\n".join([open(self.model).read(), *self.overrides, *self.fine])
+        file = results("tolerance") / (self.name + ".npz")
+        recipe = "\n".join([(TOP / "prm" / self.model).read_text(), *self.overrides, *self.fine])
         if file.exists() and str(np.load(file)["recipe"]) == recipe:
             kept = np.load(file)
             return kept["times"], kept["values"]
         done = run(self.model, self.overrides + self.fine)
         if isinstance(done, str):
-            sys.exit("reference of %s: %s" % (self.name, done))
-        times, values = self.vectors(*done[:2])
-        REFERENCES.mkdir(parents=True, exist_ok=True)
+            raise SystemExit("reference of %s: %s" % (self.name, done))
+        times, values = self.vectors(done[0])
         np.savez(file, recipe=recipe, times=times, values=values)
         return times, values
 
@@ -112,20 +62,12 @@ class Problem:
         done = run(self.model, overrides)
         if isinstance(done, str):
             return {**row, "fails": done}
-        times, values = self.vectors(*done[:2])
+        times, values = self.vectors(done[0])
         fine_times, fine = self.reference()
         late = times > times[-1] - 0.2 * (times[-1] - times[0])
         length = max(self.length, np.linalg.norm(fine - fine[0], axis=2).max())
         error = np.linalg.norm(values[late] - interpolated(fine_times, fine, times[late]), axis=2).max() / length
-        return {**row, "error": "%.3e" % error, **done[2]}
-
-
-def scheme(s, rho):
-    return ["Dynamic/Stages = %s" % s, "Dynamic/Spectral radius = %s" % rho]
-
-
-def mesh(bodies, degree, elements):
-    return [e for b in bodies for e in ("Bodies/%s/Degree = %d" % (b, degree), "Bodies/%s/Elements = %d" % (b, elements))]
+        return {**row, "error": "%.3e" % error, **done[1]}
 
 
 SMOOTH = ["Loads/throw/Force = t < 2.5 ? 8*sin(pi*t/2.5)^4 : 0, 0, 0",
@@ -153,44 +95,33 @@ PROBLEMS = [
     Problem("four-bar, flexible", PEERS + "four_bar.prm", ["AB.end.displacement", "CD.start.displacement"], 0.27, "0.005",
             ["0.04", "0.02", "0.01"], reference=(3, 0.5)),
     Problem("shaft", PEERS + "shaft.prm", ["left.end.displacement"], 6, "1e-3", ["0.01", "5e-3", "2.5e-3"]),
-    Problem("crank, flexible", "prm/studies/flexible_slider_crank.prm", ["rod.middle.position", "rod.end.position"], 0.45, "5e-5",
+    Problem("crank, flexible", "studies/flexible_slider_crank.prm", ["rod.middle.position", "rod.end.position"], 0.45, "5e-5",
             ["4e-4", "2e-4", "1e-4"]),
-    Problem("tail rotor", "prm/rotorcraft/tail_rotor_transmission.prm", ["shaft 1.middle.displacement"], 6, "1e-3",
+    Problem("tail rotor", "rotorcraft/tail_rotor_transmission.prm", ["shaft 1.middle.displacement"], 6, "1e-3",
             ["0.01", "5e-3", "2.5e-3"], "Analyses = static, dynamic", "Dynamic/End time = 1",
             *mesh(["fuselage", "tail", "shaft 1", "shaft 2"], 2, 1)),
 ]
 
 
-def read_kept():
-    if not os.path.exists(KEPT):
-        return []
-    with open(KEPT) as file:
-        return list(csv.DictReader(file))
-
-
-def keep(kept, row):
+def keep(row):
     row = {column: str(row.get(column, "")) for column in COLUMNS}
     key = lambda r: [r[c] for c in COLUMNS[:5]]
-    kept = [r for r in kept if key(r) != key(row)] + [row]
+    kept = [r for r in read(KEPT) if key(r) != key(row)] + [row]
     names = [p.name for p in PROBLEMS]
     kept.sort(key=lambda r: (names.index(r["problem"]), r["control"], ORDER.index(r["s"] + "," + r["rho"]), -float(r["value"])))
-    with open(KEPT, "w", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(kept)
-    return kept
+    common.write(KEPT, kept, COLUMNS)
 
 
 def short(number):
     return "%.0f" % number if number >= 10 else "%.2g" % number
 
 
-def into_page(kept):
-    """Error over tolerance and steps of each member, in place of the rows that follow the comment <!-- table -->."""
-    lines = ["| | s, ρ∞ | " + " | ".join(TOLERANCES) + " |", "|---" * (len(TOLERANCES) + 2) + "|"]
+def table_of(kept):
+    """Error over tolerance and steps of four members."""
+    lines = []
     for problem in PROBLEMS:
         name = problem.name
-        for member in ORDER:
+        for member in IN_TABLE:
             rows = {r["value"]: r for r in kept if r["problem"] == problem.name and r["control"] == "adaptive"
                     and r["s"] + "," + r["rho"] == member}
             if not rows:
@@ -200,49 +131,18 @@ def into_page(kept):
                 row = rows.get(value)
                 cells.append("–" if not row else row["fails"] or "%s (%s)" % (
                     short(float(row["error"]) / float(value)), row["steps"]))
-            lines.append("| %s | %s | %s |" % (name, member.replace(",", ", "), " | ".join(cells)))
+            lines.append([name, member.replace(",", ", "), *cells])
             name = ""
-    with open(PAGE) as file:
-        page = file.read()
-    mark = "<!-- table -->\n"
-    before, found, after = page.partition(mark)
-    if found:
-        with open(PAGE, "w") as file:
-            file.write(before + mark + "\n".join(lines) + "\n" + re.sub(r"^(\|.*\n)*", "", after))
+    return table("problem | s, ρ∞ | " + " | ".join(TOLERANCES), lines)
 
 
 COLOURS = dict(zip(ORDER, ["#1f5fa8", "#7fb0e6", "#9ccc65", "#2a9d5c", "#3aa6b9", "#d1495b", "#f28c9c", "#f4c542", "#e08e1b", "#7b4fa3",
                            "0.4", "0.6", "0.75"]))
 
 
-def prepare():
-    import matplotlib
-
-    matplotlib.use("agg")
-    import matplotlib.pyplot as plt
-
-    plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
-                         "grid.color": "0.9", "axes.axisbelow": True})
-    return plt
-
-
-def save(plt, figure, name):
-    path = PICTURES % name
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
-    try:
-        from PIL import Image
-
-        with Image.open(path) as image:
-            image.convert("RGB").quantize(64).save(path, optimize=True)
-    except ImportError:
-        pass
-    print(path)
-
-
 def draw_errors(kept):
     """Error against tolerance, all problems and members; the band of 0.05 to 30 times the tolerance."""
-    plt = prepare()
+    plt.rcParams.update({"font.size": 9})
     figure, axis = plt.subplots(figsize=(7.2, 5), layout="constrained")
     tolerances = np.array([3e-7, 3e-2])
     axis.fill_between(tolerances, 0.05 * tolerances, 30 * tolerances, color="0.93", zorder=0, label="0.05 to 30 times the tolerance")
@@ -253,12 +153,12 @@ def draw_errors(kept):
                     color=colour, label="s = %s, ρ∞ = %s" % tuple(member.split(",")))
     axis.set(xlabel="tolerance", ylabel="error at the end / length", xlim=tolerances)
     axis.legend(fontsize=8, framealpha=0.9, loc="lower right", ncols=2)
-    save(plt, figure, "errors")
+    save(figure, "tolerance_errors.png", 100, 64)
 
 
 def draw_costs(kept):
     """Steps, with those done again, against error: a panel for each problem; lines fixed steps, dashes and rings adaptive ones."""
-    plt = prepare()
+    plt.rcParams.update({"font.size": 9})
     shown = ["3,1", "3,0.5", "2,0"]
     panels = [p for p in PROBLEMS if any(r["problem"] == p.name and r["control"] == "fixed" for r in kept)]
     figure, axes = plt.subplots(-(-len(panels) // 4), 4, figsize=(12, 2.7 * -(-len(panels) // 4)), layout="constrained", squeeze=False)
@@ -281,40 +181,19 @@ def draw_costs(kept):
         axis.set_xlabel("error / length")
     handles, labels = axes.flat[0].get_legend_handles_labels()
     (axes.flat[len(panels)] if len(panels) < axes.size else axes.flat[0]).legend(handles, labels, fontsize=8, loc="center" if len(panels) < axes.size else "best")
-    save(plt, figure, "costs")
+    save(figure, "tolerance_costs.png", 100, 64)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--drawn", action="store_true", help="compute nothing")
-    parser.add_argument("--members", nargs="*", default=MEMBERS)
-    parser.add_argument("--tolerances", nargs="*", default=TOLERANCES)
-    parser.add_argument("--fixed", action="store_true", help="fixed steps instead of tolerances")
-    parser.add_argument("--drop", action="store_true", help="keep nothing")
-    parser.add_argument("problems", nargs="*")
-    options = parser.parse_args()
-    kept = read_kept()
-    for problem in PROBLEMS:
-        if options.drawn or (options.problems and problem.name not in options.problems):
-            continue
+def make(parts, drawn):
+    fixed = "fixed" in parts
+    for problem in [] if drawn else few([p for p in PROBLEMS if p.name in parts or not set(parts) - {"fixed"}]):
         problem.reference()
-        for member in options.members:
-            s, rho = member.split(",")
-            cells = []
-            for value in problem.steps if options.fixed else options.tolerances:
-                row = problem.measured(s, rho, "fixed" if options.fixed else "adaptive", value)
-                if not options.drop:
-                    kept = keep(kept, row)
-                if row.get("fails"):
-                    cells.append(row["fails"])
-                else:
-                    cells.append("%8.2g (%d+%d+%d)" % (float(row["error"]) / (1 if options.fixed else float(value)), row["steps"], row["rejected"], row["unsolved"]))
-            print("%-22s %-6s %s" % (problem.name, member, "  ".join("%-20s" % c for c in cells)), flush=True)
-    if not options.drop:
-        into_page(kept)
-        draw_errors(kept)
-        draw_costs(kept)
-
-
-if __name__ == "__main__":
-    main()
+        for member in few(MEMBERS):
+            for value in few(problem.steps if fixed else TOLERANCES):
+                row = problem.measured(*member.split(","), "fixed" if fixed else "adaptive", value)
+                keep(row)
+                print(problem.name, *(row.get(c, "") for c in COLUMNS[1:]), flush=True)
+    kept = read(KEPT)
+    into_page("benchmarks/tolerance.md", "errors over tolerances", table_of(kept))
+    draw_errors(kept)
+    draw_costs(kept)

@@ -1,36 +1,25 @@
-#!/usr/bin/python3
-"""Stability of the tail rotor transmission at constant speeds, and its figures:  tail_rotor_stability [FOLDER]
+"""Stability of the tail rotor transmission at constant speeds, two figures of applications/tail_rotor_transmission.md.
 
 For each speed the model prm/rotorcraft/tail_rotor_stability.prm gets a light blow and runs for 20 s. The motion, sampled each
 half turn, obeys x(n+1) = A x(n) with a constant A if the shaft is straight and balanced, because supports and shaft look the
 same after half a turn (Floquet). Eigenvalues of A, found by least squares from the samples and their predecessors, give the
 growth rates. Multipliers of prm/rotorcraft/tail_rotor_tongues.prm tell the same without runs and fits. For comparison: Floquet
-theory of four modes, whose frequencies with the shaft at azimuths 0 and 90 degrees are from samara's modal analysis. A second figure shows the run of the paper continued to 20 s.
+theory of four modes, whose frequencies with the shaft at azimuths 0 and 90 degrees are from samara's modal analysis. A second
+figure shows the run of the paper continued to 20 s. About twenty minutes; results are kept in results/tail_rotor_stability."""
 
-Run from the top of the project after contrib/run has built it. It takes about twenty minutes. Results are kept in
-results/tail_rotor_stability."""
+from figures_of.common import BLUE, GREEN, ORANGE, RED, SMALL, Run, few, into_page, np, plt, results, runge_kutta, save, table
 
-import csv
-import importlib.machinery
-import importlib.util
-import pathlib
-import subprocess
-import sys
 
-import numpy as np
-
-SAMARA = "build/release/samara"
-MODEL = "prm/rotorcraft/tail_rotor_stability.prm"
-TONGUES = "prm/rotorcraft/tail_rotor_tongues.prm"
-UNBALANCED = "prm/rotorcraft/tail_rotor_transmission.prm"
-KEPT = pathlib.Path("results/tail_rotor_stability")
-PLOT = pathlib.Path(__file__).resolve().parents[2] / "contrib" / "plot"
+MODEL = "rotorcraft/tail_rotor_stability.prm"
+TONGUES = "rotorcraft/tail_rotor_tongues.prm"
+UNBALANCED = "rotorcraft/tail_rotor_transmission.prm"
+END = 2 if SMALL else 20  # [s]
 ZONE = (46.9, 49.1)
 STEPS = 32  # a turn
 SPEEDS = [45, 46, 47, 47.1, 47.2, 47.3, 47.4, 47.6, 47.75, 47.85, 47.94, 48, 48.05, 48.1, 48.2, 48.4, 48.5, 48.6, 48.7, 48.8]
 SPEEDS += [48.9, 49, 49.25, 49.5, 49.55, 49.62, 49.7, 49.8, 50, 50.25, 50.3, 50.38, 50.45, 50.5, 50.6, 51, 51.5, 52, 52.04]
 SPEEDS += [52.1, 52.2, 53]
-SHOWN = ((45, "#1f5fa8"), (48, "#e08e1b"), (48.7, "#d1495b"), (51, "#2a9d5c"))
+SHOWN = ((45, BLUE), (48, ORANGE), (48.7, RED), (51, GREEN))
 PROBES = ", ".join(
     f"{place}.{quantity} {i}"
     for place in ("shaft 1.middle", "tail.end", "shaft 1.at 0.25")
@@ -40,35 +29,27 @@ PROBES = ", ".join(
 
 
 def samara(folder, model, *entries):
-    """Runs the model unless its results are there already."""
-    if not (folder / "done").exists():
-        command = [SAMARA, model, "--quiet", "--output", str(folder), "--set", "Output/Pictures = false"]
-        for entry in entries:
-            command += ["--set", entry]
-        subprocess.run(command, check=True)
-        (folder / "done").touch()
-    return folder
+    """A run whose results are kept."""
+    return Run(model, *entries, keep=results("tail_rotor_stability") / folder)
 
 
 def motion(speed):
     step = 2 * np.pi / speed / STEPS
-    end = round(20 / step / STEPS) * STEPS * step
-    folder = samara(
-        KEPT / f"speed_{speed:g}",
+    end = round(END / step / STEPS) * STEPS * step
+    found = samara(
+        f"speed_{speed:g}",
         MODEL,
         f"Constants/speed = {speed:.12g} rad/s",
         f"Dynamic/Step = {step:.15g}",
         f"Dynamic/End time = {end:.15g}",
         "Output/Probes = " + PROBES,
     )
-    return np.loadtxt(folder / "dynamic.csv", delimiter=",", skiprows=1)
+    return np.column_stack(list(found.dynamic.values()))
 
 
 def by_multipliers(speed):
     """The largest growth rate [1/s] by the multipliers of a turn of the rotor."""
-    folder = samara(KEPT / f"multipliers_{speed:g}", TONGUES, f"Constants/speed = {speed:.12g} rad/s")
-    with open(folder / "floquet.csv") as file:
-        return max(float(row["growth rate [1/s]"]) for row in csv.DictReader(file))
+    return max(samara(f"multipliers_{speed:g}", TONGUES, f"Constants/speed = {speed:.12g} rad/s").floquet["growth rate"])
 
 
 def exponents(table, speed, after=0.5, delays=4, cut=1e-6):
@@ -89,19 +70,18 @@ def four_modes():
     """Frequencies [rad/s] of the four modes at both azimuths, mean damping terms 2 d w."""
     frequencies, dampings = [], []
     for azimuth in (0, 90):
-        folder = samara(
-            KEPT / f"azimuth_{azimuth}",
+        modes = samara(
+            f"azimuth_{azimuth}",
             UNBALANCED,
             "Sections/shaft/Mass centre = 0, 0",
             "Analyses = static, modal",
             f"Loads/drive/Azimuth = {azimuth} deg",
             "Modal/Axes = fixed",
             "Modal/Animations = 0",
-        )
-        with open(folder / "modes.csv") as file:
-            rows = [row for row in csv.DictReader(file) if 45.5 < float(row["frequency [rad/s]"]) < 75]
-        frequencies.append([float(row["frequency [rad/s]"]) for row in rows])
-        dampings.append([-2 * float(row["real [1/s]"]) for row in rows])
+        ).modes
+        near = (45.5 < modes["frequency"]) & (modes["frequency"] < 75)
+        frequencies.append(modes["frequency"][near])
+        dampings.append(-2 * modes["real"][near])
     return np.array(frequencies), np.mean(dampings, axis=0)
 
 
@@ -121,32 +101,15 @@ def floquet(speed, frequencies, damping, n=60):
         stiffness = mean + cosine * np.cos(2 * speed * t) + sine * np.sin(2 * speed * t)
         return np.vstack([x[size:], -stiffness @ x[:size] - damping[:, None] * x[size:]])
 
-    x, h = np.eye(2 * size), np.pi / speed / n
-    for i in range(n):
-        t = i * h
-        k1 = rate(t, x)
-        k2 = rate(t + h / 2, x + h / 2 * k1)
-        k3 = rate(t + h / 2, x + h / 2 * k2)
-        k4 = rate(t + h, x + h * k3)
-        x = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    x = runge_kutta(rate, np.eye(2 * size), 0, np.pi / speed, n)
     return np.log(np.abs(np.linalg.eigvals(x)).max()) * speed / np.pi
 
 
-def load_plot():
-    sys.dont_write_bytecode = True
-    loader = importlib.machinery.SourceFileLoader("plot", str(PLOT))
-    plot = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
-    loader.exec_module(plot)
-    plot.plt.rcParams.update(plot.STYLE)
-    return plot.plt
-
-
-def draw(path, rates, multipliers, fine, curve, frequencies):
-    plt = load_plot()
+def draw(rates, multipliers, fine, curve, frequencies):
     figure, (left, right) = plt.subplots(
         1, 2, figsize=(11, 4.4), layout="constrained", gridspec_kw={"width_ratios": [1, 1.5]}
     )
-    for speed, color in SHOWN:
+    for speed, color in few(SHOWN):
         table = motion(speed)
         t, distance = table[:, 0], 1e3 * np.hypot(table[:, 1], table[:, 2])
         turn = len(t) // STEPS
@@ -177,22 +140,20 @@ def draw(path, rates, multipliers, fine, curve, frequencies):
     right.set_ylabel("growth rate [1/s]")
     right.legend(loc="upper right")
     right.set_title("Largest growth rate; unstable where 2Ω is the sum of two frequencies", loc="left", fontsize=11)
-    figure.savefig(path, dpi=110)
-    print(path)
+    save(figure, "tail_rotor_stability.png")
 
 
-def draw_continued(path, fine, curve):
+def draw_continued(fine, curve):
     """The run of the paper, free to turn, for 20 s; shaded where a balanced shaft is unstable."""
-    plt = load_plot()
-    folder = samara(
-        KEPT / "continued",
+    run = samara(
+        "continued",
         UNBALANCED,
         "Analyses = static, dynamic",
-        "Dynamic/End time = 20 s",
+        f"Dynamic/End time = {END} s",
         "Dynamic/Step = 2e-3",
         "Output/Probes = shaft 1.middle.displacement y, shaft 1.middle.displacement z, S.rotation rate",
     )
-    t, y, z, speed = np.loadtxt(folder / "dynamic.csv", delimiter=",", skiprows=1).T
+    t, y, z, speed = run.dynamic.values()
     figure, axes = plt.subplots(2, 1, figsize=(8.5, 4.6), sharex=True, layout="constrained")
     axes[0].plot(t, 1e3 * np.hypot(y, z), color="#1f5fa8", ls="-", lw=0.7)
     axes[0].set_ylabel("distance [mm]")
@@ -208,25 +169,19 @@ def draw_continued(path, fine, curve):
     axes[1].set_xlabel("t [s]")
     axes[1].set_xlim(0, t[-1])
     figure.align_ylabels(axes)
-    figure.savefig(path, dpi=110)
-    print(path)
+    save(figure, "tail_rotor_continued.png")
 
 
-def main():
-    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else KEPT
+def make(parts, drawn):
     frequencies, damping = four_modes()
     print("frequencies at azimuth 0, 90, and of the mean stiffness:", *frequencies, np.sqrt((frequencies**2).mean(axis=0)))
-    rates, multipliers = {}, {}
-    print("| speed | multipliers | runs in time | four modes |\n|---|---|---|---|")
-    for speed in SPEEDS:
+    rates, multipliers, rows = {}, {}, []
+    for speed in few(SPEEDS):
         multipliers[speed] = by_multipliers(speed)
         rates[speed] = exponents(motion(speed), speed)[0].real
-        print(f"| {speed:g} | {multipliers[speed]:+.4f} | {rates[speed]:+.4f} | {floquet(speed, frequencies, damping):+.4f} |", flush=True)
-    fine = np.arange(44.5, 53.5, 0.01)
+        rows.append([f"{speed:g}", f"{multipliers[speed]:+.4f}", f"{rates[speed]:+.4f}", f"{floquet(speed, frequencies, damping):+.4f}"])
+    into_page("applications/tail_rotor_transmission.md", "growth rates", table("speed | multipliers | runs in time | four modes", rows))
+    fine = np.arange(44.5, 53.5, 0.5 if SMALL else 0.01)
     curve = np.array([floquet(speed, frequencies, damping) for speed in fine])
-    draw(folder / "tail_rotor_stability.png", rates, multipliers, fine, curve, frequencies)
-    draw_continued(folder / "tail_rotor_continued.png", fine, curve)
-
-
-if __name__ == "__main__":
-    main()
+    draw(rates, multipliers, fine, curve, frequencies)
+    draw_continued(fine, curve)

@@ -1,23 +1,24 @@
-#!/usr/bin/python3
-"""Limit points of Lee's frame on the exact equations of the planar rod:  stability_snap_through_shooting
+"""The reference for Lee's frame in benchmarks/stability_snap_through.md: limit points on the exact equations of the planar rod.
 
 No finite element: the section forces are constant between loads, the rod is integrated from the left hinge (Runge-Kutta of
 order 8, tolerance 1e-12), and its unknown reactions (Fx, Fy) and angle are found so that the other end is at the other hinge,
 without moment. The path of (Fx, Fy, angle, P) is followed by its arc; at limit points dP/ds = 0 by regula falsi. It takes
 about two minutes and needs python3-scipy. What it prints is the reference in tests/statics/test_arc_length.cc."""
 
-import numpy as np
-from scipy.integrate import solve_ivp
+from figures_of.common import SMALL, np
+
 
 L, E, A, I = 120.0, 7200.0, 6.0, 2.0  # cm, kN
 EA, EI, GA = E * A, E * I, 5 / 6 * E / 2.6 * A
 SCALE = np.array([200, 200, 1, 200.0])  # of Fx, Fy, angle, P
 STEPS = np.array([1e-3, 1e-3, 1e-5, 1e-3])  # of difference quotients
-TOLERANCE = 1e-12
+TOLERANCE = 1e-4 if SMALL else 1e-12
 
 
 def integrate(start, Fx, Fy, length):
     """Places x, y, angle, moment at the end of a piece under constant forces, for several rods at once."""
+    from scipy.integrate import solve_ivp
+
     n = len(Fx)
 
     def rates(_, values):
@@ -81,16 +82,17 @@ def limit_point(point, forward, s, slope):
         b, at_b = c, t[3]
 
 
-point = np.zeros(4)
-forward = tangent(linearise(point)[1], np.array([0, 0, 0, 1.0]))
-s, n_found = 0.04, 0
-while n_found < 2:
-    result = step(point, forward, s)
-    if result is None or result[1] @ forward < 0.97:
-        s /= 2
-        continue
-    if result[1][3] * forward[3] < 0:
-        print("limit load %.12g, the load is moved by (%.10g, %.10g)" % limit_point(point, forward, s, result[1][3]), flush=True)
-        n_found += 1
-    point, forward, _ = result
-    s = min(1.5 * s, 0.1)
+def make(parts, drawn):
+    point = np.zeros(4)
+    forward = tangent(linearise(point)[1], np.array([0, 0, 0, 1.0]))
+    s, n_found = 0.04, 0
+    while n_found < (0 if SMALL else 2):
+        result = step(point, forward, s)
+        if result is None or result[1] @ forward < 0.97:
+            s /= 2
+            continue
+        if result[1][3] * forward[3] < 0:
+            print("limit load %.12g, the load is moved by (%.10g, %.10g)" % limit_point(point, forward, s, result[1][3]), flush=True)
+            n_found += 1
+        point, forward, _ = result
+        s = min(1.5 * s, 0.1)

@@ -1,40 +1,19 @@
-#!/usr/bin/python3
-"""The plies of prm/examples/shells/laminate.prm, doc/pictures/shell_layers.png, from the picture that samara writes.
+"""The plies of prm/examples/shells/laminate.prm, a picture of theory/shell.md, from the picture that samara writes.
 
-    doc/theory/shell_layers_figures
+On the left each ply at its top, pulled apart; on the right what there is through the thickness at two places. Some seconds."""
 
-On the left each ply at its top, pulled apart; on the right what there is through the thickness at two places. Run from the
-top of the project; the environment variable SAMARA may name another program."""
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from plot_pictures import Picture, series
 
-import importlib.machinery
-import importlib.util
-import os
-import pathlib
-import subprocess
-import sys
-import tempfile
+from figures_of.common import Run, np, plt, save
 
-import numpy as np
 
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-MODEL = "prm/examples/shells/laminate.prm"
-PICTURE = "doc/pictures/shell_layers.png"
 ANGLES = [0, 45, -45, 90, 90, -45, 45, 0]
 PLACES = {"middle of the side x = 0": (0.0, 0.1), "centre": (0.15, 0.1)}
 
 
-def plot_module():
-    sys.path.insert(0, "contrib")
-    loader = importlib.machinery.SourceFileLoader("plot", "contrib/plot")
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
-    loader.exec_module(module)
-    return module
-
-
-def draw(plot, picture):
-    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-
-    plt, fields, places = plot.plt, picture.fields, picture.points - picture.displacement
+def draw(picture):
+    fields, places = picture.fields, picture.points - picture.displacement
     figure = plt.figure(figsize=(12, 9))
     grid = figure.add_gridspec(3, 2, width_ratios=[1.5, 1], left=0, right=0.98, bottom=0.08, top=0.98, hspace=0.32, wspace=0.12)
     ax = figure.add_subplot(grid[:, 0], projection="3d")
@@ -87,13 +66,6 @@ def profile(fields, places, place, name):
     return np.array(heights), np.array(values)
 
 
-def main():
-    plot = plot_module()
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([SAMARA, MODEL, "--output", folder, "--quiet"], check=True)
-        picture = plot.Picture(plot.series(pathlib.Path(folder) / "static.pvd")[-1])
-    draw(plot, picture).savefig(PICTURE, dpi=80)
-
-
-if __name__ == "__main__":
-    main()
+def make(parts, drawn):
+    run = Run("examples/shells/laminate.prm", pictures=True, see=lambda folder: Picture(series(folder / "static.pvd")[-1]))
+    save(draw(run.seen), "shell_layers.png", 80, 256)

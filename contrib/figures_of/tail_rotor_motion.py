@@ -1,79 +1,42 @@
-#!/usr/bin/python3
-"""Tables of the dynamic part of doc/applications/tail_rotor_transmission.md: how the motion of the middle of shaft 1 depends
-on step, scheme, tolerance, mesh and on what is not known exactly.
+"""Tables of the motion in applications/tail_rotor_transmission.md: how the middle of shaft 1 depends on step, scheme, mesh.
 
-    doc/applications/tail_rotor_motion_study [WORD ...]
+And on tolerances and what is not known exactly. Parts are words of the titles of tables. All together take about a quarter of an hour.
+Seconds are those of the processor, equilibrium and start of the program (0.3 s) included. Results are kept in
+results/tail_rotor_motion."""
 
-does the tables whose titles contain one of the words, all of them without any. Run from the top of the project after
-contrib/run has built it (or with another program, named by the environment variable SAMARA); all together take about a
-quarter of an hour. Seconds are those of the processor, equilibrium and start of the program (0.3 s) included. Results are kept in results/tail_rotor_study; to do one
-again, remove its folder."""
-
-import csv
-import os
-import pathlib
 import re
-import resource
-import subprocess
-import sys
 
-import numpy as np
+from figures_of.common import SMALL, Run, few, interpolated, into_page, np, printed, results, scheme
 
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-MODEL = "prm/rotorcraft/tail_rotor_transmission.prm"
-KEPT = pathlib.Path("results/tail_rotor_study")
+
+MODEL = "rotorcraft/tail_rotor_transmission.prm"
 BEAMS = ("fuselage", "tail", "shaft 1", "shaft 2")
 ALL_BEAMS = BEAMS + ("bracket S", "bracket M", "bracket T")
+SHORT = ["Dynamic/End time = 0.2 s"] if SMALL else []
 PROBES = "Output/Probes = shaft 1.middle.displacement y, shaft 1.middle.displacement z, S.rotation rate"
 
 
 def run(name, *entries):
     """Times, (y, z) of the middle of shaft 1, speed, the words of the log, seconds of processor; None if it fails."""
-    folder = KEPT / name.replace("/", "_")
-    log = folder / "log"
-    if not log.exists():
-        command = [SAMARA, MODEL, "--output", str(folder), "--set", "Analyses = static, dynamic", "--set", PROBES]
-        for entry in ("Output/Pictures = false",) + entries:
-            command += ["--set", entry]
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        done = subprocess.run(command, capture_output=True, text=True)
-        seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
-        if done.returncode != 0:
-            print(f"{name} fails: {done.stderr}", file=sys.stderr)
-            return None
-        log.write_text(done.stdout + f"processor: {seconds:.2f} s\n")
-    text = log.read_text()
-    seconds = float(re.search(r"processor: (\S+) s", text)[1])
-    words = next(line for line in text.splitlines() if line.startswith("dynamic:"))
-    unknowns = re.search(r"(\d+) unknowns", text)[1]
-    with open(folder / "dynamic.csv") as file:
-        next(csv.reader(file))
-        table = np.loadtxt(file, delimiter=",")
-    return table[:, 0], table[:, 1:3], table[:, 3], words, seconds, unknowns
-
-
-def at(t, x, wanted):
-    """x(t) by polynomials of degree 5 through the nearest points."""
-    i = np.clip(np.searchsorted(t, wanted) - 3, 0, len(t) - 6)
-    value = np.zeros((len(wanted),) + x.shape[1:])
-    for j in range(6):
-        weight = np.ones(len(wanted))
-        for k in range(6):
-            if k != j:
-                weight *= (wanted - t[i + k]) / (t[i + j] - t[i + k])
-        value += weight.reshape((-1,) + (1,) * (x.ndim - 1)) * x[i + j]
-    return value
+    done = Run(MODEL, "Analyses = static, dynamic", PROBES, *SHORT, *entries, keep=results("tail_rotor_motion") / name.replace("/", "_"),
+               may_fail=True)
+    if done.code:
+        return None
+    words = next(line for line in done.text.splitlines() if line.startswith("dynamic:"))
+    motion = done.dynamic
+    places = np.column_stack([motion[f"shaft 1.middle.displacement {c}"] for c in "yz"])
+    return motion["t"], places, motion["S.rotation rate"], words, done.user, int(done.number(r"(\d+) unknowns"))
 
 
 def difference(a, reference):
     """Largest distance of the two motions, relative to the largest distance from the straight line."""
-    distances = np.linalg.norm(a[1] - at(reference[0], reference[1], a[0]), axis=1)
+    distances = np.linalg.norm(a[1] - interpolated(reference[0], reference[1], a[0], 6), axis=1)
     return distances.max() / np.linalg.norm(reference[1], axis=1).max()
 
 
 def root_mean_square(a, reference):
     """The same of the root mean square of the distances over time."""
-    distances = np.linalg.norm(a[1] - at(reference[0], reference[1], a[0]), axis=1)
+    distances = np.linalg.norm(a[1] - interpolated(reference[0], reference[1], a[0], 6), axis=1)
     mean = np.sum((distances[1:] ** 2 + distances[:-1] ** 2) / 2 * np.diff(a[0])) / np.ptp(a[0])
     return np.sqrt(mean) / np.linalg.norm(reference[1], axis=1).max()
 
@@ -82,10 +45,6 @@ def counts(words):
     steps, iterations, factorizations = re.search(r"(\d+) steps, (\S+) Newton .* (\S+) factorizations", words).groups()
     closes = re.search(r"closes to (\S+)", words)[1]
     return f"{steps} | {float(iterations):.1f} | {float(factorizations):.1f}", closes
-
-
-def scheme(stages, radius, step):
-    return f"Dynamic/Stages = {stages}", f"Dynamic/Spectral radius = {radius}", f"Dynamic/Step = {step}"
 
 
 def mesh(elements, degree):
@@ -104,8 +63,8 @@ def steps():
     finer = run("reference, half the step", *scheme(3, 1, "5e-4"), "Dynamic/Newton tolerance = 1e-13")
     print(f"The reference, {REFERENCE[1:]}, is {difference(reference, finer):.0e} from one with half its step.\n")
     print("| stages, ρ∞ | step 8 ms | 4 ms | 2 ms | 1 ms | 0.5 ms | order | iterations | factorisations | seconds |\n" + "|---" * 10 + "|")
-    for stages, radius in MEMBERS:
-        runs = [run(f"s{stages} r{radius} h{h}", *scheme(stages, radius, h)) for h in ("8e-3", "4e-3", "2e-3", "1e-3", "5e-4")]
+    for stages, radius in few(MEMBERS):
+        runs = [run(f"s{stages} r{radius} h{h}", *scheme(stages, radius, h)) for h in few(("8e-3", "4e-3", "2e-3", "1e-3", "5e-4"), 2)]
         errors = [difference(r, reference) if r else None for r in runs]
         pairs = [(a, b) for a, b in zip(errors, errors[1:]) if a and b and b > 3e-6]  # below is where Newton's method stops
         order = f"{np.log2(pairs[-1][0] / pairs[-1][1]):.1f}" if pairs else "–"
@@ -119,8 +78,8 @@ def ten_thousand():
     """What the paper did: steps of 0.5 ms."""
     reference = run(*REFERENCE)
     print("| stages, ρ∞ | step | steps | largest error | root mean square | 0.5 % | iterations | factorisations | seconds |\n" + "|---" * 9 + "|")
-    for stages, radius in MEMBERS:
-        for h in ("5e-4", "4e-3"):
+    for stages, radius in few(MEMBERS):
+        for h in few(("5e-4", "4e-3")):
             r = run(f"s{stages} r{radius} h{h}", *scheme(stages, radius, h))
             if r:
                 d, (n, _) = difference(r, reference), counts(r[3])
@@ -132,8 +91,8 @@ def ten_thousand():
 def newton():
     reference = run(*REFERENCE)
     print("| Newton tolerance | step | error | iterations a step | energy closes to | seconds |\n|---|---|---|---|---|---|")
-    for tolerance in ("1e-8", "1e-10", "1e-12", "1e-13"):
-        for h in ("2e-3", "5e-4"):
+    for tolerance in few(("1e-8", "1e-10", "1e-12", "1e-13")):
+        for h in few(("2e-3", "5e-4")):
             r = run(f"newton {tolerance} h{h}", *scheme(3, 0.5, h), f"Dynamic/Newton tolerance = {tolerance}")
             number, closes = counts(r[3])
             print(f"| {tolerance} | {h} s | {difference(r, reference):.0e} | {number.split(' | ')[1]} | {closes} | {r[4]:.1f} |", flush=True)
@@ -142,8 +101,8 @@ def newton():
 def tolerances():
     reference = run(*REFERENCE)
     print("| tolerance | stages, ρ∞ | error | steps | iterations | factorizations | seconds |\n|---|---|---|---|---|---|---|")
-    for stages, radius in ((3, 0.5), (2, 0)):
-        for tolerance in ("1e-2", "1e-3", "1e-4", "1e-5", "1e-6"):
+    for stages, radius in few(((3, 0.5), (2, 0))):
+        for tolerance in few(("1e-2", "1e-3", "1e-4", "1e-5", "1e-6")):
             r = run(f"adaptive {tolerance} s{stages}", *scheme(stages, radius, "5e-4"), "Dynamic/Step control = adaptive",
                     f"Dynamic/Tolerance = {tolerance}")
             if r:
@@ -153,9 +112,9 @@ def tolerances():
 def meshes():
     finest = run("mesh finest", *COARSE, *mesh((8, 4, 8, 4), 4))
     print("| elements of fuselage, tail, shafts 1, 2; degree | unknowns | error | seconds |\n|---|---|---|---|")
-    for elements, degree in (((8, 4, 8, 4), 3), ((4, 2, 4, 2), 4), ((4, 2, 4, 2), 3), ((2, 1, 2, 1), 4), ((2, 1, 2, 1), 3),
-                             ((1, 1, 1, 1), 4), ((1, 1, 1, 1), 3), ((8, 4, 8, 4), 2), ((4, 2, 4, 2), 2), ((16, 8, 16, 8), 1),
-                             ((4, 2, 4, 2), 1)):
+    for elements, degree in few([((8, 4, 8, 4), 3), ((4, 2, 4, 2), 4), ((4, 2, 4, 2), 3), ((2, 1, 2, 1), 4), ((2, 1, 2, 1), 3),
+                                 ((1, 1, 1, 1), 4), ((1, 1, 1, 1), 3), ((8, 4, 8, 4), 2), ((4, 2, 4, 2), 2), ((16, 8, 16, 8), 1),
+                                 ((4, 2, 4, 2), 1)]):
         name = ", ".join(map(str, elements)) + "; " + str(degree)
         r = run(f"mesh {name}", *COARSE, *mesh(elements, degree))
         print(f"| {name} | {r[5]} | {difference(r, finest):.0e} | {r[4]:.1f} |", flush=True)
@@ -170,7 +129,7 @@ def sensitivity():
     cases += [("EI₂₂ of the shafts", "Sections/shaft/EI2 = (1 + {0})*26.7 kN*m^2", e) for e in (1e-2, 1e-4)]
     cases += [("mass of the shafts", "Sections/shaft/Mass = (1 + {0})*0.848 kg/m", e) for e in (1e-2, 1e-4)]
     print("| changed by a part of it [rad] | change | largest change of the motion | ratio |\n|---|---|---|---|")
-    for name, entry, change in cases:
+    for name, entry, change in few(cases):
         r = run(f"sensitivity {name} {change}", *COARSE, "Dynamic/Newton tolerance = 1e-13", entry.format(change))
         d = difference(r, base)
         print(f"| {name} | {change:g} | {d:.1e} | {d / change:.0f} |", flush=True)
@@ -191,7 +150,7 @@ def open_questions():
         ("torque up to 48 N m", ["Joints/S/rotation/Moment = t < 1 ? 0 : t < 2 ? 24*(1 - cos(2*pi*t)) : 0 N*m"]),
     ]
     print("| model | largest distance of shaft 1 [mm] before 2 s | before 5 s | mean speed from 4 to 5 s |\n|---|---|---|---|")
-    for name, entries in cases:
+    for name, entries in few(cases):
         r = run(f"open {name}", *COARSE, *entries)
         t, distance = r[0], 1e3 * np.linalg.norm(r[1], axis=1)
         print(f"| {name} | {distance[t <= 2].max():.1f} | {distance.max():.1f} | {r[2][t >= 4].mean():.2f} |", flush=True)
@@ -207,8 +166,7 @@ TABLES = {
     "Other models, steps of 2 ms": open_questions,
 }
 
-if __name__ == "__main__":
+def make(parts, drawn):
     for title, table in TABLES.items():
-        if len(sys.argv) == 1 or any(word.lower() in title.lower() for word in sys.argv[1:]):
-            print(f"\n### {title}\n")
-            table()
+        if not parts or any(part.lower() in title.lower() for part in parts):
+            into_page("applications/tail_rotor_transmission.md", title, printed(table))

@@ -1,50 +1,29 @@
-#!/usr/bin/python3
-"""Work and precision of multipliers and hub loads: the picture and the numbers of doc/theory/floquet.md.
+"""The picture of theory/floquet.md: work and precision of multipliers and hub loads.
 
-    doc/theory/floquet_figures [--drawn]
-
-Multipliers: build/release/benchmarks/bench_multipliers (contrib/bench builds it). Hub loads: prm/rotorcraft/puma_one_blade.prm for 30
+Multipliers: bench_multipliers (contrib/bench builds it). Hub loads: prm/rotorcraft/puma_one_blade.prm for 30
 turns from the same start with each scheme; the error is that of the fourth harmonics of the three forces, the root of the sum of squares
 over that of the reference: the family with three stages and 2304 steps, seen at the same instants. What the harmonics of all of its
-instants differ by from those of these is the column "sampling". All numbers are kept in doc/theory/floquet_work.csv; --drawn computes
-nothing. Seconds are those of the processor. Run from the top of the project; the environment variable SAMARA may name another
-program. Takes some minutes."""
+instants differ by from those of these is the column "sampling". All numbers are kept in theory/floquet_work.csv. Seconds are those of
+the processor. Takes some minutes."""
 
-import argparse
 import csv
-import os
-import pathlib
-import re
-import subprocess
 import sys
-import tempfile
 
-import numpy as np
+from figures_of.common import SMALL, Run, few, np, plt, program, read, save, update
 
-SAMARA = os.environ.get("SAMARA", "build/release/samara")
-BENCH = os.environ.get("BENCH", "build/release/benchmarks/bench_multipliers")
-KEPT = pathlib.Path("doc/theory/floquet_work.csv")
-PICTURE = "doc/pictures/floquet_work_precision.png"
-MODEL = "prm/rotorcraft/puma_one_blade.prm"
-TURNS = 30
-FINE = 2304  # steps of the reference
+
+KEPT = "theory/floquet_work.csv"
+MODEL = "rotorcraft/puma_one_blade.prm"
+TURNS = 1 if SMALL else 30
+FINE = 144 if SMALL else 2304  # steps of the reference
 COLUMNS = ["quantity", "scheme", "stages", "spectral radius", "tangent", "steps", "tolerance", "error", "sampling", "turns", "iterations", "seconds"]
-ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
 
 def multipliers():
-    done = subprocess.run([BENCH], capture_output=True, text=True, check=True, env=ENVIRONMENT)
-    sys.stderr.write(done.stderr)
-    rows = csv.DictReader(done.stdout.splitlines())
-    return [{**{name: row.get(name, "") for name in COLUMNS}, "quantity": "multiplier"} for row in rows]
-
-
-def kept_multipliers():
-    """Take the file away to have them again."""
-    if not KEPT.exists():
-        return []
-    with open(KEPT) as file:
-        return [row for row in csv.DictReader(file) if row["quantity"] == "multiplier"]
+    output = None if SMALL else program("benchmarks/bench_multipliers")
+    if output is None:
+        return [row for row in read(KEPT) if row["quantity"] == "multiplier"]
+    return [{**{name: row.get(name, "") for name in COLUMNS}, "quantity": "multiplier"} for row in csv.DictReader(output.splitlines())]
 
 
 def hub_loads(scheme, stages, rho, steps, tolerance):
@@ -54,21 +33,13 @@ def hub_loads(scheme, stages, rho, steps, tolerance):
                "Dynamic/Newton tolerance = 1e-11", "Dynamic/Energy balance = warn"]
     if tolerance:
         entries.append("Dynamic/Tolerance = %g" % tolerance)
-    with tempfile.TemporaryDirectory() as folder:
-        command = [SAMARA, MODEL, "--output", folder]
-        for entry in entries:
-            command += ["--set", entry]
-        done = subprocess.run(command, capture_output=True, text=True, env=ENVIRONMENT)
-        if done.returncode:
-            print("%s, %d steps: %s" % (scheme, steps, done.stderr.strip().splitlines()[-1]), file=sys.stderr)
-            return None
-        table = np.genfromtxt(folder + "/dynamic.csv", delimiter=",", names=True, deletechars="")
-    line = next(line for line in done.stdout.splitlines() if line.startswith("dynamic:"))
-    columns = [next(name for name in table.dtype.names if name.startswith("shaft.force_%d" % k) or name.startswith("shaft.force %d" % k))
-               for k in (1, 2, 3)]
-    forces = np.array([table[name][-steps:] for name in columns])
-    count = float(re.search(r"([\d.]+) Newton", line)[1]) * int(re.search(r"(\d+) steps", line)[1])
-    return forces, round(count), float(re.search(r"([\d.e-]+) s of the processor", line)[1])
+    done = Run(MODEL, *entries, may_fail=True)
+    if done.code:
+        print(f"{scheme}, {steps} steps: {done.text.strip().splitlines()[-1]}", file=sys.stderr)
+        return None
+    forces = np.array([next(values for name, values in done.dynamic.items() if name.startswith(f"shaft.force {k}"))[-steps:] for k in (1, 2, 3)])
+    count = done.number(r"([\d.]+) Newton") * done.number(r"(\d+) steps")
+    return forces, round(count), done.processor
 
 
 def fourth(forces):
@@ -85,7 +56,7 @@ def loads():
     reference = hub_loads("family", 3, 1, FINE, 0)[0]
     size = np.linalg.norm(fourth(reference))
     rows = []
-    for case in family + classical + bdf:
+    for case in few(family + classical + bdf):
         found = hub_loads(*case)
         if found:
             part = FINE // case[3]
@@ -98,10 +69,6 @@ def loads():
 
 
 def draw(rows):
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
     styles = [("family", "1", "1", "differences", "midpoint rule, s = 1", "#7fb2e5", "-o"),
               ("family", "2", "1", "differences", "s = 2", "#3b7fc4", "-o"), ("family", "3", "1", "differences", "s = 3", "#103f75", "-o"),
               ("family", "3", "0.5", "differences", "s = 3, ρ∞ = 0.5", "#103f75", "--s"),
@@ -129,8 +96,6 @@ def draw(rows):
                           label="sampling at the steps of s = 2")
         axes_of[0].set(ylabel=label, xlabel="time of the processor [s]")
         axes_of[1].set(xlabel="Newton iterations, each with one solution")
-        for ax in axes_of:
-            ax.grid(alpha=0.3, which="major")
     handles, labels = axes[1, 1].get_legend_handles_labels()
     more, names = axes[0, 1].get_legend_handles_labels()
     handles += [h for h, name in zip(more, names) if name not in labels]
@@ -139,21 +104,8 @@ def draw(rows):
     figure.get_layout_engine().set(rect=(0, 0.09, 1, 0.91))
     axes[0, 0].set_title("Flap-lag blade in forward flight")
     axes[1, 0].set_title("One blade of the SA 330, %d turns" % TURNS)
-    figure.savefig(PICTURE, dpi=110)
-    print(PICTURE)
+    save(figure, "floquet_work_precision.png")
 
 
-if __name__ == "__main__":
-    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("--drawn", action="store_true", help="compute nothing")
-    if arguments.parse_args().drawn:
-        with open(KEPT) as file:
-            table = list(csv.DictReader(file))
-    else:
-        table = kept_multipliers() or multipliers()
-        table += loads()
-        with open(KEPT, "w", newline="") as file:
-            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(table)
-    draw(table)
+def make(parts, drawn):
+    draw(read(KEPT) if drawn else update(KEPT, multipliers() + loads(), COLUMNS[:7]))
