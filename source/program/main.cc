@@ -108,7 +108,7 @@ main(int argc, char **argv)
   auto *const help =
     app.add_option("--help",
                    options.help_about,
-                   "This text, or the entries of a kind or of a subsection: --help beam, --help Study");
+                   "This text, or the entries of a kind or of a subsection: --help beam, --help Study; --help everything");
   help->expected(0, 1);
   auto *const version = app.add_flag("--version", "Print the version");
   try

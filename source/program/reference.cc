@@ -4,6 +4,7 @@
 #include <samara/input/input.h>
 #include <samara/input/parts.h>
 #include <samara/input/subsystems.h>
+#include <samara/program/entry_tables.h>
 #include <samara/program/program.h>
 #include <samara/study/study.h>
 
@@ -102,8 +103,32 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
       Parameters parameters;
       input.add_parameters(parameters, catalogue);
       out << "## The model\n\nOutside of all named objects:\n\n";
-      parameters.document(out);
+      print_rows(out, rows_of(parameters));
       out << '\n';
+    }
+
+
+
+    /** Heading of a kind, and what it is. */
+    template <typename Interface>
+    void
+    print_head(std::ostream &out, const Registry<Interface> &kinds, const std::string &kind)
+    {
+      std::string what = kinds.what_it_is(kind);
+      what[0]          = std::toupper(what[0]);
+      out << "### " << kind << "\n\n" << what << ".\n\n";
+    }
+
+
+
+    template <typename Interface>
+    std::vector<EntryRow>
+    rows_of_kind(const Registry<Interface> &kinds, const std::string &kind)
+    {
+      const auto object = kinds.make(kind);
+      Parameters parameters(kind, kind);
+      object->add_parameters(parameters);
+      return rows_of(parameters);
     }
 
 
@@ -112,14 +137,31 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
     void
     print_kind(std::ostream &out, const Registry<Interface> &kinds, const std::string &kind)
     {
-      const auto object = kinds.make(kind);
-      Parameters parameters(kind, kind);
-      object->add_parameters(parameters);
-      std::string what = kinds.what_it_is(kind);
-      what[0]          = std::toupper(what[0]);
-      out << "### " << kind << "\n\n" << what << ".\n\n";
-      parameters.document(out);
+      print_head(out, kinds, kind);
+      print_rows(out, rows_of_kind(kinds, kind));
       out << '\n';
+    }
+
+
+
+    /** All kinds of a group; with @p once what several have stands before them, once. */
+    template <typename Interface>
+    void
+    print_kinds_of(std::ostream &out, const Registry<Interface> &kinds, const std::string &noun, const bool once)
+    {
+      EntryTables tables(noun);
+      for (const auto &kind : kinds.kinds())
+        tables.add(kind, rows_of_kind(kinds, kind));
+      if (once)
+        tables.print_shared(out);
+      for (const auto &kind : kinds.kinds())
+        if (once)
+          {
+            print_head(out, kinds, kind);
+            tables.print(out, kind);
+          }
+        else
+          print_kind(out, kinds, kind);
     }
 
 
@@ -134,7 +176,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
         << "## Subsystems\n\nEach is a subsection with a name of its own in `subsection Subsystems`, with subsections "
            "`Constants`, `Sections`, `Bodies`, ... as a model has them, often from a file that is included there. Its "
            "objects are called `name:object`; see the [manual](manual.md#subsystems).\n\n";
-      parameters.document(out);
+      print_rows(out, rows_of(parameters));
       out << '\n';
     }
 
@@ -151,12 +193,33 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
       out
         << "## Studies\n\nA file with `set Analyses = study` has no model of its own but names one, `set Model = FILE`, and "
            "`subsection Study`:\n\n";
-      settings.document(out);
+      print_rows(out, rows_of(settings));
       out
         << "\nIn `subsection Methods`, or `subsection Levels` from the cheapest to the dearest, each is a subsection with a "
            "name of its own:\n\n";
-      of_method.document(out);
+      print_rows(out, rows_of(of_method));
       out << '\n';
+    }
+
+
+
+    /** The arguments of a part as entries. */
+    std::vector<EntryRow>
+    rows_of_part(const std::string &file)
+    {
+      Complaints            complaints;
+      const auto            content = Outline::of_file(file, complaints);
+      std::vector<EntryRow> rows;
+      if (const Outline *const section = content.section("Arguments"); section != nullptr)
+        for (const auto &argument : arguments_of(*section, complaints))
+          rows.push_back({argument.name,
+                          argument.is_required        ? required :
+                          argument.standard == "none" ? "" :
+                                                        argument.standard,
+                          argument.unit == "1" ? "" : argument.unit,
+                          without_unit(argument.documentation())});
+      complaints.throw_if_any();
+      return rows;
     }
 
 
@@ -165,36 +228,37 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
     void
     print_arguments(std::ostream &out, const std::string &name, const std::string &file)
     {
-      Complaints complaints;
-      const auto content = Outline::of_file(file, complaints);
+      const auto rows = rows_of_part(file);
       out << "### " << name << "\n\n" << paragraphs_of(head_of_file(file)) << "\n";
-      const Outline *const section = content.section("Arguments");
-      if (section == nullptr)
-        {
-          out << "It has no arguments.\n\n";
-          return complaints.throw_if_any();
-        }
-      out << "| argument | default | unit | meaning |\n|---|---|---|---|\n";
-      for (const auto &argument : arguments_of(*section, complaints))
-        out << "| " << argument.name << " | "
-            << (argument.is_required        ? "must be given" :
-                argument.standard == "none" ? "" :
-                                              argument.standard)
-            << " | " << (argument.unit == "1" ? "" : argument.unit) << " | " << argument.documentation() << " |\n";
+      if (rows.empty())
+        out << "It has no arguments.\n";
+      else
+        print_rows(out, rows);
       out << '\n';
-      complaints.throw_if_any();
     }
 
 
 
     void
-    print_parts(std::ostream &out)
+    print_parts(std::ostream &out, const bool once)
     {
       out
         << "## Parts\n\n`set Part = rotor/hub` in a subsystem names one of these, or a file of your own; its arguments are "
            "entries beside it. See the [manual](manual.md#parts).\n\n";
+      const auto  file = [](const std::string &name) { return folder_of_parts() + "/" + name + ".prm"; };
+      EntryTables tables("part");
       for (const auto &name : shipped_parts())
-        print_arguments(out, name, folder_of_parts() + "/" + name + ".prm");
+        tables.add(name, rows_of_part(file(name)));
+      if (once)
+        tables.print_shared(out);
+      for (const auto &name : shipped_parts())
+        if (once)
+          {
+            out << "### " << name << "\n\n" << paragraphs_of(head_of_file(file(name))) << "\n";
+            tables.print(out, name);
+          }
+        else
+          print_arguments(out, name, file(name));
     }
 
 
@@ -234,7 +298,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
           Parameters parameters;
           input.add_parameters(parameters, catalogue);
           out << "### " << about << "\n\n";
-          parameters.subsection(about).document(out);
+          print_rows(out, rows_of(parameters.subsection(about)));
         }
       else
         return false;
@@ -263,7 +327,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
 
 
     void
-    print_everything(std::ostream &out, const Catalogue &catalogue)
+    print_everything(std::ostream &out, const Catalogue &catalogue, const bool once)
     {
       print_language(out);
       print_model(out, catalogue);
@@ -271,16 +335,14 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
         {
           out << "## " << group.subsection << "\n\nEach " << group.noun << " is a subsection with a name of its own in "
               << "`subsection " << group.subsection << "`, with `set Type = ` one of the following.\n\n";
-          for (const auto &kind : group.kinds.kinds())
-            print_kind(out, group.kinds, kind);
+          print_kinds_of(out, group.kinds, group.noun, once);
         }
       print_subsystems(out);
-      print_parts(out);
+      print_parts(out, once);
       out
         << "## Analyses\n\n`set Analyses = static, modal` says what to do, in this order. The entries of each stand in "
            "`subsection Static`, `subsection Modal`, ...\n\n";
-      for (const auto &kind : catalogue.analyses.kinds())
-        print_kind(out, catalogue.analyses, kind);
+      print_kinds_of(out, catalogue.analyses, "analysis", once);
       print_study(out);
     }
   } // namespace
@@ -291,8 +353,8 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
   print_reference(std::ostream &out, const std::string &about)
   {
     const Catalogue catalogue;
-    if (about.empty())
-      return print_everything(out, catalogue);
+    if (about.empty() || about == "everything")
+      return print_everything(out, catalogue, about.empty());
 
     if (catalogue.analyses.contains(about))
       return print_kind(out, catalogue.analyses, about);
@@ -312,7 +374,7 @@ A number may have a unit, `6.0 ft`, and be an expression, `2*L + 3 in`, of the c
         known.push_back(part);
       }
     for (const std::string topic :
-         {"language", "model", "Constants", "Functions", "Subsystems", "Output", "Assembly", "Study"})
+         {"language", "everything", "model", "Constants", "Functions", "Subsystems", "Output", "Assembly", "Study"})
       known.push_back(topic);
     for (const auto &group : catalogue.groups)
       {

@@ -120,8 +120,8 @@ end
 
 
 def catalogue(program):
-    """(group, kind, path of the entry) of all entries, from `--parameters`."""
-    text = subprocess.run([program, "--parameters"], capture_output=True, text=True, check=True).stdout
+    """(group, kind, path of the entry) of all entries, from `--help everything`."""
+    text = subprocess.run([program, "--help", "everything"], capture_output=True, text=True, check=True).stdout
     group = kind = None
     for line in text.splitlines():
         if line.startswith("## "):
