@@ -14,6 +14,7 @@ MODEL = "rotorcraft/tail_rotor_stability.prm"
 TONGUES = "rotorcraft/tail_rotor_tongues.prm"
 UNBALANCED = "rotorcraft/tail_rotor_transmission.prm"
 END = 2 if SMALL else 20  # [s]
+COARSE = ["Floquet/Steps = 8", "Floquet/Wanted = 2"] if SMALL else []
 ZONE = (46.9, 49.1)
 STEPS = 32  # a turn
 SPEEDS = [45, 46, 47, 47.1, 47.2, 47.3, 47.4, 47.6, 47.75, 47.85, 47.94, 48, 48.05, 48.1, 48.2, 48.4, 48.5, 48.6, 48.7, 48.8]
@@ -49,7 +50,7 @@ def motion(speed):
 
 def by_multipliers(speed):
     """The largest growth rate [1/s] by the multipliers of a turn of the rotor."""
-    return max(samara(f"multipliers_{speed:g}", TONGUES, f"Constants/speed = {speed:.12g} rad/s").floquet["growth rate"])
+    return max(samara(f"multipliers_{speed:g}", TONGUES, f"Constants/speed = {speed:.12g} rad/s", *COARSE).floquet["growth rate"])
 
 
 def exponents(table, speed, after=0.5, delays=4, cut=1e-6):
