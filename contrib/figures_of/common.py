@@ -194,6 +194,7 @@ def table(head, rows):
 
 def into_page(page, title, text):
     """Prints a table (or some) and puts it in place of the one that follows <!-- table: title --> in a page, if there is such a line."""
+    text = re.sub(r"(?<=[|,] )-(?=\d)", "−", text)
     print(f"### {title}\n\n{text}", flush=True)
     path, mark = doc(page), f"<!-- table: {title} -->\n"
     before, found, after = path.read_text().partition(mark)

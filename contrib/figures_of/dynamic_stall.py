@@ -37,10 +37,10 @@ def make(parts, drawn):
             half = len(a) // 2
             at = np.where(up, np.interp(angle, a[:half + 1], c[:half + 1]), np.interp(angle, a[half:][::-1], c[half:][::-1]))
             ax.plot(a, c, color=color, label=name)
-            rows.append(["", name, f"{c.max():.2f}", f"{at[up].mean() - at[~up].mean():.2f}", f"{np.sqrt(np.mean((at - lift)**2)):.2f}"])
+            rows.append(["", f"`Separation {name}`" if "," in name else name, f"{c.max():.2f}", f"{at[up].mean() - at[~up].mean():.2f}", f"{np.sqrt(np.mean((at - lift)**2)):.2f}"])
         ax.set_title(title)
         ax.set_xlabel("angle of attack [deg]")
     axes[0].set_ylabel("lift coefficient")
     axes[0].legend()
     save(figure, "dynamic_stall.png", 120)
-    into_page("theory/aerodynamics.md", "measured loops", table("loop |  | largest lift | loop: up less down | rms of the difference", rows))
+    into_page("theory/aerodynamics.md", "measured loops", table("loop |  | largest lift | lift: nose up less nose down | rms of the difference", rows))
