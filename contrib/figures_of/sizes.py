@@ -2,10 +2,10 @@
 
 Runs bench_sizes, some minutes."""
 
-from figures_of.common import BLUE, GREEN, RED, SMALL, doc, into_page, np, plt, program, read, save, table
+from figures_of.common import BLUE, GREEN, SMALL, doc, into_page, np, plt, program, read, save, table
 
 
-COLORS = {"KLU": BLUE, "UMFPACK": RED, "MUMPS": GREEN}
+COLORS = {"KLU": BLUE, "MUMPS": GREEN}
 TITLES = {"beam": "Beam of cubic elements", "garland": "Bodies with ball joints"}
 
 KEPT = "benchmarks/sizes.csv"
