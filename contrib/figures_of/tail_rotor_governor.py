@@ -124,7 +124,7 @@ def make(parts, drawn):
         rows.append([gain] + [f"{v.real:.3f} ± {abs(v.imag):.3f} i" for root in (roots[0], roots[-1])
                               for v in (nearest(found, root), root)])
     into_page("applications/tail_rotor_governor.md", "modes", table(
-        "K [N m s] | governor, samara | two inertias | torsion, samara | two inertias", sorted(rows)))
+        "K [N m s] | governor, Samara | closed form | torsion, Samara | closed form", sorted(rows)))
     print("gain at which torsion grows: two inertias", round(critical(lambda g: reduced(g)[-1].real), 2), " samara",
           critical(lambda g: nearest(modes(round(g, 2)), reduced(g)[-1]).real) if "critical" in parts else "not computed")
     for gain in few((60, 100)):
