@@ -101,4 +101,4 @@ def draw_whirl(table):
 def make(parts, drawn):
     table = Run("rotorcraft/tail_rotor_transmission.prm", "Analyses = static, dynamic", *SHORT).dynamic
     save(draw_motion(table), "tail_rotor_motion.png")
-    save(draw_whirl(table), "tail_rotor_whirl.png")
+    save(draw_whirl(table), "tail_rotor_whirl.png", colours=256)
