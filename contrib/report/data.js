@@ -37,10 +37,14 @@ export function read(entry) {
   return entry.values;
 }
 
-/** A row of numbers that are packed in two bytes each. */
+/** A row of numbers that are packed in two bytes each, some in three, column behind column. */
 export function unpackRow(packed, row, out) {
-  const q = read(packed.q), low = read(packed.low), step = read(packed.step), n = low.length, from = row * n;
-  for (let i = 0; i < n; ++i) out[i] = low[i] + step[i] * (q[from + i] + 32768);
+  const q = read(packed.q), low = read(packed.low), step = read(packed.step), n = low.length, rows = packed.q.s[1];
+  for (let i = 0, k = row; i < n; ++i, k += rows) out[i] = low[i] + step[i] * (q[k] + 32768);
+  if (packed.fine) {
+    const fine = read(packed.fine), of = read(packed.of);
+    for (let j = 0; j < of.length; ++j) { const i = of[j]; out[i] = low[i] + step[i] * (q[i * rows + row] + 32768 + fine[j * rows + row] / 256); }
+  }
   return out;
 }
 

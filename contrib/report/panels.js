@@ -132,7 +132,7 @@ function fanPanel(name) {
   return root => {
     const t = table(name), speed = t.named('speed'), branch = t.named('branch') || t.named('mode'), frequency = t.named('frequency'), growth = t.named('growth rate') || t.named('real');
     const damping = t.named('damping ratio'), family = t.named('family') || [], pattern = t.named('pattern') || [], number = t.named('mode'), unit = t.unitOf('frequency'), by = new Map();
-    const showOf = i => name === 'fan' && number ? shapeOf(number[i], speed[i]) : undefined;
+    const showOf = i => !number ? undefined : name === 'fan' ? shapeOf(number[i], speed[i]) : result.shows.find(s => s.name === `floquet_${number[i]}` && Math.abs(s.speed - speed[i]) <= 1e-9 * Math.abs(speed[i]));
     branch.forEach((b, i) => (by.get(b) ?? by.set(b, []).get(b)).push(i));
     const curve = (rows, ys, xs) => {
       rows.sort((a, b) => speed[a] - speed[b]);
@@ -230,17 +230,55 @@ function comparePanel(root) {
 
 // ------------------------------------------------------------------------------------------------- tables and texts
 
+/** Rows by what stands in a column, in the order in which it comes first. */
+function grouped(column, n) {
+  const by = new Map();
+  for (let i = 0; i < n; ++i) (by.get(column?.[i] ?? '') ?? by.set(column?.[i] ?? '', []).get(column?.[i] ?? '')).push(i);
+  return [...by];
+}
+
+/** Errors of the members of a study, of those that have one above zero: of each method or level one curve. */
+function errorChart(root, t, what) {
+  const x = t.named(what), e = t.named('error'), wanted = t.named('tolerance');
+  if (!x || !e || Array.isArray(x) || Array.isArray(e)) return;
+  const has = i => x[i] > 0 && e[i] > 0, curves = grouped(t.named('method') || t.named('level'), t.kept).map(([k, all]) => { const r = all.filter(has); return { name: String(k), x: r.map(i => x[i]), y: r.map(i => e[i]), line: true, dots: true }; }).filter(c => c.x.length);
+  if (!curves.length) return;
+  const xs = curves.flatMap(c => c.x);
+  if (wanted?.[0] > 0) curves.push({ name: 'tolerance', x: [Math.min(...xs), Math.max(...xs)], y: [wanted[0], wanted[0]], line: true, dash: [4, 4] });
+  chart(root, `Error against ${what}`, withUnit(what, t.unitOf(what)), 'error', curves, { log: true });
+}
+
+/** Amplitudes of the harmonics of one quantity, along each of its axes. */
+function harmonicsChart(root, t) {
+  const quantity = t.named('quantity'), axes = t.named('axes'), unit = t.named('unit'), n = t.named('harmonic'), a = t.named('amplitude');
+  if (!quantity || !n || !a) return;
+  const all = grouped(quantity, t.kept), which = make('select', { 'aria-label': 'Quantity' }, ...all.map(([q], i) => make('option', { value: i }, q))), area = make('div');
+  root.append(make('div', { class: 'row' }, which), area);
+  const draw = () => {
+    emptied(area);
+    const [q, rows] = all[which.value], u = unit?.[rows[0]];
+    const curves = grouped(Array.isArray(axes) ? axes : null, t.kept).map(([axis, r]) => { const own = r.filter(i => quantity[i] === q); return { name: String(axis || q), x: own.map(i => n[i]), y: own.map(i => a[i]), stems: true, dots: true }; }).filter(c => c.x.length);
+    chart(area, `Amplitudes of ${q}; 0: the mean`, 'harmonic', withUnit('amplitude', u || ''), curves, { from0: true }).draw();
+  };
+  which.onchange = draw;
+  draw();
+}
+
+const tableCharts = {
+  study: (root, t) => errorChart(root, t, 'unknowns'),
+  study_ladder: (root, t) => { errorChart(root, t, 'cost'); errorChart(root, t, 'unknowns'); },
+  harmonics: harmonicsChart,
+  trim_history: (root, t) => { const x = t.column(0), some = ['periodicity', 'miss'].filter(n => t.named(n)); if (x.length > 1 && some.length) chart(root, 'What is left', withUnit(t.names[0], t.units[0]), 'part', some.map(n => ({ name: n, x, y: t.named(n), line: true, dots: true })), { logy: true }); },
+};
+
 function tablePanel(name) {
   return root => {
-    const t = table(name), u = t.named('unknowns'), e = t.named('error'), m = t.named('method') || t.named('level');
-    if (u && e && !Array.isArray(e)) {
-      const by = new Map();
-      u.forEach((_, i) => { const k = m ? m[i] : ''; (by.get(k) ?? by.set(k, []).get(k)).push(i); });
-      chart(root, 'Error against unknowns', 'unknowns', 'error', [...by].map(([k, r]) => ({ name: String(k), x: r.map(i => u[i]), y: r.map(i => e[i]), line: true, dots: true })), { log: true });
-    }
+    const t = table(name);
+    tableCharts[name]?.(root, t);
     // sections and their stresses have a mesh that can be seen
     const drawn = { stresses: t.named('place'), sections: t.named('section') ?? t.named('name') }[name], showOf = i => result.shows.find(s => s.name === `${name === 'stresses' ? 'stresses' : 'section'} ${drawn[i]}`);
-    root.append(...htmlTable(t, drawn && Array.isArray(drawn) ? { row: i => rowOf(showOf(i)) } : {}));
+    const onset = name === 'dynamic_stops' && t.named('onset'), toTime = i => ({ class: 'pick', tabindex: 0, title: 'Show its onset', onclick: () => clock.drag(onset[i]), onkeydown: e => e.key === 'Enter' && clock.drag(onset[i]) });
+    root.append(...htmlTable(t, drawn && Array.isArray(drawn) ? { row: i => rowOf(showOf(i)) } : onset ? { row: toTime } : {}));
   };
 }
 
@@ -279,7 +317,7 @@ export function build(all, of, show) {
   plots.length = 0; panels.length = 0;
   byId('panels').replaceChildren(); byId('tabs').replaceChildren();
   if (results.length > 1) panel('compare', comparePanel);
-  const title = { dynamic: 'histories', static: 'load steps', static_speeds: 'speeds', static_path: 'path' };
+  const title = { dynamic: 'histories', static: 'load steps', static_speeds: 'speeds', static_path: 'path' }, titles = { dynamic_stops: 'stops', study_ladder: 'ladder' };
   for (const name of ['dynamic', 'static', 'static_speeds', 'static_path']) if (table(name)?.rows > 1 && table(name).names.length > 1) panel(title[name], historyPanel(name));
   if (table('static')?.rows === 1 && table('static').names.length > 1) panel('static', valuesPanel);
   if (Object.keys(result.tables).some(n => /^modes(_|$)/.test(n))) panel('modes', modesPanel);
@@ -290,7 +328,7 @@ export function build(all, of, show) {
   if (table('dynamic_energy')?.rows > 1) panel('energy', energyPanel);
   if (table('dynamic_steps')?.rows > 1) panel('steps', stepsPanel);
   const shown = new Set(['dynamic', 'static', 'static_speeds', 'static_path', 'fan', 'floquet_speeds', 'floquet', 'dynamic_energy', 'dynamic_steps', 'summary']);
-  for (const name of Object.keys(result.tables)) if (!shown.has(name) && !/^modes(_|$)/.test(name) && table(name).rows) panel(name.replaceAll('_', ' '), tablePanel(name));
+  for (const name of Object.keys(result.tables)) if (!shown.has(name) && !/^modes(_|$)/.test(name) && table(name).rows) panel(titles[name] ?? name.replaceAll('_', ' '), tablePanel(name));
   if (result.used || S.show) panel('model', modelPanel);
   panel('messages', messagesPanel);
   for (const p of panels) { p.tab = make('button', { role: 'tab', 'aria-controls': p.root.id, onclick: () => open(p.name) }, p.name); byId('tabs').append(p.tab); }

@@ -29,7 +29,7 @@ export function timePlot(parent, title, x, xLabel, series, options = {}) {
   const hidden = new Set(), spans = [], dots = [];
   let plot;
   const me = {
-    root: holder, own: options.own,
+    root: holder, own: options.own, title, x, series,
     draw() {
       series.forEach((_, i) => (dots[i].style.background = colours()[i % 8]));
       plot?.destroy();
@@ -121,14 +121,14 @@ function rangeOfCurves(curves, fx, fy, options, w, h, [L, R, T, B]) {
   return [x0, x1, y0, y1];
 }
 
-/** Points and lines in a plane of two numbers: fan, locus, orbit, study. curves: {name, x, y, line, dots, pick, isNow, filled, say} */
+/** Points and lines in a plane of two numbers: fan, locus, orbit, study. curves: {name, x, y, line, dots, stems, pick, isNow, filled, say} */
 export function chart(parent, title, xLabel, yLabel, curves, options = {}) {
   const canvas = make('canvas', { class: 'chart', role: 'img', 'aria-label': title }), tip = make('div', { class: 'soft' }, '\u00a0');
   const legend = make('div', { class: 'values' });
   parent.append(make('h2', {}, title), canvas, curves.length > 1 && curves.length < 25 ? legend : '', tip);
-  const fy = a => options.log ? Math.log10(a) : a, fx = a => options.log || options.logx ? Math.log10(a) : a;
+  const logy = options.log || options.logy, fy = a => logy ? Math.log10(a) : a, fx = a => options.log || options.logx ? Math.log10(a) : a;
   let spots = [];
-  const me = { root: canvas, own: true, spots: () => spots, draw() {
+  const me = { root: canvas, own: true, title, curves, spots: () => spots, draw() {
     const w = canvas.clientWidth || 600, h = options.height || Math.min(420, Math.max(240, 0.6 * w)), r = devicePixelRatio || 1, L = 70, B = 40, T = 10, R = 14;
     canvas.width = w * r; canvas.height = h * r; canvas.style.height = h + 'px';
     const c = canvas.getContext('2d'); c.scale(r, r); c.font = '12px system-ui,"DejaVu Sans"';
@@ -139,7 +139,7 @@ export function chart(parent, title, xLabel, yLabel, curves, options = {}) {
     const stroke = (a, b, e, d) => { c.beginPath(); c.moveTo(a, b); c.lineTo(e, d); c.stroke(); };
     for (const v of (options.log || options.logx ? ticksOfDecades : ticks)(x0, x1, w / 90)) { stroke(X(v), T, X(v), h - B); c.fillText(short(options.log || options.logx ? 10 ** v : v, 4), X(v), h - B + 16); }
     c.textAlign = 'right';
-    for (const v of (options.log ? ticksOfDecades : ticks)(y0, y1, h / 50)) { stroke(L, Y(v), w - R, Y(v)); c.fillText(short(options.log ? 10 ** v : v, 4), L - 6, Y(v) + 4); }
+    for (const v of (logy ? ticksOfDecades : ticks)(y0, y1, h / 50)) { stroke(L, Y(v), w - R, Y(v)); c.fillText(short(logy ? 10 ** v : v, 4), L - 6, Y(v) + 4); }
     c.textAlign = 'center'; c.fillText(xLabel, (L + w - R) / 2, h - 6);
     c.save(); c.translate(13, (T + h - B) / 2); c.rotate(-Math.PI / 2); c.fillText(yLabel, 0, 0); c.restore();
     c.save(); c.beginPath(); c.rect(L, T, w - L - R, h - T - B); c.clip();
@@ -161,6 +161,7 @@ export function chart(parent, title, xLabel, yLabel, curves, options = {}) {
         c.stroke();
       }
       c.setLineDash([]);
+      if (k.stems) for (let i = 0; i < k.x.length; ++i) if (Number.isFinite(Y(fy(k.y[i])))) stroke(X(fx(k.x[i])), Y(Math.max(y0, Math.min(y1, 0))), X(fx(k.x[i])), Y(fy(k.y[i])));
       if (k.dots) for (let i = 0; i < k.x.length; ++i) {
         const a = X(fx(k.x[i])), b = Y(fy(k.y[i]));
         if (!Number.isFinite(a + b)) continue;
@@ -202,7 +203,7 @@ export function diskMap(parent, title, cells, unit, colourOf, step) {
   let low = Infinity, high = -Infinity, R = 0, near = null;
   for (const [, r, v] of cells) { low = Math.min(low, v); high = Math.max(high, v); R = Math.max(R, r); }
   if (!(high > low)) high = low + 1e-12 * (Math.abs(low) || 1);
-  const me = { root: canvas, own: true, draw() {
+  const me = { root: canvas, own: true, title, cells, draw() {
     const w = canvas.clientWidth || 600, h = Math.min(440, w), d = devicePixelRatio || 1, c = canvas.getContext('2d'), cx = h / 2, cy = h / 2, scale = (h / 2 - 26) / R;
     canvas.width = w * d; canvas.height = h * d; canvas.style.height = h + 'px'; c.scale(d, d); c.font = '12px system-ui,"DejaVu Sans"'; c.textAlign = 'center';
     near = e => { const r = canvas.getBoundingClientRect(), x = (e.clientX - r.left - cx) / scale, y = (e.clientY - r.top - cy) / scale; let best = null, least = (0.1 * R) ** 2; for (const cell of cells) { const a = cell[0] * Math.PI / 180, q = (cell[1] * Math.sin(a) - x) ** 2 + (cell[1] * Math.cos(a) - y) ** 2; if (q < least) { least = q; best = cell; } } return best; };

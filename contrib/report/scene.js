@@ -229,7 +229,8 @@ function orbits() {
     for (let i = 0; i < 48; ++i) lines.push(...at(s, 2 * Math.PI * i / 48), ...at(s, 2 * Math.PI * (i + 1) / 48));
     const tip = at(s, 0.25), u = z.subarray(12 * s, 12 * s + 6), area = Math.hypot(u[1] * u[5] - u[2] * u[4], u[2] * u[3] - u[0] * u[5], u[0] * u[4] - u[1] * u[3]);
     if (area < 0.02 * size * size) continue; // to and fro: no way round
-    for (const phi of [-0.05, -0.05]) { const back = at(s, phi), middle = mean.subarray(7 * s, 7 * s + 3); for (const k of [0.9, 1.1]) lines.push(...tip, ...back.map((x, i) => middle[i] + k * (x - middle[i]))); }
+    const back = at(s, -0.05), middle = mean.subarray(7 * s, 7 * s + 3);
+    for (const k of [0.9, 1.1]) lines.push(...tip, ...back.map((x, i) => middle[i] + k * (x - middle[i])));
   }
   view.setLines('orbits', lines, [...rgb(dark() ? '#ffb84d' : '#b86e00'), 1]);
 }

@@ -526,6 +526,8 @@ namespace samara
           sample.D        = H;
           sample.velocity = H * (twist.head<3>() + twist.tail<3>().cross(R * place));
           samples.push_back(sample);
+          if (!drawing.has_fields())
+            continue;
           disk.evaluate(place(0), place(1), phi.data());
           flow.push_back(others + near * std::inner_product(z.begin(), z.end(), phi.begin(), 0.));
         }
@@ -542,7 +544,9 @@ namespace samara
             lines.insert(lines.end(), {here, here + n_around + 1});
         }
     const unsigned int first = drawing.patch(1, samples, lines).first_sample;
-    Field             &field = drawing.field("inflow", "m/s");
+    if (!drawing.has_fields())
+      return;
+    Field &field = drawing.field("inflow", "m/s");
     for (unsigned int i = 0; i < flow.size(); ++i)
       field.set(first + i, flow[i]);
   }

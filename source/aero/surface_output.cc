@@ -172,18 +172,18 @@ namespace samara
 
   namespace
   {
-    /** NACA 0012 of chord one about its quarter, from the trailing edge round the nose; x from the leading edge. */
+    /** NACA 0012 about its quarter [m], from the trailing edge round the nose; x from the leading edge. */
     std::vector<Eigen::Vector2d>
-    outline_of_airfoil()
+    outline_of_airfoil(const double chord)
     {
       const double                 x[] = {1, 0.8, 0.6, 0.4, 0.2, 0.1, 0.03, 0};
       const double                 t[] = {0, 0.026, 0.0456, 0.058, 0.0574, 0.0468, 0.0288, 0};
-      std::vector<Eigen::Vector2d> unit;
+      std::vector<Eigen::Vector2d> outline;
       for (int i = 0; i < 8; ++i)
-        unit.push_back({0.25 - x[i], t[i]});
+        outline.emplace_back(chord * (0.25 - x[i]), chord * t[i]);
       for (int i = 6; i > 0; --i)
-        unit.push_back({0.25 - x[i], -t[i]});
-      return unit;
+        outline.emplace_back(chord * (0.25 - x[i]), -chord * t[i]);
+      return outline;
     }
 
 
@@ -204,9 +204,8 @@ namespace samara
   void
   Surface::draw(const State &state, Drawing &drawing) const
   {
-    const std::vector<Eigen::Vector2d>        unit = outline_of_airfoil();
     std::vector<Sample>                       axis;
-    std::vector<std::vector<Eigen::Vector2d>> outlines;
+    std::vector<double>                       chords;
     std::vector<std::array<double, 10>>       values;
     std::vector<std::array<double, 2>>        places;
     std::vector<std::array<Vector3, 2>>       loads; // lift and drag
@@ -226,19 +225,22 @@ namespace samara
             // rigidly enough attached to the nearer node, for who asks of which body it is
             sample.node = element.frames[std::max_element(station.N.begin(), station.N.end()) - station.N.begin()].node;
             axis.push_back(sample);
+            chords.push_back(station.section.chord);
+            if (!drawing.has_fields())
+              continue;
             loads.push_back(lift_and_drag(at));
             values.push_back(values_at_station(at.flow, at.induced));
             if (inflow != nullptr)
               places.push_back({{at.on_disk.head<2>().norm(), azimuth(at, g.frames.x.back())}});
-            outlines.push_back(unit);
-            for (auto &corner : outlines.back())
-              corner *= station.section.chord;
           }
       }
     if (axis.size() < 2)
       return;
     drawing.begin_object(name);
-    const unsigned int first     = drawing.tube(axis, outlines).first_sample;
+    const auto         outline = [&](const unsigned int i) { return outline_of_airfoil(chords[i]); };
+    const unsigned int first   = drawing.tube(axis, outline).first_sample;
+    if (!drawing.has_fields())
+      return;
     const auto         set_field = [&](const std::string &quantity, const std::string &unit, const auto &of_station) {
       Field &field = drawing.field(quantity, unit);
       for (unsigned int i = 0; i < axis.size(); ++i)

@@ -89,8 +89,11 @@ namespace samara
     const Eigen::VectorXcd     z = normalised(system, shape);
     if (z.size() == 0)
       return;
-    const auto at = [&](const std::complex<double> &factor) { return system.draw(moved_by(system, about, z, factor)); };
-    page.add_shape(what, system.draw(about), {{at(epsilon), at(-epsilon), at(i * epsilon), at(-i * epsilon)}}, epsilon);
+    const auto at = [&](const std::complex<double> &factor) {
+      return system.draw(moved_by(system, about, z, factor), Drawing::Content::places);
+    };
+    const auto mean = [&](const Drawing::Content content) { return system.draw(about, content); };
+    page.add_shape(what, mean, {{at(epsilon), at(-epsilon), at(i * epsilon), at(-i * epsilon)}}, epsilon);
   }
 
 

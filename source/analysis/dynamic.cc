@@ -70,12 +70,15 @@ namespace samara
                         const bool     is_on_page,
                         Output        &output) const
   {
-    Drawing drawing = context.system.draw(state);
+    std::optional<Drawing> whole;
+    if (is_picture)
+      whole = context.system.draw(state);
+    const auto draw = [&](const Drawing::Content content) { return context.system.draw(state, content); };
     if (is_on_page)
-      context.page->add("dynamic", state.time, drawing, is_end(state.time));
+      context.page->add("dynamic", state.time, whole ? ReportPage::of(*whole) : draw, is_end(state.time));
     if (is_picture)
       {
-        output.pictures->add(std::move(drawing), state.time);
+        output.pictures->add(std::move(*whole), state.time);
         output.next_picture += (end_time - start_time) / n_pictures;
       }
   }

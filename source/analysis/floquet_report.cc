@@ -333,19 +333,19 @@ namespace samara
     what.period = map.map.settings.period;
     what.turn   = std::arg(modes[k].multiplier);
     what.lambda = {modes[k].growth(), modes[k].frequency()};
+    if (!context.sweep.empty())
+      what.speed = context.speeds[0];
     for (unsigned int i = 0; i < images.size(); i += every)
       {
         const State &state = map.map.states()[i];
         const auto   at    = [&](const std::complex<double> &factor) {
           const Eigen::VectorXd x = (images[i] * factor).real();
-          return context.system.draw(moved(context.system, state, x.data()));
+          return context.system.draw(moved(context.system, state, x.data()), Drawing::Content::places);
         };
+        const auto mean = [&](const Drawing::Content content) { return context.system.draw(state, content); };
         const std::complex<double> turned(0, epsilon);
-        context.page->add_to_shape(what,
-                                   state.time,
-                                   context.system.draw(state),
-                                   {{at(epsilon), at(-epsilon), at(turned), at(-turned)}},
-                                   epsilon);
+        context.page->add_to_shape(
+          what, state.time, mean, {{at(epsilon), at(-epsilon), at(turned), at(-turned)}}, epsilon);
       }
   }
 

@@ -405,14 +405,14 @@ namespace samara
     const double      at         = context.sweep.empty() ? progress : context.speeds[0];
     const std::string series     = context.sweep.empty() ? "static" : "static_speeds";
     const bool        is_on_page = context.page != nullptr && context.page->wants(series);
-    if (is_on_page || pictures)
-      {
-        Drawing drawing = context.system.draw(reported);
-        if (is_on_page)
-          context.page->add(series, at, drawing);
-        if (pictures)
-          pictures->add(std::move(drawing), at);
-      }
+    std::optional<Drawing> whole;
+    if (pictures)
+      whole = context.system.draw(reported);
+    const auto draw = [&](const Drawing::Content content) { return context.system.draw(reported, content); };
+    if (is_on_page)
+      context.page->add(series, at, whole ? ReportPage::of(*whole) : draw);
+    if (pictures)
+      pictures->add(std::move(*whole), at);
     if (context.page != nullptr)
       context.page->watch("static, " + what);
   }

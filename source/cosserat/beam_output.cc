@@ -227,15 +227,15 @@ namespace samara
   void
   Beam::draw(const State &state, Drawing &drawing) const
   {
-    std::vector<Sample>                       axis;
-    std::vector<Local>                        known;
-    std::vector<std::vector<Eigen::Vector2d>> outlines;
-    std::size_t                               n_samples = 1;
+    std::vector<Sample> axis;
+    std::vector<Local>  known;
+    std::vector<double> along; // arc lengths as parts of the whole
+    std::size_t         n_samples = 1;
     for (const auto &cell : cells)
       n_samples += 2 * cell.degree;
     axis.reserve(n_samples);
     known.reserve(n_samples);
-    outlines.reserve(n_samples);
+    along.reserve(n_samples);
     for (const auto &cell : cells)
       for (unsigned int k = (&cell == &cells.front() ? 0 : 1); k <= 2 * cell.degree; ++k)
         {
@@ -243,12 +243,13 @@ namespace samara
           known.push_back(local(state, s));
           axis.push_back(known.back().sample);
           axis.back().spin = known.back().spin;
-          outlines.push_back(section->outline(s / curve->length()));
+          along.push_back(s / curve->length());
         }
     drawing.begin_object(name);
-    const unsigned int first = drawing.tube(axis, outlines).first_sample;
-    if (is_rigid)
-      return; // strains and section forces of a rigid beam are not known
+    const auto         outline = [&](const unsigned int i) { return section->outline(along[i]); };
+    const unsigned int first   = drawing.tube(axis, outline).first_sample;
+    if (is_rigid || !drawing.has_fields())
+      return; // of the first, strains and section forces of a rigid beam are not known
     Field &force     = drawing.field("section force", "N", inertial_axes);
     Field &moment    = drawing.field("section moment", "N m", inertial_axes);
     Field &strain    = drawing.field("strain", "1", section_axes);

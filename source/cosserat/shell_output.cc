@@ -388,7 +388,7 @@ namespace samara
         for (unsigned int k = 0; k < order.size(); ++k)
           samples[k] = drawing.sample(elements[i].frames[order[k]], state);
         const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
-        if (i < n_elements())
+        if (i < n_elements() && drawing.has_fields())
           {
             const Eigen::MatrixXd at_points = recovered_at_points(i, state),
                                   at_nodes  = at_points * to_nodes.transpose();

@@ -303,9 +303,12 @@ namespace samara
     for (unsigned int i = 0; i < n_elements(); ++i)
       {
         const Laminate       &laminate = laminates[laminate_of(i)];
-        const Eigen::MatrixXd at_nodes = recovered_at_nodes(i, state);
-        for (unsigned int k = 0; k < order.size(); ++k)
-          states[k] = plate_state(at_nodes.col(order[k]), laminate_of(i));
+        if (drawing.has_fields())
+          {
+            const Eigen::MatrixXd at_nodes = recovered_at_nodes(i, state);
+            for (unsigned int k = 0; k < order.size(); ++k)
+              states[k] = plate_state(at_nodes.col(order[k]), laminate_of(i));
+          }
         for (unsigned int l = 0; l < strengths[laminate_of(i)].size(); ++l)
           for (int side = -1; side <= 1; ++side)
             {
@@ -318,7 +321,7 @@ namespace samara
                   samples[k] = drawing.sample(at, state);
                 }
               const unsigned int first = drawing.grid(degree + 1, degree + 1, samples).first_sample;
-              for (unsigned int k = 0; k < order.size(); ++k)
+              for (unsigned int k = 0; k < order.size() && drawing.has_fields(); ++k)
                 {
                   SectionStresses::Extremes there;
                   there.add(strengths[laminate_of(i)][l], layer_stress(states[k], l, z));

@@ -177,6 +177,8 @@ namespace samara
   void
   Joint::draw_reaction(const State &state, const Sample &a, const unsigned int first, Drawing &drawing) const
   {
+    if (!drawing.has_fields())
+      return;
     for (const bool is_moment : {false, true})
       {
         Vector3 reaction = Vector3::Zero();

@@ -27,7 +27,7 @@ namespace samara
     unsigned int
     add_sample(Drawing &drawing, const Sample &sample)
     {
-      Assert(!drawing.objects.empty(), dealii::ExcMessage("Call begin_object() before drawing."));
+      Assert(drawing.n_objects() > 0, dealii::ExcMessage("Call begin_object() before drawing."));
       drawing.samples.push_back(sample);
       return drawing.samples.size() - 1;
     }
@@ -72,18 +72,29 @@ namespace samara
 
 
 
-    /** A closed surface through rings that turn counter-clockwise for who looks against the way they are stacked. */
+    /** Whether a tube of so many rings of @p n corners each is only counted: its sides, and strips of its two lids. */
+    bool
+    is_tube_left_out(Drawing &drawing, const std::size_t n_rings, const std::size_t n)
+    {
+      return drawing.leaves_out(n_rings * n, (n_rings - 1) * n + 2 * ((n - 1) / 2));
+    }
+
+
+
+    /**
+     * A closed surface through rings that turn counter-clockwise for who looks against the way they are stacked, of
+     * samples that are in the drawing.
+     */
     void
-    add_tube(Drawing &drawing, const std::vector<Sample> &samples, const std::vector<Ring> &rings)
+    add_tube(Drawing &drawing, const std::vector<unsigned int> &samples, const std::vector<Ring> &rings)
     {
       const unsigned int        n = rings[0].size();
       std::vector<unsigned int> first;
       first.reserve(rings.size());
-      reserve_more(drawing.samples, rings.size());
       reserve_more(drawing.corners, rings.size() * n);
       reserve_more(drawing.cells, rings.size() * n);
       for (unsigned int i = 0; i < rings.size(); ++i)
-        first.push_back(add_corners(drawing, add_sample(drawing, samples[i]), rings[i]));
+        first.push_back(add_corners(drawing, samples[i], rings[i]));
       for (unsigned int i = 0; i + 1 < rings.size(); ++i)
         for (unsigned int j = 0; j < n; ++j)
           {
@@ -121,6 +132,8 @@ namespace samara
     {
       const auto         cut = [n](const unsigned int i) { return std::tan(pi / 4 * (2. * i / n - 1)); };
       const unsigned int own = add_sample(drawing, sample);
+      if (drawing.leaves_out(6 * (n + 1) * (n + 1), 6 * n * n))
+        return;
       for (unsigned int axis = 0; axis < 3; ++axis)
         for (const double side : {-1., 1.})
           {
@@ -160,7 +173,41 @@ namespace samara
   void
   Drawing::begin_object(const std::string &name)
   {
-    objects.push_back(name);
+    if (has_corners())
+      objects.push_back(name);
+    else
+      ++objects_left_out;
+  }
+
+
+
+  Drawing
+  Drawing::only(const Content content) const
+  {
+    if (content == Content::everything)
+      return *this;
+    Drawing part(model, content);
+    part.samples          = samples;
+    part.items            = items;
+    part.corners_left_out = n_corners();
+    part.cells_left_out   = n_cells();
+    part.objects_left_out = n_objects();
+    if (part.has_fields())
+      for (const Field &field : fields)
+        part.fields.push_back(field);
+    return part;
+  }
+
+
+
+  bool
+  Drawing::leaves_out(const std::size_t n_corners, const std::size_t n_cells)
+  {
+    if (has_corners())
+      return false;
+    corners_left_out += n_corners;
+    cells_left_out += n_cells;
+    return true;
   }
 
 
@@ -186,7 +233,8 @@ namespace samara
   void
   Drawing::attach(const Frame &frame, const State &state)
   {
-    attachments.push_back(sample(frame, state));
+    if (has_corners())
+      attachments.push_back(sample(frame, state));
   }
 
 
@@ -197,18 +245,21 @@ namespace samara
                  const std::vector<unsigned int> &of_cells)
   {
     AssertIndexRange(dimension, 3);
-    const unsigned int n_corners = 1u << dimension, object = objects.size() - 1, first_corner = corners.size();
-    const Place        place = {static_cast<unsigned int>(samples.size()), static_cast<unsigned int>(cells.size())};
-    Assert(of_cells.size() % n_corners == 0, dealii::ExcMessage("The last cell of a patch is not complete."));
+    const unsigned int n_of_cell = 1u << dimension, object = n_objects() - 1, first_corner = corners.size();
+    const Place        place = {static_cast<unsigned int>(samples.size()), static_cast<unsigned int>(n_cells())};
+    Assert(of_cells.size() % n_of_cell == 0, dealii::ExcMessage("The last cell of a patch is not complete."));
     for (const Sample &sample : of_patch)
       {
         const unsigned int number = add_sample(*this, sample);
-        corners.push_back({sample.x, number, object});
+        if (has_corners())
+          corners.push_back({sample.x, number, object});
       }
-    for (unsigned int i = 0; i < of_cells.size(); i += n_corners)
+    if (leaves_out(of_patch.size(), of_cells.size() / n_of_cell))
+      return place;
+    for (unsigned int i = 0; i < of_cells.size(); i += n_of_cell)
       {
         Cell cell{dimension, {}};
-        for (unsigned int j = 0; j < n_corners; ++j)
+        for (unsigned int j = 0; j < n_of_cell; ++j)
           {
             AssertIndexRange(of_cells[i + j], of_patch.size());
             cell.corners[j] = first_corner + of_cells[i + j];
@@ -267,8 +318,31 @@ namespace samara
   Drawing::tube(const std::vector<Sample> &axis, const std::vector<std::vector<Eigen::Vector2d>> &outlines)
   {
     Assert(axis.size() == outlines.size(), dealii::ExcDimensionMismatch(outlines.size(), axis.size()));
+    return tube(axis, [&](const unsigned int i) { return outlines[i]; });
+  }
+
+
+
+  Drawing::Place
+  Drawing::tube(const std::vector<Sample>                                               &axis,
+                const std::function<std::vector<Eigen::Vector2d>(const unsigned int i)> &outline)
+  {
     AssertThrow(axis.size() >= 2, dealii::ExcMessage("A tube has two samples at least."));
-    const Place place = {static_cast<unsigned int>(samples.size()), static_cast<unsigned int>(cells.size())};
+    const Place               place = {static_cast<unsigned int>(samples.size()), static_cast<unsigned int>(n_cells())};
+    std::vector<unsigned int> own;
+    own.reserve(axis.size());
+    reserve_more(samples, axis.size());
+    for (const Sample &sample : axis)
+      own.push_back(add_sample(*this, sample));
+    if (!has_corners())
+      {
+        is_tube_left_out(*this, axis.size(), outline(0).size());
+        return place;
+      }
+    std::vector<std::vector<Eigen::Vector2d>> outlines;
+    outlines.reserve(axis.size());
+    for (unsigned int i = 0; i < axis.size(); ++i)
+      outlines.push_back(outline(i));
 
     // An outline at a pointed tip may have no area, so the sense of turning is that of all of them.
     double sense = 0;
@@ -289,7 +363,7 @@ namespace samara
           std::reverse(ring.begin(), ring.end());
         rings.push_back(std::move(ring));
       }
-    add_tube(*this, axis, rings);
+    add_tube(*this, own, rings);
     return place;
   }
 
@@ -299,9 +373,12 @@ namespace samara
   Drawing::cylinder(const Sample &centre, const unsigned int axis, const double radius, const double length)
   {
     AssertIndexRange(axis, 3);
+    const unsigned int own = add_sample(*this, centre);
+    if (is_tube_left_out(*this, 2, sides_of_cylinder))
+      return;
     const Vector3 direction = centre.D.col(axis), e = centre.D.col((axis + 1) % 3), f = centre.D.col((axis + 2) % 3);
     add_tube(*this,
-             {centre, centre},
+             {own, own},
              {circle(centre.x - length / 2 * direction, e, f, radius, sides_of_cylinder),
               circle(centre.x + length / 2 * direction, e, f, radius, sides_of_cylinder)});
   }
@@ -338,7 +415,10 @@ namespace samara
     Sample        a = from, b = to;
     a.D << direction, e, f;
     b.D = a.D;
-    add_tube(*this, {a, b}, {circle(a.x, e, f, radius, sides_of_bar), circle(b.x, e, f, radius, sides_of_bar)});
+    const std::vector<unsigned int> own = {add_sample(*this, a), add_sample(*this, b)};
+    if (is_tube_left_out(*this, 2, sides_of_bar))
+      return;
+    add_tube(*this, own, {circle(a.x, e, f, radius, sides_of_bar), circle(b.x, e, f, radius, sides_of_bar)});
   }
 
 

@@ -512,13 +512,13 @@ namespace samara
 
 
   Drawing
-  System::draw(const State &state) const
+  System::draw(const State &state, const Drawing::Content content) const
   {
-    Drawing drawing(&model);
+    Drawing drawing(&model, content);
     for (const auto &item : model.items)
       {
         item->draw(state, drawing);
-        drawing.items.resize(drawing.objects.size(), item.get());
+        drawing.items.resize(drawing.n_objects(), item.get());
       }
     return drawing;
   }

@@ -524,6 +524,8 @@ namespace samara
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       write_summary(input, context, seconds, double(std::clock() - processor_start) / CLOCKS_PER_SEC);
       run_verification_studies(options, input, context.folder, run, context.log);
+      if (const std::string text = context.page != nullptr ? context.page->cost_of_watching() : ""; !text.empty())
+        context.log.line(text);
       context.log.line("done in " + short_text(seconds) + " s; results are in " + context.folder);
       if (context.page != nullptr)
         context.page->write("done", "");

@@ -10,6 +10,13 @@ namespace samara
 {
   namespace
   {
+    /**
+     * How finely places of samples are known in the page at least, as parts of the model's size, and how finely what
+     * turns about them: half of these is lost, of a quaternion of four numbers four times as much, 2 √(4/4). Together a
+     * corner misses 5e-6 at most, and a place of a motion that leads far away is known as well as one at rest.
+     */
+    constexpr double place_known = 4e-6, turn_known = 1.5e-6;
+
     /** Diagonal of the box about all samples [m]. */
     double
     size_of(const std::vector<Sample> &samples)
@@ -71,6 +78,7 @@ namespace samara
   DrawnModel::DrawnModel(const Model &model, const Drawing &first, const Drawing &reference)
     : sample_object(first.samples.size(), 0)
     , names(first.objects)
+    , items(first.items)
     , n_cells(first.cells.size())
   {
     for (const auto &corner : first.corners)
@@ -103,8 +111,9 @@ namespace samara
   bool
   DrawnModel::fits(const Drawing &drawing) const
   {
-    return drawing.samples.size() == n_samples() && drawing.corners.size() == corner_sample.size() &&
-           drawing.cells.size() == n_cells && drawing.objects == names;
+    return drawing.samples.size() == n_samples() && drawing.n_corners() == corner_sample.size() &&
+           drawing.n_cells() == n_cells && drawing.n_objects() == n_objects() &&
+           (drawing.has_corners() ? drawing.objects == names : !items.empty() && drawing.items == items);
   }
 
 
@@ -203,6 +212,47 @@ namespace samara
         append(mean_b - R * mean_a, R, numbers);
       }
     return numbers;
+  }
+
+
+
+  double
+  DrawnModel::size() const
+  {
+    Vector3 low = Vector3::Constant(HUGE_VAL), high = -low;
+    for (std::size_t i = 0; i < corner_sample.size(); ++i)
+      {
+        const Sample &s = undeformed[corner_sample[i]];
+        const Vector3 x = s.x + s.D * Vector3(local[3 * i], local[3 * i + 1], local[3 * i + 2]);
+        low             = low.cwiseMin(x);
+        high            = high.cwiseMax(x);
+      }
+    return corner_sample.empty() ? 0. : (high - low).maxCoeff();
+  }
+
+
+
+  std::vector<float>
+  DrawnModel::steps_of_places() const
+  {
+    return std::vector<float>(3 * n_samples(), static_cast<float>(place_known * size()));
+  }
+
+
+
+  std::vector<float>
+  DrawnModel::steps_of_turns() const
+  {
+    std::vector<double> arm(n_samples(), 0.);
+    for (std::size_t i = 0; i < corner_sample.size(); ++i)
+      arm[corner_sample[i]] =
+        std::max(arm[corner_sample[i]], double(std::hypot(local[3 * i], local[3 * i + 1], local[3 * i + 2])));
+    std::vector<float> steps;
+    steps.reserve(4 * n_samples());
+    const double of_all = turn_known * size();
+    for (const double a : arm) // a quaternion that is off by δ turns by 2 |δ|
+      steps.insert(steps.end(), 4, static_cast<float>(a > of_all ? of_all / a : 1.));
+    return steps;
   }
 
 

@@ -1,8 +1,10 @@
+#include <samara/base/text.h>
 #include <samara/output/file.h>
 #include <samara/report/report_page.h>
 #include <samara/report/write_report.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -46,14 +48,17 @@ namespace samara
 
 
 
-    /** Velocity and angular velocity of samples that move, as fields; and those of the drawing. */
+    /**
+     * Velocity and angular velocity of samples, in a motion also where it begins at rest, as fields; and those of the
+     * drawing, which loses them.
+     */
     std::deque<Field>
-    fields_of(const Drawing &drawing)
+    fields_of(Drawing &drawing, const bool is_motion)
     {
       std::deque<Field> fields;
       const auto        add = [&](const char *name, const char *unit, Vector3 Sample::*vector) {
         Field &field = fields.emplace_back(name, unit, inertial_axes, false);
-        bool   moves = false;
+        bool   moves = is_motion;
         for (unsigned int s = 0; s < drawing.samples.size(); ++s)
           {
             field.set(s, Vector3(drawing.samples[s].*vector));
@@ -64,9 +69,9 @@ namespace samara
       };
       add("velocity", "m/s", &Sample::velocity);
       add("angular velocity", "rad/s", &Sample::spin);
-      for (const Field &field : drawing.fields)
+      for (Field &field : drawing.fields)
         if (!field.is_on_cells)
-          fields.push_back(field);
+          fields.push_back(std::move(field));
       return fields;
     }
 
@@ -125,7 +130,6 @@ namespace samara
     , is_too_large(settings.is_too_large || reference.corners.size() > most_corners)
     , reference(is_too_large ? Drawing() : std::move(reference))
     , log(log)
-    , next_writing(std::chrono::steady_clock::now())
   {
     if (settings.goes_on)
       {
@@ -174,10 +178,25 @@ namespace samara
     for (unsigned int i = 0; i < models.size(); ++i)
       if (models[i].fits(drawing))
         return i;
-    if (is_too_large || drawing.samples.empty() || models.size() == most_models)
+    if (is_too_large || drawing.samples.empty() || models.size() == most_models || !drawing.has_corners())
       return {};
     models.emplace_back(model, drawing, reference);
     return models.size() - 1;
+  }
+
+
+
+  ReportPage::Drawn
+  ReportPage::drawn(const Draw &draw, const Drawing::Content content)
+  {
+    if (is_too_large)
+      return {Drawing(), {}};
+    Drawing drawing = draw(content);
+    if (const auto which = model_of(drawing); which || models.size() == most_models)
+      return {std::move(drawing), which};
+    // the first of its kind: corners are needed once
+    const Drawing whole = draw(Drawing::Content::everything);
+    return {std::move(drawing), model_of(whole)};
   }
 
 
@@ -197,9 +216,9 @@ namespace samara
 
 
   void
-  ReportPage::add(const std::string &name, const double at, const Drawing &drawing, const bool last)
+  ReportPage::add(const std::string &name, const double at, const Draw &draw, const bool last)
   {
-    const auto which = model_of(drawing);
+    auto [drawing, which] = drawn(draw, Drawing::Content::samples);
     if (!which)
       return;
     Series &one = series_of(name, *which);
@@ -210,9 +229,12 @@ namespace samara
       }
     if (one.n_come++ % one.every != 0 && !last)
       return;
-    Picture picture{at, models[*which].motion(drawing), models[*which].rigid_motions(drawing), {}, fields_of(drawing)};
+    Picture picture{at, models[*which].motion(drawing), models[*which].rigid_motions(drawing), {}, fields_of(drawing, name == "dynamic")};
     if (!all_finite(picture.motion) || !all_finite(picture.rigid))
-      return;
+      {
+        ++one.n_not_finite;
+        return;
+      }
     const double bytes = 4. * (picture.motion.size() + picture.rigid.size() + n_numbers(picture.fields));
     one.pictures.push_back(std::move(picture));
     const std::size_t most = std::max(3., std::min(2. * settings.n_pictures + 1, most_in_memory / bytes));
@@ -258,9 +280,10 @@ namespace samara
 
 
   void
-  ReportPage::add_shape(const Shape &shape, const Drawing &mean, const Moved &moved, const double epsilon)
+  ReportPage::add_shape(const Shape &shape, const Draw &draw_mean, const Moved &moved, const double epsilon)
   {
-    const auto which = model_of(mean);
+    const auto [mean, drawn_model] = drawn(draw_mean, Drawing::Content::places);
+    const auto which               = drawn_model; // structured bindings cannot be captured
     if (!which || std::any_of(moved.begin(), moved.end(), [&](const Drawing &d) { return !models[*which].fits(d); }))
       return;
     const std::vector<float> parts = parts_of(moved, epsilon), where = models[*which].motion(mean);
@@ -274,13 +297,14 @@ namespace samara
 
 
   void
-  ReportPage::add_to_shape(const Shape   &shape,
-                           const double   at,
-                           const Drawing &mean,
-                           const Moved   &moved,
-                           const double   epsilon)
+  ReportPage::add_to_shape(const Shape &shape,
+                           const double at,
+                           const Draw  &draw_mean,
+                           const Moved &moved,
+                           const double epsilon)
   {
-    const auto which = model_of(mean);
+    const auto [mean, drawn_model] = drawn(draw_mean, Drawing::Content::places);
+    const auto which               = drawn_model;
     if (!which || std::any_of(moved.begin(), moved.end(), [&](const Drawing &d) { return !models[*which].fits(d); }))
       return;
     Series &one = series_of(shape.name, *which);
@@ -295,7 +319,11 @@ namespace samara
   bool
   ReportPage::is_due() const
   {
-    return settings.watch && std::chrono::steady_clock::now() >= next_writing;
+    if (!settings.watch)
+      return false;
+    // the clock of the processor costs more to read
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return pace.may_be_due(wall) && pace.is_due(WritingPace::Time::now());
   }
 
 
@@ -305,21 +333,24 @@ namespace samara
   {
     if (!is_due())
       return;
-    const auto begin = std::chrono::steady_clock::now();
+    const WritingPace::Time begin = WritingPace::Time::now();
     write_all("running", "", progress);
-    const auto end = std::chrono::steady_clock::now();
-    seconds        = std::chrono::duration<double>(end - begin).count();
-    next_writing   = end + std::chrono::microseconds(std::llround(1e6 * period()));
+    pace.wrote(begin, WritingPace::Time::now());
   }
 
 
 
-  double
-  ReportPage::period() const
+  std::string
+  ReportPage::cost_of_watching() const
   {
-    // a run gets longer by no more than a hundredth of its time
-    constexpr double times_longer = 100, least = 2;
-    return std::max(least, times_longer * seconds);
+    if (!settings.watch || pace.n == 0)
+      return "";
+    std::ostringstream text;
+    text << "the watched page was written " << pace.n
+         << " times while the run went on: " << number_to_text("%.3g", pace.spent) << " s of the processor, "
+         << number_to_text("%.2g", 100 * pace.spent / std::max(WritingPace::Time::now().processor, 1e-3))
+         << " % of the run's";
+    return text.str();
   }
 
 
@@ -339,7 +370,7 @@ namespace samara
     std::string head =
       "{\"state\":" + json_text(state) + ",\"message\":" + json_text(message) + ",\"progress\":" + json_text(progress);
     if (state == "running") // equal runs leave equal data behind
-      head += ",\"written\":" + std::to_string(std::time(nullptr)) + ",\"period\":" + json_number(period());
+      head += ",\"written\":" + std::to_string(std::time(nullptr)) + ",\"period\":" + json_number(pace.period());
     head += ",\"earlier\":" + earlier_tables() + "," + json(stream) + "}";
     write_report_data(settings.folder, head, stream);
     replace_file(settings.folder + "/run.log", log_before + log.text() + (message.empty() ? "" : message + "\n"));
@@ -351,7 +382,10 @@ namespace samara
   ReportPage::write_all(const std::string &state, const std::string &message, const std::string &progress)
   {
     write_data(state, message, progress);
-    write_report({settings.folder}, settings.folder + "/report.html", state == "running");
+    write_report({settings.folder},
+                 settings.folder + "/report.html",
+                 state == "running",
+                 settings.watch ? &tables : nullptr);
   }
 
 
@@ -438,6 +472,7 @@ namespace samara
   ReportPage::json_of_fields(const Series                    &one,
                              const std::vector<unsigned int> &kept,
                              const Detail                     detail,
+                             std::vector<std::string>        &partly_known,
                              ArrayStream                     &stream) const
   {
     std::string text;
@@ -455,7 +490,10 @@ namespace samara
             if (other.name == field.name && other.components == field.components)
               of_pictures.push_back(&other);
         if (of_pictures.size() != kept.size())
-          continue;
+          {
+            partly_known.push_back(field.name);
+            continue;
+          }
         std::vector<std::uint32_t> known;
         for (unsigned int s = 0; s < models[one.model].n_samples(); ++s)
           if (std::all_of(of_pictures.begin(), of_pictures.end(), [&](const Field *f) {
@@ -482,6 +520,9 @@ namespace samara
               if (is_size)
                 values.push_back(static_cast<float>(std::sqrt(squares)));
             }
+        const bool is_still = std::all_of(values.begin(), values.end(), [](const float x) { return x == 0; });
+        if (is_still && (field.name == "velocity" || field.name == "angular velocity"))
+          continue;
         std::string components;
         for (const auto &name : field.components)
           if (!is_size)
@@ -539,12 +580,18 @@ namespace samara
                          ", and of the first " + std::to_string(few_fields) + " of them" :
                          std::string()) +
                       ", so that the page stays small; <Output / Report fields = all> keeps all components");
-    const std::string fields = json_of_fields(one, kept, detail, stream);
+    std::vector<std::string> partly_known;
+    const std::string        fields = json_of_fields(one, kept, detail, partly_known, stream);
+    if (!partly_known.empty())
+      notes.push_back(one.name + ": not shown, since not known in all pictures: " + join(partly_known, ", "));
+    if (one.n_not_finite > 0)
+      notes.push_back(one.name + ": " + std::to_string(one.n_not_finite) +
+                      " pictures have places that are no finite numbers and are not shown");
     return "{\"name\":" + json_text(one.name) + ",\"kind\":\"" + (one.shape ? "floquet" : "frames") +
            "\",\"model\":" + std::to_string(one.model) + (one.shape ? "," + json_of(*one.shape) : std::string()) +
            ",\"times\":" + stream.add(times, {times.size()}) +
-           ",\"places\":" + stream.add_packed(places, kept.size(), 3 * n) +
-           ",\"turns\":" + stream.add_packed(turns, kept.size(), 4 * n) +
+           ",\"places\":" + stream.add_packed(places, kept.size(), 3 * n, models[one.model].steps_of_places()) +
+           ",\"turns\":" + stream.add_packed(turns, kept.size(), 4 * n, models[one.model].steps_of_turns()) +
            ",\"rigid\":" + stream.add(rigid, {kept.size(), n_objects, 7}) +
            (one.shape ? ",\"parts\":" + stream.add_packed(shape, kept.size(), 12 * n) : std::string()) +
            ",\"fields\":[" + fields + "]}";

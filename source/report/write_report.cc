@@ -155,13 +155,19 @@ namespace samara
 
     /** {"dynamic":{...},...}, and how many there are. */
     std::string
-    tables_of(const std::vector<fs::path> &files, const bool is_live, ArrayStream &stream, std::size_t &n_tables)
+    tables_of(const std::vector<fs::path> &files,
+              const bool                   is_live,
+              GrowingTables *const         growing,
+              ArrayStream                 &stream,
+              std::size_t                 &n_tables)
     {
       std::string text;
       for (const auto &file : files)
         {
           const std::string name  = file.stem().string();
-          const CsvColumns  table = CsvColumns::read(file.string());
+          const bool is_kept      = growing != nullptr && name.compare(0, 7, "dynamic") == 0; // others are written anew
+          const CsvColumns  own   = is_kept ? CsvColumns() : CsvColumns::read(file.string());
+          const CsvColumns &table = is_kept ? growing->read(file.string()) : own;
           if (table.columns.empty())
             continue;
           // sums of energies and sizes of steps are looked at, not looked up
@@ -178,7 +184,7 @@ namespace samara
 
 
     std::string
-    result_of(const std::string &folder, const bool is_live, Page &page)
+    result_of(const std::string &folder, const bool is_live, GrowingTables *const growing, Page &page)
     {
       ArrayStream                stream;
       std::size_t                n_tables = 0;
@@ -193,8 +199,8 @@ namespace samara
       for (auto file = first; file != files.end(); ++file)
         not_shown += (not_shown.empty() ? "" : ",") + json_text(file->filename().string());
       files.erase(first, files.end());
-      const std::string tables = tables_of(files, is_live, stream, n_tables), used = content_of(folder + "/used.prm"),
-                        log = content_of(folder + "/run.log");
+      const std::string tables = tables_of(files, is_live, growing, stream, n_tables),
+                        used = content_of(folder + "/used.prm"), log = content_of(folder + "/run.log");
       if (drawings == "[]" && n_tables == 0 && used.empty())
         throw InputError("samara: there are no results in " + folder + ". --report wants folders of results.");
       const std::string name = fs::weakly_canonical(folder).filename().string();
@@ -207,12 +213,15 @@ namespace samara
 
 
   void
-  write_report(const std::vector<std::string> &folders, const std::string &file, const bool is_live)
+  write_report(const std::vector<std::string> &folders,
+               const std::string              &file,
+               const bool                      is_live,
+               GrowingTables *const            growing)
   {
     Page        page;
     std::string head = std::string("{\"version\":1,\"live\":") + (is_live ? "true" : "false") + ",\"results\":[";
     for (const auto &folder : folders)
-      head += (&folder == &folders.front() ? "" : ",") + result_of(folder, is_live, page);
+      head += (&folder == &folders.front() ? "" : ",") + result_of(folder, is_live, growing, page);
     head += "]}";
     std::string data;
     for (std::size_t i = 0; i < page.streams.size(); ++i)

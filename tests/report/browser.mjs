@@ -137,14 +137,47 @@ const printed = page => page.evaluate(() => {
   return found;
 });
 
-/** Every point of the chart of frequencies that has a drawing is clicked; what is shown then. */
-const clicked = page => page.evaluate(() => {
-  const { plots, S, panels } = window.page, root = panels.find(p => p.name === 'fan').root, chart = plots.find(p => p.spots && root.contains(p.root)), r = chart.root.getBoundingClientRect(), out = [];
-  for (const [x, y, curve, i] of chart.spots().slice()) {
+/** What an open panel has: tables with all their cells, numbers of charts and maps, and what of these is to be seen. */
+const contents = (page, name) => page.evaluate(name => {
+  const { panels, plots } = window.page, root = panels.find(p => p.name === name).root, finite = a => Array.from(a, v => Number.isFinite(v) ? v : null);
+  const copied = canvas => { const c = document.createElement('canvas'); c.width = canvas.width; c.height = canvas.height; const x = c.getContext('2d', { willReadFrequently: true }); x.drawImage(canvas, 0, 0); return x; };
+  /** Of the points of a chart, how many are there with the colour of their curve. */
+  const seen = q => { const c = copied(q.root), r = devicePixelRatio || 1; let n = 0; for (const [x, y] of q.spots()) { const d = c.getImageData(Math.round(x * r) - 2, Math.round(y * r) - 2, 5, 5).data; for (let i = 0; i < d.length; i += 4) if (d[i + 3] > 200 && Math.max(d[i], d[i + 1], d[i + 2]) - Math.min(d[i], d[i + 1], d[i + 2]) > 60) { ++n; break; } } return n; };
+  const ink = canvas => { const d = copied(canvas).getImageData(0, 0, canvas.width, canvas.height).data; let n = 0; for (let i = 0; i < d.length; i += 4) if (d[i + 3] > 200 && Math.max(d[i], d[i + 1], d[i + 2]) - Math.min(d[i], d[i + 1], d[i + 2]) > 40) ++n; return n / (canvas.width * canvas.height); };
+  return {
+    tables: [...root.querySelectorAll('table')].map(t => ({ head: [...t.querySelectorAll('thead th')].map(e => e.textContent), rows: [...t.querySelectorAll('tbody tr')].map(r => [...r.children].map(c => c.dataset.value ?? c.textContent)) })),
+    charts: plots.filter(q => root.contains(q.root)).map(q => ({ title: q.title, curves: q.curves?.map(c => ({ name: c.name, x: finite(c.x), y: finite(c.y) })), series: q.series?.map(s => s.name), cells: q.cells?.slice(0, 20000), n: q.spots?.().length, seen: q.spots ? seen(q) : undefined, ink: ink(q.root.tagName === 'CANVAS' ? q.root : q.root.querySelector('canvas')) })),
+    marks: [...root.querySelectorAll('mark')].map(e => e.textContent), choices: [...root.querySelectorAll('select')].map(s => [...s.options].map(o => o.textContent)),
+  };
+}, name);
+
+/** Every choice of the first list of a panel, one after the other. */
+const choices = async (page, name) => {
+  const n = await page.evaluate(name => { const s = window.page.panels.find(p => p.name === name).root.querySelector('select'); return s ? s.options.length : 0; }, name), out = [];
+  for (let i = 0; i < Math.min(n, 12); ++i) {
+    await page.evaluate(([name, i]) => { const s = window.page.panels.find(p => p.name === name).root.querySelector('select'); s.selectedIndex = i; s.dispatchEvent(new Event('change')); }, [name, i]);
+    out.push((await contents(page, name)).charts);
+  }
+  return out;
+};
+
+/** Rows of stops show their onset: the time of all plots after a click on each. */
+const onsets = page => page.evaluate(() => {
+  const { panels, plots, open } = window.page, rows = [...panels.find(p => p.name === 'stops').root.querySelectorAll('tr.pick')], out = [];
+  open('histories');
+  for (const row of rows.slice(0, 20)) { row.click(); out.push([row.children[1].dataset.value, document.querySelector('#panel-histories output')?.dataset.at, window.page.S.show?.times?.[window.page.S.frame]]); }
+  open('stops');
+  return out;
+});
+
+/** Every point of the charts of frequencies, growth and root locus that has a drawing is clicked; what is shown then. */
+const clicked = (page, name) => page.evaluate(name => {
+  const { plots, S, panels } = window.page, root = panels.find(p => p.name === name).root, out = [], charts = plots.filter(p => p.spots && root.contains(p.root));
+  for (const [number, chart] of charts.entries()) for (const [x, y, curve, i] of chart.spots().slice()) {
     chart.root.scrollIntoView();
     const b = chart.root.getBoundingClientRect();
     chart.root.dispatchEvent(new MouseEvent('click', { clientX: b.left + x, clientY: b.top + y, bubbles: true }));
-    if (S.show.kind === 'shape') out.push({ speed: S.show.speed, number: S.show.number, growth: S.show.growth, imaginary: S.show.imaginary });
+    if (S.show.kind !== 'frames') out.push({ chart: number, name: S.show.name, speed: S.show.speed, number: S.show.number, growth: S.show.growth, imaginary: S.show.imaginary });
   }
   window.page.play(false);
   // and each row by its own key
@@ -152,7 +185,7 @@ const clicked = page => page.evaluate(() => {
   const rows = [...root.querySelectorAll('tr.pick')].map(row => { row.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true })); return { cells: [...row.querySelectorAll('td')].map(td => td.dataset.value ?? td.textContent), growth: S.show.growth, imaginary: S.show.imaginary, speed: S.show.speed, number: S.show.number, row: [+row.children[speeds].dataset.value, +row.children[modes].dataset.value] }; });
   window.page.play(false);
   return { out, rows };
-});
+}, name);
 
 /** Every panel, motion and mode by keys alone. */
 async function byKeys(page) {
@@ -218,7 +251,7 @@ const all = [];
 for (const file of files) {
   const context = await browser.newContext({ viewport: { width: 1500, height: 900 }, colorScheme: 'light' }), page = await context.newPage();
   page.setDefaultTimeout(120000); // drawing by software, on a busy machine
-  const said = [], requests = [], found = { file, name: basename(dirname(resolve(file))) };
+  const said = [], requests = [], found = { file, name: basename(dirname(resolve(file))), contents: {}, choices: {} };
   page.on('console', m => ['error', 'warning'].includes(m.type()) && !/GPU stall|swiftshader/i.test(m.text()) && said.push(m.text()));
   page.on('pageerror', e => said.push('uncaught: ' + e.message));
   page.on('request', r => !r.url().startsWith('blob:') && requests.push(r.url().slice(0, 60)));
@@ -250,8 +283,9 @@ for (const file of files) {
   found.whirls = await whirls(page);
   found.tracked = await tracked(page);
   found.stresses = await page.evaluate(() => { const { result, fieldsOf, rangeOf } = window.page, show = result.shows.find(s => s.name.startsWith('stresses ')), f = show && fieldsOf(show).find(x => x.name === 'von_Mises_stress'); return f ? { name: show.name, unit: f.unit, largest: rangeOf(show, f, -1)[1] } : null; });
-  if (found.panels.includes('fan')) { await page.evaluate(() => window.page.open('fan')); await page.waitForTimeout(100); found.clicked = await clicked(page); await shot('fan'); found.along2 = await along2(page, 30); }
-  for (const name of found.panels) { await page.evaluate(n => window.page.open(n), name); await page.waitForTimeout(60); await shot('panel_' + name.replace(/\W/g, '_')); }
+  if (found.panels.includes('fan')) { await page.evaluate(() => window.page.open('fan')); await page.waitForTimeout(100); found.clicked = await clicked(page, 'fan'); await shot('fan'); found.along2 = await along2(page, 30); }
+  if (found.panels.includes('stability')) { await page.evaluate(() => window.page.open('stability')); await page.waitForTimeout(100); found.clicked = await clicked(page, 'stability'); }
+  for (const name of found.panels) { await page.evaluate(n => window.page.open(n), name); await page.waitForTimeout(60); await shot('panel_' + name.replace(/\W/g, '_')); found.contents[name] = await contents(page, name); if (/harmonics|rotor maps/.test(name)) found.choices[name] = await choices(page, name); if (name === 'stops') found.onsets = await onsets(page); }
   if (found.panels.includes('compare')) found.differ = await page.evaluate(() => [...document.querySelectorAll('#differ tbody tr')].map(r => [...r.children].map(c => c.textContent)));
   if (found.panels.includes('messages')) found.messages = await page.evaluate(() => document.getElementById('panel-messages').textContent);
   found.keys = await byKeys(page);

@@ -1,8 +1,8 @@
 /*
  * Problem:   a shaft in two bearings, one of them above the other, that is bent by a load and turned about the line
- *            between them; the same held in one place only
+ *            between them; the same held in one place only; drawings of samples alone, of all kinds of items
  * Reference: its ends, which the rigid motion takes to where they are: a bent shaft stays in its bearings when its bend
- * is magnified; the triad of the one place
+ * is magnified; the triad of the one place; whole drawings of the same states
  */
 
 #include <samara/report/drawn_model.h>
@@ -88,4 +88,84 @@ TEST(ReportDrawings, BentShaftStaysInItsBearings)
     }
   EXPECT_EQ(2u, ends.size());
   EXPECT_GT(largest, 0.2);
+}
+
+
+
+/** Kinds with shapes of their own: beams, shells with layers, wings, inflows, bodies, springs, contacts, curves. */
+TEST(ReportDrawings, SamplesAloneAreThoseOfWholeDrawings)
+{
+  unsigned int n_fields = 0;
+  for (const std::string name : {"rotorcraft/tail_rotor_transmission",
+                                 "rotorcraft/flapping_rotor",
+                                 "examples/shells/laminate",
+                                 "examples/spring",
+                                 "examples/springs_in_fixed_axes",
+                                 "examples/distance",
+                                 "examples/rolling_disc",
+                                 "examples/rolling_ball",
+                                 "examples/knife_edge",
+                                 "examples/ball_on_plane",
+                                 "examples/ellipsoid_on_plane",
+                                 "examples/point_on_curve",
+                                 "examples/sliding_point",
+                                 "examples/flexible_joint",
+                                 "examples/trapeze",
+                                 "examples/in_plane",
+                                 "examples/prismatic",
+                                 "examples/universal",
+                                 "examples/spherical"})
+    {
+      SCOPED_TRACE(name);
+      Scene         scene("prm/" + name + ".prm");
+      const State   state = scene.system.reference();
+      const Drawing whole = scene.system.draw(state);
+      ASSERT_GT(whole.corners.size(), 0u);
+      const DrawnModel model(scene.system.model, whole, whole);
+      for (const auto content : {Drawing::Content::samples, Drawing::Content::places})
+        for (const Drawing &part : {scene.system.draw(state, content), whole.only(content)})
+          {
+            EXPECT_TRUE(part.corners.empty() && part.cells.empty() && part.objects.empty() && part.attachments.empty());
+            EXPECT_EQ(whole.corners.size(), part.n_corners());
+            EXPECT_EQ(whole.cells.size(), part.n_cells());
+            EXPECT_EQ(whole.objects.size(), part.n_objects());
+            EXPECT_EQ(whole.items, part.items);
+            EXPECT_TRUE(model.fits(part));
+            EXPECT_EQ(model.motion(whole), model.motion(part));
+            EXPECT_EQ(model.rigid_motions(whole), model.rigid_motions(part));
+            if (content == Drawing::Content::places)
+              continue;
+            ASSERT_EQ(whole.fields.size(), part.fields.size());
+            for (unsigned int f = 0; f < whole.fields.size(); ++f)
+              {
+                const Field &a = whole.fields[f], &b = part.fields[f];
+                EXPECT_EQ(a.name, b.name);
+                ASSERT_EQ(a.end(), b.end());
+                for (unsigned int s = 0; s < a.end(); ++s)
+                  for (unsigned int d = 0; d < a.n_components(); ++d)
+                    EXPECT_TRUE(a(s, d) == b(s, d) || (std::isnan(a(s, d)) && std::isnan(b(s, d))));
+                ++n_fields;
+              }
+          }
+    }
+  EXPECT_GT(n_fields, 60u);
+}
+
+
+
+/** Two meshes of as many points are two models: drawings that no items have made are told apart by their names. */
+TEST(ReportDrawings, DrawingsWithoutItemsAreToldApartByName)
+{
+  const auto drawn = [](const std::string &name, const double size) {
+    Drawing drawing;
+    drawing.begin_object(name);
+    drawing.box(Sample(), Vector3::Constant(size));
+    return drawing;
+  };
+  const Model      none;
+  const Drawing    one = drawn("one", 1), other = drawn("other", 2);
+  const DrawnModel model(none, one, Drawing());
+  EXPECT_TRUE(model.fits(one));
+  EXPECT_FALSE(model.fits(other));
+  EXPECT_FALSE(model.fits(other.only(Drawing::Content::samples)));
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <deque>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,21 @@ namespace samara
    */
   struct Drawing
   {
+    /**
+     * What is kept of what is drawn. A motion on a page has the corners, cells and names of its first picture: of the
+     * others samples do. Items draw alike whatever is kept, so that drawings of one model have equal counts.
+     */
+    enum class Content
+    {
+      everything,
+      samples, ///< with fields at them; of corners, cells and objects their numbers
+      places   ///< the same without fields, for differences of two drawings
+    };
+
     /** @p model: for sample(); the others do without. */
-    explicit Drawing(const Model *model = nullptr)
+    explicit Drawing(const Model *model = nullptr, const Content content = Content::everything)
       : model(model)
+      , content(content)
     {}
 
     struct Corner
@@ -74,6 +87,46 @@ namespace samara
 
     /** Where joints hold bodies: not drawn. What moves rigidly with a body is seen from there. */
     std::vector<Sample> attachments;
+
+    /** How many there are, kept or not. @{ */
+    std::size_t
+    n_corners() const
+    {
+      return corners.size() + corners_left_out;
+    }
+
+    std::size_t
+    n_cells() const
+    {
+      return cells.size() + cells_left_out;
+    }
+
+    std::size_t
+    n_objects() const
+    {
+      return objects.size() + objects_left_out;
+    }
+    /** @} */
+
+    /** Whether names, corners and cells are kept. */
+    bool
+    has_corners() const
+    {
+      return content == Content::everything;
+    }
+
+    /** Whether fields are kept; who needs long to evaluate one asks. */
+    bool
+    has_fields() const
+    {
+      return content != Content::places;
+    }
+
+    /** What a drawing with this content would have kept of this one. */
+    Drawing only(Content content) const;
+
+    /** Count corners and cells that are not kept; whether that is so, and they need not be made. */
+    bool leaves_out(std::size_t n_corners, std::size_t n_cells);
 
     /** Everything drawn from now on belongs to this object. */
     void begin_object(const std::string &name);
@@ -109,6 +162,10 @@ namespace samara
      */
     Place tube(const std::vector<Sample> &axis, const std::vector<std::vector<Eigen::Vector2d>> &outlines);
 
+    /** The same with an outline asked for only where corners are kept; of the first its number of points counts. */
+    Place tube(const std::vector<Sample>                                               &axis,
+               const std::function<std::vector<Eigen::Vector2d>(const unsigned int i)> &outline);
+
     /** A closed cylinder about the sample's axis @p axis (0, 1, 2), centred at the sample [m]. */
     void cylinder(const Sample &centre, unsigned int axis, double radius, double length);
     void sphere(const Sample &centre, double radius);
@@ -132,6 +189,8 @@ namespace samara
 
   private:
     const Model *model;
+    Content      content;
+    std::size_t  corners_left_out = 0, cells_left_out = 0, objects_left_out = 0;
   };
 
 

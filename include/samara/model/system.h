@@ -145,8 +145,8 @@ namespace samara
     /** The velocities that the user gives nodes at the start are added to the state's. */
     void add_initial_velocities(State &state) const;
 
-    /** A picture of the model. */
-    Drawing draw(const State &state) const;
+    /** A picture of the model, or what of it differs from one to the next. */
+    Drawing draw(const State &state, Drawing::Content content = Drawing::Content::everything) const;
 
     /**
      * Forces and constraints, r = Bᵀσ + Gᵀλ − loads − ad*_y(M y), g, with the stress given; the last six entries are

@@ -20,10 +20,10 @@ namespace samara
   class DrawnModel
   {
   public:
-    /** @p reference: the undeformed model, drawn alike if it has as many samples and corners. */
+    /** @p first with corners. @p reference: the undeformed model, drawn alike if it has as many samples and corners. */
     DrawnModel(const Model &model, const Drawing &first, const Drawing &reference);
 
-    /** Whether a drawing shows the same objects with the same samples, corners and cells. */
+    /** Whether a drawing shows the same objects with as many samples, corners and cells. */
     bool fits(const Drawing &drawing) const;
 
     std::size_t
@@ -44,6 +44,14 @@ namespace samara
     /** Of each object x, y, z [m] and the quaternion of its rigid motion since the reference: X ↦ x + R X. */
     std::vector<float> rigid_motions(const Drawing &drawing) const;
 
+    /** Largest side of the box about the undeformed model [m]. */
+    double size() const;
+
+    /** Of each number of motion(), places [m] and quaternions [1], the largest step in which a page may count it. @{ */
+    std::vector<float> steps_of_places() const;
+    std::vector<float> steps_of_turns() const;
+    /** @} */
+
     /** JSON; the arrays go into the stream. */
     std::string json(ArrayStream &stream) const;
 
@@ -51,6 +59,7 @@ namespace samara
     std::vector<float>         local; ///< three numbers a corner [m]
     std::vector<std::uint32_t> corner_sample, sample_object, quadrilaterals, lines;
     std::vector<std::string>   names, subsections, kinds;
+    std::vector<const Item *>  items;    ///< that drew the objects, for drawings without names
     std::vector<int>           carriers; ///< of each sample: the object whose rigid motion it takes part in, −1: none
     std::size_t                n_cells;
     std::vector<Sample>        undeformed;

@@ -2,13 +2,15 @@
 #define samara_report_report_page_h
 
 #include <samara/base/log.h>
+#include <samara/report/csv_columns.h>
 #include <samara/report/drawn_model.h>
+#include <samara/report/writing_pace.h>
 
 #include <array>
-#include <chrono>
 #include <complex>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -42,12 +44,29 @@ namespace samara
 
     const Settings settings;
 
+    /** Draws a state; the page asks for no more than it has not yet. */
+    using Draw = std::function<Drawing(Drawing::Content)>;
+
+    /** What of a whole drawing is asked for. */
+    static Draw
+    of(const Drawing &whole)
+    {
+      return [&whole](const Drawing::Content content) { return whole.only(content); };
+    }
+
     /**
      * A picture of a series: "dynamic", "static". Of too many every second one is kept. @p at: s, or a load factor. A
      * drawing with other objects than those before in its series is left out, which the page says. The @p last one is
      * kept.
      */
-    void add(const std::string &series, double at, const Drawing &drawing, bool last = false);
+    void add(const std::string &series, double at, const Draw &draw, bool last = false);
+
+    /** The same of what is drawn already. */
+    void
+    add(const std::string &series, const double at, const Drawing &drawing)
+    {
+      add(series, at, of(drawing));
+    }
 
     /** Before anything is computed: what is in the folder then is of an earlier run, which the page does not show. A
      * run that is killed leaves behind that it has not ended. */
@@ -78,12 +97,13 @@ namespace samara
     /** A drawing of the state moved by ± ε times the real part of the shape, and by ∓ ε times its imaginary part. */
     using Moved = std::array<Drawing, 4>;
 
-    /** A shape about @p mean, at the phase φ by cos φ (moved[0] − moved[1])/2ε + sin φ (moved[2] − moved[3])/2ε. */
-    void add_shape(const Shape &shape, const Drawing &mean, const Moved &moved, double epsilon);
+    /** A shape about the state that @p mean draws, at the phase φ by cos φ (moved[0] − moved[1])/2ε + sin φ (moved[2] −
+     * moved[3])/2ε. */
+    void add_shape(const Shape &shape, const Draw &mean, const Moved &moved, double epsilon);
 
     /** The same of Floquet, whose parts go along with the motion: one call a picture, in the order of time @p at [s].
      */
-    void add_to_shape(const Shape &shape, double at, const Drawing &mean, const Moved &moved, double epsilon);
+    void add_to_shape(const Shape &shape, double at, const Draw &mean, const Moved &moved, double epsilon);
 
     /** Whether there is room for so many shapes more, of samples as many as the reference has; if not, the page says
      * so. */
@@ -98,6 +118,9 @@ namespace samara
     /** Data, messages and the page. @p state: "done", "stopped", "failed"; @p message: of the last two. */
     void write(const std::string &state, const std::string &message);
 
+    /** How often a watched page was written while the run went on, and what part of its time that took; "" if not. */
+    std::string cost_of_watching() const;
+
   private:
     struct Picture
     {
@@ -111,7 +134,7 @@ namespace samara
       std::string          name;
       unsigned int         model;      ///< number of what is drawn
       std::size_t          every  = 1; ///< of the pictures that come, one is kept
-      std::size_t          n_come = 0, n_other = 0;
+      std::size_t          n_come = 0, n_other = 0, n_not_finite = 0;
       std::optional<Shape> shape;
       std::vector<Picture> pictures;
     };
@@ -130,16 +153,13 @@ namespace samara
     std::deque<DrawnModel>                                   models;
     std::vector<Series>                                      series;
     std::vector<StillShape>                                  shapes;
-    std::vector<std::pair<unsigned int, std::vector<float>>> means; ///< what is drawn, and where it is
-    std::chrono::steady_clock::time_point                    next_writing;
-    double                                                   seconds    = 0; ///< that the last writing took
+    std::vector<std::pair<unsigned int, std::vector<float>>> means;          ///< what is drawn, and where it is
+    WritingPace                                              pace;           ///< of a page that is watched
+    GrowingTables                                            tables;         ///< of that
     unsigned int                                             n_left_out = 0; ///< shapes for which there was no room
     std::string                                              log_before;     ///< of the run that this one goes on from
 
     std::optional<std::filesystem::file_time_type> beginning; ///< of the run; of one that goes on none
-
-    /** From one writing to the next while it is watched [s]. */
-    double period() const;
 
     /** JSON: names of the tables in the folder that are older than the run. */
     std::string earlier_tables() const;
@@ -156,13 +176,23 @@ namespace samara
     Detail detail_of(const Series &one) const;
     double bytes_of_picture(const Series &one, Detail detail) const;
 
+    /** What is drawn, and the number of its model; none if there are too many models. */
+    struct Drawn
+    {
+      Drawing                     drawing;
+      std::optional<unsigned int> model;
+    };
+    Drawn                       drawn(const Draw &draw, Drawing::Content content);
     std::optional<unsigned int> model_of(const Drawing &drawing);
     Series                     &series_of(const std::string &name, unsigned int model);
     std::string                 json(ArrayStream &stream) const;
     std::string                 json(const Series &one, ArrayStream &stream, std::vector<std::string> &notes) const;
-    std::string
-    json_of_fields(const Series &one, const std::vector<unsigned int> &kept, Detail detail, ArrayStream &stream) const;
-    std::vector<unsigned int> pictures_kept(const Series &one, Detail detail) const;
+    std::string                 json_of_fields(const Series                    &one,
+                                               const std::vector<unsigned int> &kept,
+                                               Detail                           detail,
+                                               std::vector<std::string>        &partly_known,
+                                               ArrayStream                     &stream) const;
+    std::vector<unsigned int>   pictures_kept(const Series &one, Detail detail) const;
     void write_all(const std::string &state, const std::string &message, const std::string &progress);
   };
 } // namespace samara

@@ -2,6 +2,7 @@
 #define samara_report_write_report_h
 
 #include <samara/report/array_stream.h>
+#include <samara/report/csv_columns.h>
 
 #include <string>
 #include <vector>
@@ -19,10 +20,15 @@ namespace samara
    *
    * Tables of an earlier run of the same folder are not shown, as far as report.data says which these are.
    *
+   * Who writes the page of one run again and again keeps the histories that it has read in @p growing.
+   *
    * A page @p is_live loads itself again while it is open. The file takes the place of the old one when it is complete.
    * @throws CannotWrite; InputError if a folder has none of these files
    */
-  void write_report(const std::vector<std::string> &folders, const std::string &file, bool is_live = false);
+  void write_report(const std::vector<std::string> &folders,
+                    const std::string              &file,
+                    bool                            is_live = false,
+                    GrowingTables                  *growing = nullptr);
 
   /** FOLDER/report.data: a line that says what it is, one of JSON, and the stream. */
   void write_report_data(const std::string &folder, const std::string &json, const ArrayStream &stream);
