@@ -165,7 +165,8 @@ function stepsPanel(root) {
   t.names.forEach((n, i) => {
     if (!i || t.isText(i)) return;
     const y = t.column(i), isSize = /step|error|size|estimate/.test(n), positive = y.some(v => v > 0);
-    if (!y.some(v => v !== y[0] && Number.isFinite(v))) { if (Number.isFinite(y[0])) root.append(make('p', {}, `${withUnit(n, t.units[i])}: ${short(y[0], 6)} always`)); return; }
+    if (!y.some(v => Math.abs(v - y[0]) > 1e-6 * Math.abs(y[0]))) // but for round-off of times
+      { if (Number.isFinite(y[0])) root.append(make('p', {}, `${withUnit(n, t.units[i])}: ${short(y[0], 6)} always`)); return; }
     timePlot(root, withUnit(n, t.units[i]), x, 'time [s]', [{ name: n, y: isSize && positive ? Array.from(y, v => v > 0 ? v : null) : y }], { height: 130, log: isSize && positive });
   });
 }

@@ -19,7 +19,9 @@ export const clock = { now: 0, drag: () => {}, stop: () => {} };
 function ticksOfLog(u, i, low, high) {
   const a = Math.ceil(Math.log10(low) - 1e-9), b = Math.floor(Math.log10(high) + 1e-9), k = Math.max(1, Math.ceil((b - a) / 6)), out = [];
   for (let e = a; e <= b; e += k) out.push(10 ** e);
-  return out;
+  // of less than two decades parts, too
+  if (out.length < 2) for (let e = a - 1; e <= b; ++e) for (const m of [1, 2, 5]) if (m > 1 || e < a) out.push(m * 10 ** e);
+  return out.filter(v => v >= low * (1 - 1e-9) && v <= high * (1 + 1e-9)).sort((p, q) => p - q);
 }
 
 /** Series {name, y} over x, all of one unit; own: x is no time of the run. */
