@@ -22,7 +22,7 @@ from outline import render
 from program import LIMIT, Run
 from flown import Mirror, Rotor, compare_rotors
 from shells import Sheller, edged_mechanism, shelled_mechanism
-from surfaces import compare_panels, compare_sections, judge_section, panel, section, spoilt_mesh
+from surfaces import compare_panels, compare_sections, judge_section, panel, round_off, section, spoilt_mesh
 from touching import Group, Toucher, pressed_mechanism, rough_touching, touching_mechanism
 from world import World
 
@@ -228,7 +228,7 @@ class SectionTrial(Trial):
         second = Run(program, thing.text(self.world, self.angle, self.place))
         self.code, self.seconds = first.code, first.seconds + second.seconds
         return [*judges.outcome(first), *judges.outcome(second), *judge_section(first), *judge_section(second),
-                *compare_sections(first, second, self.world, self.angle, self.place, 1e-6)]
+                *compare_sections(first, second, self.world, self.angle, self.place, min(1e-5, max(1e-6, round_off(thing))))]
 
 
 class MeshTrial(Trial):
