@@ -345,41 +345,37 @@ namespace samara
 
 
 
-  namespace
+  std::string
+  what_moves(const System &system, const Eigen::VectorXd &z)
   {
-    /** "<blade>, <hub> move, most of all blade at (0, 0, 1), rotation 2" */
-    std::string
-    what_moves(const System &system, const Eigen::VectorXd &z)
-    {
-      const double                  length = model_length(system.model);
-      std::map<std::string, double> share;
-      double                        whole = 0, most = 0;
-      int                           unknown = 0;
-      const auto                    look    = [&](const int i, const std::string &name) {
-        const double move = z(i) / system.layout.scale_of(i, length);
-        share[name] += move * move;
-        whole += move * move;
-        if (std::abs(move) > most)
-          {
-            most    = std::abs(move);
-            unknown = i;
-          }
-      };
-      for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
-        for (int i = 0; i < 6; ++i)
-          look(system.layout.of_node(node) + i, system.model.nodes[node].name);
-      std::vector<std::pair<double, std::string>> sorted;
-      for (const auto &[name, s] : share)
-        sorted.emplace_back(s, name);
-      std::sort(sorted.rbegin(), sorted.rend());
-      std::string text;
-      for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
-        if (sorted[k].first > 0.02 * whole)
-          text += (text.empty() ? "<" : ", <") + sorted[k].second + ">";
-      const bool is_one = text.find(',') == std::string::npos;
-      return text + (is_one ? " moves, most of all " : " move, most of all ") + system.layout.name_of(unknown);
-    }
-  } // namespace
+    const double                  length = model_length(system.model);
+    std::map<std::string, double> share;
+    double                        whole = 0, most = 0;
+    int                           unknown = 0;
+    const auto                    look    = [&](const int i, const std::string &name) {
+      const double move = z(i) / system.layout.scale_of(i, length);
+      share[name] += move * move;
+      whole += move * move;
+      if (std::abs(move) > most)
+        {
+          most    = std::abs(move);
+          unknown = i;
+        }
+    };
+    for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
+      for (int i = 0; i < 6; ++i)
+        look(system.layout.of_node(node) + i, system.model.nodes[node].name);
+    std::vector<std::pair<double, std::string>> sorted;
+    for (const auto &[name, s] : share)
+      sorted.emplace_back(s, name);
+    std::sort(sorted.rbegin(), sorted.rend());
+    std::string text;
+    for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
+      if (sorted[k].first > 0.02 * whole)
+        text += (text.empty() ? "<" : ", <") + sorted[k].second + ">";
+    const bool is_one = text.find(',') == std::string::npos;
+    return text + (is_one ? " moves, most of all " : " move, most of all ") + system.layout.name_of(unknown);
+  }
 
 
 

@@ -36,6 +36,24 @@ namespace samara
         columns.emplace_back(probe.name, probe.unit);
       return columns;
     }
+
+    /** What moves in the motion that the factors of a nearly singular tangent resist least: that which any load
+     * excites. */
+    std::string
+    softest_motion(const System &system, const LinearSolver &solver)
+    {
+      Eigen::VectorXd z(system.size());
+      for (int i = 0; i < z.size(); ++i)
+        z(i) = std::cos(1. + 2. * i * i); // a load in all directions that nothing in a model is orthogonal to
+      for (int pass = 0; pass < 2; ++pass)
+        {
+          solver.solve(z.data());
+          if (!z.allFinite() || z.isZero(0))
+            return "something moves";
+          z /= z.lpNorm<Eigen::Infinity>();
+        }
+      return what_moves(system, z);
+    }
   } // namespace
 
 
@@ -243,9 +261,12 @@ namespace samara
     const double condition = solver->reciprocal_condition();
     // below round-off: where it is merely small, as of slender beams, nothing is wrong
     if (condition < 1e-17)
-      context.log.warning("static",
-                          "the tangent matrix is nearly singular (reciprocal condition number " +
-                            short_text(condition) + "): is a motion free, or a stability limit near?");
+      context.log.warning(
+        "static",
+        "the tangent matrix is nearly singular (reciprocal condition number " + short_text(condition) +
+          "): " + softest_motion(context.system, *solver) +
+          " against hardly any force. Is this motion free, for want of a joint or a spring that holds "
+          "it, or is a stability limit near?");
   }
 
 

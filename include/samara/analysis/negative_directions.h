@@ -51,6 +51,10 @@ namespace samara
    * pivots are counted, or nothing is done.
    */
   NegativeDirections negative_directions(const System &system, const State &state, const LinearSolver *large = nullptr);
+
+  /** "<blade>, <hub> move, most of all blade at (0, 0, 1), rotation 2", of increments @p z of twists and coordinates
+   * [m, rad]. */
+  std::string what_moves(const System &system, const Eigen::VectorXd &z);
 } // namespace samara
 
 #endif
