@@ -1,7 +1,7 @@
 #include <samara/report/writing_pace.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace samara
 {
@@ -10,8 +10,18 @@ namespace samara
   {
     if (n == 0)
       return true;
-    const double next = next_cost() + growth * (now.processor - last_asks);
-    return now.wall >= last.wall + least_period && spent - first + next <= share * now.processor;
+    return now.wall >= last.wall + least_period && spent - first + next_cost(now.processor) <= share * now.processor;
+  }
+
+
+
+  double
+  WritingPace::next_cost(const double processor) const
+  {
+    constexpr double first_page_is_empty = 20, most_growth = 2;
+    if (n == 1)
+      return first_page_is_empty * cost;
+    return std::min(cost + growth * (processor - last_asks), most_growth * cost);
   }
 
 
@@ -38,11 +48,11 @@ namespace samara
   double
   WritingPace::period() const
   {
-    constexpr double longest = 86400; // of costs that grow too fast nothing can be said
+    constexpr double longest = 86400;
     if (n == 0)
       return least_period;
-    // share t = spent - first + cost + growth (t - last_asks)
-    const double at = growth < share ? (spent - first + next_cost() - growth * last_asks) / (share - growth) : HUGE_VAL,
+    // share t = spent - first + cost of the next, which is no more than that long after the last
+    const double at               = (spent - first + next_cost(std::numeric_limits<double>::max())) / share,
                  walls_per_second = last.processor > 0 ? std::max(1., (last.wall - begun) / last.processor) : 1.;
     return std::clamp((at - last.processor) * walls_per_second, least_period, longest);
   }

@@ -9,10 +9,12 @@ namespace samara
   /**
    * When the page of a run that goes on is written again: as often as its writing takes no more than a hundredth of the
    * run's processor time until then, and at most every two seconds. A page costs the more the more there is to show. So
-   * the cost of the next one is that of the last one, and as much more as it grew from the one before, as time goes on.
-   * The first page, written at once, has nothing in it yet: the second is taken to cost ten times as much.
+   * the cost of the next one is that of the last one, and as much more as it grew from the one before, as time goes on,
+   * but twice that of the last at most: what a page shows is bounded. The first page, written at once, has nothing in
+   * it yet: the second is taken to cost twenty times as much.
    *
-   * The share is kept, not hoped for: what has been spent is counted. Only the first page comes for nothing.
+   * The share is kept, not hoped for: what has been spent is counted, and a page that cost more than expected delays
+   * the next. Only the first page comes for nothing.
    */
   class WritingPace
   {
@@ -57,11 +59,8 @@ namespace samara
     double last_asks = 0; ///< processor time at which that was begun [s]
     double begun     = 0; ///< on the wall: the first one [s]
 
-    double
-    next_cost() const
-    {
-      return n == 1 ? 10 * cost : cost;
-    }
+    /** Of the next page, at most, at this time of the processor. */
+    double next_cost(double processor) const;
   };
 } // namespace samara
 
