@@ -449,6 +449,10 @@ namespace samara
             text +=
               "\n  What only a contact or a stop holds has no stiffness before that is pressed: draw it pressed in by a "
               "little (<Overlap = allowed> of groups), hold it by a weak spring, or let a damped motion come to rest";
+          if (text.find("static analysis") == 0 && !counts.redundant.empty())
+            text += "\n  " + counts.redundancy_text() +
+                    "\n  Constraints that agree as drawn may lock what moves on, as three parallel revolutes a plate that "
+                    "tilts: give a joint of the loop more freedom then (spherical or cylindrical instead of revolute)";
           if (counts.n_free_motions == 0 || text.find("static analysis") != 0 ||
               text.find("finite") != std::string::npos)
             throw NotConverged(text);
