@@ -41,3 +41,17 @@ def draw_errors(column, label, runs, options):
         figure.supxlabel("\n".join(lines[:18]), fontsize=7, color="#b22", x=0.01, ha="left")
     legend(ax)
     return figure
+
+
+def draw_costs(runs, options):
+    """Errors against what a member costs: the column of study.csv that the ladder of the study has as its cost, else the time."""
+    ladder = runs[0].folder / "study_ladder.csv"
+    column = "time [s]"
+    if ladder.exists() and "cost" in (costs := texts(ladder)).columns:  # with a unit it is the time
+        rows = texts(runs[0].folder / "study.csv").set_index(["method", "member"])
+        chosen = [(numbers(costs["cost"])[i], (level, member)) for i, (level, member) in enumerate(zip(costs["level"], costs["member"]))]
+        for name in "unknowns", "steps", "iterations":
+            if all(np.isnan(cost) or cost == float(rows.loc[[at], name].iloc[0]) for cost, at in chosen if at in rows.index):
+                column = name
+                break
+    return draw_errors(column, f"cost: {column}" if column != "time [s]" else "time to solution, of one processor [s]", runs, options)

@@ -128,9 +128,13 @@ def colour_bar(figure, drawn, ax, label, **more):
     bar.locator = plt.MaxNLocator(4)
 
 
+TITLE_LETTERS = 136  # that fit into an inch, times their size in points: letters are half as wide as high
+
+
 def save(figure, path, options):
     """Powers of ten stand in the labels, not at the corners of the panels."""
-    title = [part for line in figure._suptitle.get_text().split("\n") for part in textwrap.wrap(line, int(17 * options.width))]
+    fitting = int(TITLE_LETTERS / figure._suptitle.get_fontsize() * options.width)
+    title = [part for line in figure._suptitle.get_text().split("\n") for part in textwrap.wrap(line, fitting)]
     figure.suptitle("" if options.no_title else "\n".join(title))
     figure.draw_without_rendering()
     for axis in (axis for ax in figure.axes for axis in (ax.xaxis, ax.yaxis)):
