@@ -38,7 +38,7 @@ namespace samara
       try
         {
           // Names are looked up here: a model is not complete while its file is read.
-          const Frame   point = context.system.model.resolved(context.system.model.frame(about));
+          const Frame   point = context.system.model.frame(about);
           const Vector3 d     = last.centre - point.position(context.state.q.data());
           last.inertia -= last.mass * skew(d) * skew(d); // Steiner
         }

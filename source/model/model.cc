@@ -395,12 +395,12 @@ namespace samara
 
 
   std::function<FrameMotion(const State &)>
-  Model::motion_of(const Frame &given) const
+  Model::motion_of(const Frame &frame) const
   {
-    const Frame   frame = resolved(given);
-    const Node   &node  = nodes[frame.node];
-    const Vector3 x     = node.x + node.D * frame.arm;
-    const Matrix3 D     = node.D * frame.rotation;
+    Assert(!kept_as.empty(), dealii::ExcMessage("motion_of() before close()"));
+    const Node   &node = nodes[frame.node];
+    const Vector3 x    = node.x + node.D * frame.arm;
+    const Matrix3 D    = node.D * frame.rotation;
     return [frame, x, D](const State &state) { return FrameMotion::of(frame, x, D, state); };
   }
 
