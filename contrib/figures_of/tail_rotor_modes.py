@@ -27,7 +27,7 @@ def section(name, **entries):
 
 
 def blades(mass, tip):
-    return section("blade", Mass=mass) + ["Bodies/tip mass 1/Mass = %s kg" % tip]
+    return section("blade", Mass=mass) + ["Subsystems/blade/Bodies/tip mass/Mass = %s kg" % tip]
 
 
 def flexible_blades():

@@ -120,7 +120,7 @@ def open_questions():
         ("unbalance in the other plane", ["Sections/shaft/Mass centre = 0, 1 mm"]),
         ("shafts of one bending stiffness", ["Sections/shaft/EI2 = 27.2 kN*m^2", "Sections/shaft/EI3 = 27.2 kN*m^2"]),
         ("brackets flexible", [f"Bodies/{b}/Rigid = false" for b in ALL_BEAMS[4:]]),
-        ("blades flexible", [f"Bodies/blade {i}/Rigid = false" for i in (1, 2, 3, 4)]),
+        ("blades flexible", [f"Bodies/blade {i}:blade/Rigid = false" for i in (1, 2, 3, 4)]),
         ("dampers of the couplings 10 times as large", ["Joints/coupling 1/Damping = (5, 1000, 1000) N*s/m", "Joints/coupling 1/Rotational damping = (100, 0.1, 0.1) N*m*s/rad"]),
         ("torque up to 23.4 instead of 24 N m", ["Joints/S/rotation/Moment = t < 1 ? 0 : t < 2 ? 11.7*(1 - cos(2*pi*t)) : 0 N*m"]),
         ("torque up to 26 N m", ["Joints/S/rotation/Moment = t < 1 ? 0 : t < 2 ? 13*(1 - cos(2*pi*t)) : 0 N*m"]),

@@ -29,8 +29,8 @@ FEW = [6, 8, 12, 18, 24, 36, 60, 120]
 
 
 def at_speed(speed):
-    """Lines that make the angle of a shaft a function of time."""
-    return f"subsection Joints\n subsection shaft\n  subsection rotation\n   set Prescribed = {speed}*t\n  end\n end\nend\n"
+    """Lines that make the angle of the shaft of a hub a function of time."""
+    return f"subsection Subsystems\n subsection hub\n  set Drive = prescribed\n  set Angle = {speed}*t\n end\nend\n"
 
 
 def as_gauss_turns(stages, steps):
@@ -60,13 +60,13 @@ MODELS = {
     "rod": Model("tests/reference/rotation/turning_rod.prm", "An elastic rod turns, 30 rad/s", "2*pi/30", 10,
                  {"rod.start.force 1": "root force"}, "Dynamic/Spectral radius = 1", stages=(1, 2, 3)),
     "hover": Model("prm/rotorcraft/xv15_hover_elastic.prm", "XV-15 in hover, elastic blades", "2*pi/(tip/R)", 4,
-                   {"flow.thrust": "thrust", "flow.torque": "torque", "blade 1.end.displacement z": "displacement of the tip"},
+                   {"hub:flow.thrust": "thrust", "hub:flow.torque": "torque", "blade 1:blade.end.displacement z": "displacement of the tip"},
                    more=at_speed("tip/R")),
     "air": Model("prm/rotorcraft/xv15_hover_elastic.prm", "XV-15, no inflow, speed as Gauss turns", "2*pi/(tip/R)", 4,
-                 {"shaft.moment 3": "torque", "blade 1.start.force 1": "root force along the blade",
-                  "blade 1.start.force 3": "root force along the shaft"},
-                 *(f"Surfaces/blade {k}/Inflow =" for k in (1, 2, 3)),
-                 "Output/Probes = shaft.moment 3, blade 1.start.force 1, blade 1.start.force 3", more=at_speed("GAUSS*tip/R")),
+                 {"hub:shaft.moment 3": "torque", "blade 1:blade.start.force 1": "root force along the blade",
+                  "blade 1:blade.start.force 3": "root force along the shaft"},
+                 "Subsystems/blade/Surfaces/blade/Inflow =",
+                 "Output/Probes = hub:shaft.moment 3, blade 1:blade.start.force 1, blade 1:blade.start.force 3", more=at_speed("GAUSS*tip/R")),
     "puma_in_vacuum": Model("prm/rotorcraft/puma.prm", "SA 330 in vacuum", "2*pi/Omega", 4,
                             {"blade 1:blade.start.force 1": "root force", "blade 1:pitch link.force": "force of a pitch link",
                              "blade 1:blade.end.displacement z": "displacement of the tip"}),
@@ -83,10 +83,10 @@ MODELS = {
                      {"fuselage.start.moment 2": "moment in the fuselage", "shaft 1.middle.moment 2": "moment in the shaft",
                       "H.rotation rate": "speed of the rotor"}, steps=[12, 18, 24, 36, 60, 120]),
     "turbine": Model("prm/rotorcraft/nrel_5mw.prm", "NREL 5 MW, steady wind", "2*pi/Omega", 4,
-                     {"flow.thrust": "thrust", "flow.torque": "torque", "blade 1.end.displacement x": "displacement of the tip"},
+                     {"flow.thrust": "thrust", "flow.torque": "torque", "blade 1:blade.end.displacement x": "displacement of the tip"},
                      more=at_speed("Omega")),
     "turbine_in_shear": Model("prm/rotorcraft/nrel_5mw_shear.prm", "NREL 5 MW, sheared wind and weight", "2*pi/Omega", 3,
-                              {"flow.thrust": "thrust", "flow.torque": "torque", "blade 1.end.displacement x": "displacement of the tip"}),
+                              {"flow.thrust": "thrust", "flow.torque": "torque", "blade 1:blade.end.displacement x": "displacement of the tip"}),
     "tilting": Model("prm/examples/aero/tilting_rotors.prm", "Rotors that tilt, 5 s", "2*pi/Omega", 32,
                      {"flow left.thrust": "thrust", "flow left.torque": "torque"}, steps=[12, 18, 24, 30, 60, 120]),
 }

@@ -21,15 +21,15 @@ AIRFOILS = "X25 root", "X25", "X18", "X12", "X08"
 THRUST = 0.004, 0.006, 0.008, 0.010, 0.012  # C_T of the tables
 ANGLES = np.arange(-3, 16.1, 1.9)  # collective at 0.75 R [deg]
 RADIUS, TIP_SPEED, DENSITY, SOLIDITY = 3.81, 769.4 * 0.3048, 1.225, 0.089
-MASS_FLOW, PRANDTL = "Aerodynamics/flow/Mass flow = first state", "Aerodynamics/flow/Tip loss = Prandtl"
+MASS_FLOW, PRANDTL = "Subsystems/hub/Aerodynamics/flow/Mass flow = first state", "Subsystems/hub/Aerodynamics/flow/Tip loss = Prandtl"
 
 
 def shapes(harmonics, power):
-    return [f"Aerodynamics/flow/Harmonics = {harmonics}", f"Aerodynamics/flow/Power = {power}"]
+    return [f"Subsystems/hub/Aerodynamics/flow/Harmonics = {harmonics}", f"Subsystems/hub/Aerodynamics/flow/Power = {power}"]
 
 
 def blades(entry):
-    return [f"Surfaces/blade 1/{entry}"]
+    return [f"Subsystems/blade/Surfaces/blade/{entry}"]
 
 
 LADDER = {
@@ -104,12 +104,12 @@ def polars_of(folder, change):
 def run(angle, entries):
     """C_T, C_P, its induced and its profile part; None where there is no hover."""
     entries = [f"Constants/theta75 = {angle} deg", *shapes(0, 8), *entries,
-               "Output/Probes = flow.thrust, flow.power, flow.induced power, flow.profile power"]
+               "Output/Probes = hub:flow.thrust, hub:flow.power, hub:flow.induced power, hub:flow.profile power"]
     model = "xv15_hover_elastic.prm" if "elastic" in entries else "xv15_hover.prm"
     done = Run("rotorcraft/" + model, *(e for e in entries if e != "elastic"), may_fail=True)
     if done.code:
         return None
-    row = [done.static[f"flow.{name}"][-1] for name in ("thrust", "power", "induced power", "profile power")]
+    row = [done.static[f"hub:flow.{name}"][-1] for name in ("thrust", "power", "induced power", "profile power")]
     unit = DENSITY * np.pi * RADIUS**2 * TIP_SPEED**2
     return [row[0] / unit] + [x / (unit * TIP_SPEED) for x in row[1:]]
 

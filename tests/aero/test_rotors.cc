@@ -550,7 +550,7 @@ TEST(AnnularInflow, WindTurbineAgainstAnotherCode)
                   {set("wind", row.wind, " m/s"),
                    set("Omega", row.speed, "*2*pi/60"),
                    set("pitch", row.pitch, " deg"),
-                   "Sections/blade/File = " + data + "blade.csv, " + data + "torsion_stiff.csv"});
+                   "Sections/blade of the report/File = " + data + "blade.csv, " + data + "torsion_stiff.csv"});
       scene.equilibrium();
       EXPECT_NEAR(scene.value("flow.thrust") / 1e3, row.thrust, 0.0305 * row.thrust) << row.wind;
       EXPECT_NEAR(-scene.value("flow.torque") / 1e3, row.torque, 0.03 * row.torque) << row.wind;

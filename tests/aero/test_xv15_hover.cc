@@ -68,7 +68,7 @@ TEST(XV15, PowerInHover)
     {
       Scene scene("prm/rotorcraft/xv15_hover.prm", {"Constants/theta75 = " + number_to_text(angle) + " deg"});
       scene.equilibrium();
-      const double T = scene.value("flow.thrust"), P = scene.value("flow.power"), C_T = T / (rho * area * tip * tip),
+      const double T = scene.value("hub:flow.thrust"), P = scene.value("hub:flow.power"), C_T = T / (rho * area * tip * tip),
                    C_P = P / (rho * area * tip * tip * tip);
       EXPECT_GT(C_T, last + 0.001);
       last                      = C_T;
@@ -77,10 +77,10 @@ TEST(XV15, PowerInHover)
       EXPECT_LT(C_P, 1.03 * std::max(oarf, wright_field)) << C_T;
       EXPECT_GT(C_P, 0.97 * std::min(oarf, wright_field)) << C_T;
       EXPECT_NEAR(C_P, oarf, 0.05 * oarf) << C_T;
-      EXPECT_NEAR(scene.value("flow.figure of merit"), std::pow(C_T, 1.5) / (std::sqrt(2.) * C_P), 1e-9);
+      EXPECT_NEAR(scene.value("hub:flow.figure of merit"), std::pow(C_T, 1.5) / (std::sqrt(2.) * C_P), 1e-9);
       // the rest is what the couple of coned blades takes, which turn about themselves
       const double spin = tip / R, couple = 3 * power_of_coning(R, spin);
-      EXPECT_NEAR(P - scene.value("flow.induced power") - scene.value("flow.profile power"), couple, 0.02 * couple);
+      EXPECT_NEAR(P - scene.value("hub:flow.induced power") - scene.value("hub:flow.profile power"), couple, 0.02 * couple);
     }
   EXPECT_GT(last, 0.01);
 }

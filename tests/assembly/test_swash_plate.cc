@@ -83,14 +83,14 @@ namespace
 TEST(SwashPlate, PitchFollowsFromGeometry)
 {
   Scene scene("prm/rotorcraft/swash_plate.prm", {"Dynamic/End time = 0.12"});
-  EXPECT_TRUE(scene.input.assembled && scene.input.assembled->has_moved()); // links are drawn 2 mm too low
+  EXPECT_TRUE(scene.input.assembled && scene.input.assembled->has_moved()); // scissors are drawn millimetres off
   double       worst = 0, largest = 0, smallest = 0;
   unsigned int n_steps  = 0;
   auto        &dynamics = scene.analysis<DynamicAnalysis>();
   dynamics.observer     = [&](const State &state) {
     const auto   value = [&](const std::string &probe) { return scene.input.model.probe(probe).value(state); };
-    const double psi = degrees * value("drive.rotation"), up = value("slide.displacement"),
-                 tilt_1 = degrees * value("gimbal.rotation 1"), tilt_2 = degrees * value("gimbal.rotation 2");
+    const double psi = degrees * value("hub:shaft.rotation"), up = value("plate:slide.displacement"),
+                 tilt_1 = degrees * value("plate:gimbal.rotation 1"), tilt_2 = degrees * value("plate:gimbal.rotation 2");
     EXPECT_NEAR(psi, 27 * state.time, 1e-9);
     const Place hub{Vector3::Zero(), turn(2, psi)},
       plate{Vector3(0, 0, up - height), turn(0, tilt_1) * turn(1, tilt_2)};
@@ -119,7 +119,7 @@ TEST(SwashPlate, PitchFollowsFromGeometry)
 // is tilted needs both tilts once a turn. The run says which constraints contradict each other.
 TEST(SwashPlate, LocksWithThreeRevolutes)
 {
-  Scene scene("prm/rotorcraft/swash_plate.prm", {"Joints/ball/Type = revolute", "Joints/ball/Axis = 0, 1, 0"});
+  Scene scene("prm/rotorcraft/swash_plate.prm", {"Joints/plate:ball/Type = revolute", "Joints/plate:ball/Axis = 0, 1, 0"});
   auto &dynamics = scene.analysis<DynamicAnalysis>();
   dynamics.start(scene.context);
   try
@@ -131,7 +131,7 @@ TEST(SwashPlate, LocksWithThreeRevolutes)
     {
       const std::string text = problem.what();
       EXPECT_NE(text.find("contradict each other"), std::string::npos) << text;
-      EXPECT_NE(text.find("joint knee"), std::string::npos) << text;
+      EXPECT_NE(text.find("joint plate:knee"), std::string::npos) << text;
     }
 }
 
@@ -147,10 +147,10 @@ TEST(SwashPlate, FollowsAFlexibleShaft)
   dynamics.observer = [&](const State &state) {
     const Model &model = scene.input.model;
     const auto   value = [&](const std::string &probe) { return model.probe(probe).value(state); };
-    const Place  hub = place_of(model, state, "hub"), slider = place_of(model, state, "slider");
+    const Place  hub = place_of(model, state, "hub"), slider = place_of(model, state, "plate:slider");
 
     // the shaft, 1 m and five elements of degree 3 on Gauss-Lobatto nodes
-    const double S = value("slide.arc length"), xi = (S - 0.4) / 0.2;
+    const double S = value("plate:slide.arc length"), xi = (S - 0.4) / 0.2;
     const double nodes[4] = {0, 0.5 - std::sqrt(0.05), 0.5 + std::sqrt(0.05), 1};
     Vector3      x = Vector3::Zero(), along = Vector3::Zero();
     ASSERT_TRUE(xi > 0 && xi < 1);
@@ -168,11 +168,11 @@ TEST(SwashPlate, FollowsAFlexibleShaft)
                     std::abs(slider.D.col(0).dot(along)),
                     std::abs(slider.D.col(1).dot(along)),
                     std::abs(slider.x.y() + 0.3 * slider.D(1, 0)), // the finger, in its slot
-                    std::abs(S - 0.5 - value("slide.displacement"))});
+                    std::abs(S - 0.5 - value("plate:slide.displacement"))});
 
     const Place plate{slider.x,
-                      slider.D * turn(0, degrees * value("gimbal.rotation 1")) *
-                        turn(1, degrees * value("gimbal.rotation 2"))};
+                      slider.D * turn(0, degrees * value("plate:gimbal.rotation 1")) *
+                        turn(1, degrees * value("plate:gimbal.rotation 2"))};
     for (unsigned int blade = 0; blade < 4; ++blade)
       worst = std::max(worst,
                        std::abs(degrees * value("blade " + std::to_string(blade + 1) + ":pitch.rotation") -

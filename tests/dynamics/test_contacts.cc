@@ -154,7 +154,7 @@ TEST(Contacts, DroopStop)
   dynamics.observer = [&](const State &state) {
     if (state.time < brake + 0.5)
       return;
-    sum_moment += scene.input.model.probe("flap.moment 3").value(state);
+    sum_moment += scene.input.model.probe("blade:flap.moment 3").value(state);
     sum_tip += scene.input.model.probe("blade.end.position z").value(state);
     ++n;
   };

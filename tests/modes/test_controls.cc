@@ -89,22 +89,21 @@ end
   {
     std::ostringstream shipped;
     shipped << std::ifstream(std::string(SAMARA_SOURCE_DIR) + "/prm/rotorcraft/swash_plate.prm").rdbuf();
-    std::string       text = shipped.str();
-    const std::string ramp = "*(t < ramp ? (t/ramp)^3*(10 - 15*t/ramp + 6*(t/ramp)^2) : 1)";
+    std::string text = shipped.str();
     replace(text, "set Analyses = dynamic", "set Analyses = static, modal");
-    replace(text, "collective" + ramp, "lift");
-    replace(text, "cyclic_1" + ramp, "tilt_1");
-    replace(text, "cyclic_2" + ramp, "tilt_2");
+    replace(text, "(0.01198 m)*up", "lift");
+    replace(text, "(0.0172 rad)*up", "tilt_1");
+    replace(text, "(0.0182 rad)*up", "tilt_2");
     replace(text,
-            "      # drawn 2 mm too low\n",
-            "      subsection flapper\n        set Type     = rigid body\n        set Mass     = 30 kg\n"
-            "        set Inertia  = 0.3, 50, 50\n        set Position = 3, 0, 0\n      end\n");
-    replace(
-      text,
-      "      subsection lug\n",
-      "      subsection flap\n        set Type     = revolute\n        set Body A   = root\n"
-      "        set Body B   = flapper\n        set Position = 0.5, 0, 0\n        set Axis     = 0, 1, 0\n      end\n"
-      "      subsection lug\n");
+            "    include parts/blade_of_plate.prm\n",
+            "    include " + std::string(SAMARA_SOURCE_DIR) +
+              "/prm/rotorcraft/parts/blade_of_plate.prm\n"
+              "    subsection Bodies\n      subsection flapper\n        set Type     = rigid body\n"
+              "        set Mass     = 30 kg\n        set Inertia  = 0.3, 50, 50\n        set Position = 3, 0, 0\n"
+              "      end\n    end\n"
+              "    subsection Joints\n      subsection flap\n        set Type     = revolute\n"
+              "        set Body A   = root\n        set Body B   = flapper\n        set Position = 0.5, 0, 0\n"
+              "        set Axis     = 0, 1, 0\n      end\n    end\n");
     return text + "subsection States\n"
                   "  subsection lift\n    set Type = control\n    set Unit = m\n    set Value = 0.01198\n  end\n"
                   "  subsection tilt_1\n    set Type = control\n    set Unit = rad\n  end\n"
