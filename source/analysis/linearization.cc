@@ -87,6 +87,25 @@ namespace samara
 
 
 
+    /** The largest |Gᵀμ| of one unknown by its inertia, in the motion's units [1/s²]: of what S is a sum. */
+    double
+    acceleration_by_reactions(const LinearMotion &motion, const State &state)
+    {
+      const Pattern      &p = *motion.S.pattern;
+      std::vector<double> force(motion.n_kinematic, 0.);
+      for (int j = motion.n_kinematic; j < p.size(); ++j)
+        for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+          if (p.rows[k] < static_cast<int>(motion.n_kinematic))
+            force[p.rows[k]] += motion.S.values[k] * state.multipliers[j - motion.n_kinematic];
+      double result = 0;
+      for (unsigned int i = 0; i < motion.n_kinematic; ++i)
+        if (const int k = motion.M.pattern->position(i, i); k >= 0 && motion.M.values[k] > 0.)
+          result = std::max(result, std::abs(force[i]) / (motion.M.values[k] * motion.units[i]));
+      return result;
+    }
+
+
+
     /** Rows of what keeps its value in the equations of the system. */
     std::vector<unsigned int>
     rows_of_controls(const System &system)
@@ -149,6 +168,7 @@ namespace samara
     system.mass(M);
     system.damping(state, gyroscopic, false);
     system.tangent(state, S, false);
+    acceleration = acceleration_by_reactions(*this, state);
     if (!spins.empty())
       turn_axes(system, state, spins);
     if (controls == Controls::held)

@@ -40,6 +40,40 @@ namespace samara
       const int k = A.pattern->position(i, i);
       return k < 0 ? 0. : A.values[k];
     }
+
+    double
+    mass(const LinearMotion &motion, const unsigned int i)
+    {
+      return diagonal(motion.M, i) * std::pow(motion.units[i], 2);
+    }
+
+    bool
+    has_mass(const LinearMotion &motion, const unsigned int i)
+    {
+      return mass(motion, i) > 0;
+    }
+
+    /** |S/M| of an unknown [1/s²] */
+    double
+    geometric_square(const LinearMotion &motion, const unsigned int i)
+    {
+      return std::abs(diagonal(motion.S, i)) * std::pow(motion.units[i], 2) / mass(motion, i);
+    }
+
+    /** Give f all |Γ/M| of an unknown and others with mass, in the motion's units [1/s]; states have rows of other
+     * units. */
+    template <typename Function>
+    void
+    for_rates(const LinearMotion &motion, const unsigned int i, const Function &f)
+    {
+      const Pattern &p = *motion.gyroscopic.pattern;
+      for (int k = p.column_start[i]; k < p.column_start[i + 1]; ++k)
+        if (p.rows[k] < static_cast<int>(motion.n_kinematic) && has_mass(motion, p.rows[k]))
+          f(std::abs(motion.gyroscopic.values[k]) * motion.units[p.rows[k]] * motion.units[i] / mass(motion, i));
+    }
+
+    /** What is smaller, relative to the terms that make it, is round-off of what carries nothing. */
+    constexpr double rounds = 1e-13;
   } // namespace
 
 
@@ -50,21 +84,25 @@ namespace samara
     const unsigned int  n = motion.n_kinematic;
     std::vector<double> K(n, 0.);
     add_soft_stiffness(motion, K);
-    double elastic = 0, other = 0;
+    double elastic = 0, other = 0, largest_square = motion.acceleration, largest_rate = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      if (has_mass(motion, i))
+        {
+          largest_square = std::max(largest_square, geometric_square(motion, i));
+          for_rates(motion, i, [&](const double rate) { largest_rate = std::max(largest_rate, rate); });
+        }
+    largest_square = std::max(largest_square, largest_rate * largest_rate);
     for (unsigned int i = 0; i < n; ++i)
       {
-        const double M = diagonal(motion.M, i) * std::pow(motion.units[i], 2);
-        if (!(M > 0))
+        if (!has_mass(motion, i))
           continue;
-        const auto lower = [&](double &least, const double square) {
-          if (square > 0 && (least == 0 || square < least))
+        const auto lower = [](double &least, const double square, const double round_off) {
+          if (square > round_off && (least == 0 || square < least))
             least = square;
         };
-        lower(elastic, K[i] / M);
-        lower(other, std::abs(diagonal(motion.S, i)) * std::pow(motion.units[i], 2) / M);
-        for (int k = motion.gyroscopic.pattern->column_start[i]; k < motion.gyroscopic.pattern->column_start[i + 1];
-             ++k)
-          lower(other, std::pow(motion.gyroscopic.values[k] / diagonal(motion.M, i), 2));
+        lower(elastic, K[i] / mass(motion, i), 0.);
+        lower(other, geometric_square(motion, i), rounds * largest_square);
+        for_rates(motion, i, [&](const double rate) { lower(other, rate * rate, rounds * largest_square); });
       }
     // N nodes are one behind the other in a beam, and √N in a shell, whose points have more than six strains
     const auto  &points   = motion.strains.points;
@@ -72,7 +110,7 @@ namespace samara
     const double nodes    = std::max(1., n / 6.);
     if (elastic > 0)
       return std::sqrt(elastic) / (is_shell ? nodes : nodes * nodes);
-    return other > 1e-12 ? 0.3 * std::sqrt(other) : 1.; // below: round-off of what carries nothing
+    return other > 0 ? 0.3 * std::sqrt(other) : 1.; // nothing has a frequency
   }
 
 
@@ -82,7 +120,8 @@ namespace samara
     /** What rough eigenvalues about a shift σ show. */
     struct Spectrum
     {
-      double lowest     = 0;     ///< the smallest |λ| that is not zero, 0 if there is none
+      double lowest     = 0;     ///< the smallest |λ| that is not zero, nor far below the others; 0 if there is none
+      double least      = 0;     ///< the smallest |λ| that is not zero
       bool   is_blurred = false; ///< whether something is much nearer to zero than to σ, where it cannot be told apart
     };
 
@@ -150,7 +189,10 @@ namespace samara
         if (sizes[i + 1] > 30 * sizes[i])
           first = i + 1;
       if (!sizes.empty())
-        result.lowest = sizes[first];
+        {
+          result.lowest = sizes[first];
+          result.least  = sizes[0];
+        }
       return result;
     }
   } // namespace
@@ -161,16 +203,27 @@ namespace samara
   set_by_lowest_frequency(const LinearMotion &motion, ShiftInvert &op, const std::optional<double> shift)
   {
     const double scale = frequency_scale(motion);
-    double       sigma = shift ? *shift : scale;
+    double       sigma = shift ? *shift : scale, foretold = 0;
     Spectrum     seen;
     for (unsigned int round = 0; round < 12; ++round)
       {
         op.set(sigma, sigma != 0. ? std::abs(sigma) : scale);
         op.tell("lowest frequency, round " + std::to_string(round + 1));
+        const Spectrum before = seen;
         seen                  = spectrum_near(op);
+        // what moves away as the shift comes nearer was an infinite eigenvalue: those below it are the motion's
+        if (foretold > 0 && !(seen.lowest < 3 * foretold))
+          {
+            seen.lowest = before.least;
+            sigma       = 0.3 * seen.lowest;
+            break;
+          }
+        foretold              = 0;
         const bool is_far_off = seen.lowest > 0 ? sigma > seen.lowest || sigma < 0.03 * seen.lowest : seen.is_blurred;
         if (shift || !is_far_off)
           break;
+        if (sigma < seen.lowest)
+          foretold = seen.lowest;
         sigma = seen.lowest > 0 ? 0.3 * seen.lowest : sigma / 30;
       }
     const double lowest = seen.lowest > 0 ? seen.lowest : std::max(std::abs(sigma), scale);

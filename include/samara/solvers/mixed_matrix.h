@@ -27,6 +27,7 @@ namespace samara
     SparseRows          B_dot; ///< Ḃ, where axes stand still and materials are viscous; otherwise empty
     unsigned int        n_kinematic;
     std::vector<double> units; ///< of ζ: the model's size for displacements [m], 1 for rotations
+    double              acceleration = 0; ///< the largest that reactions alone would give, in these units [1/s²]
   };
 
 
