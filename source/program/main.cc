@@ -20,6 +20,15 @@
 #  define SAMARA_VERSION "unknown"
 #endif
 
+// GCC says so by a name, Clang by a feature
+#ifdef __SANITIZE_ADDRESS__
+#  define SAMARA_HAS_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#  if __has_feature(address_sanitizer)
+#    define SAMARA_HAS_ADDRESS_SANITIZER
+#  endif
+#endif
+
 namespace
 {
   /**
@@ -29,7 +38,7 @@ namespace
   void
   limit_memory()
   {
-#ifndef __SANITIZE_ADDRESS__
+#ifndef SAMARA_HAS_ADDRESS_SANITIZER
     rlimit       limit = {};
     const rlim_t all   = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGE_SIZE));
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur <= all)
