@@ -37,7 +37,7 @@ def hub_loads(scheme, stages, rho, steps, tolerance):
     if done.code:
         print(f"{scheme}, {steps} steps: {done.text.strip().splitlines()[-1]}", file=sys.stderr)
         return None
-    forces = np.array([next(values for name, values in done.dynamic.items() if name.startswith(f"shaft.force {k}"))[-steps:] for k in (1, 2, 3)])
+    forces = np.array([next(values for name, values in done.dynamic.items() if name.startswith(f"hub:shaft.force {k}"))[-steps:] for k in (1, 2, 3)])
     count = done.number(r"([\d.]+) Newton") * done.number(r"(\d+) steps")
     return forces, round(count), done.processor
 

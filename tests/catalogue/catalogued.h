@@ -26,7 +26,7 @@ namespace samara
   documented_entries()
   {
     std::ostringstream text;
-    print_reference(text);
+    print_reference(text, "everything");
     std::istringstream                           lines(text.str());
     std::map<std::string, std::set<std::string>> entries;
     std::string                                  kind;
