@@ -405,6 +405,8 @@ namespace samara
   MinimumNorm::null_space() const
   {
     // A P Zᵀ = Q [T 0]: the last columns of P Zᵀ are the null space
+    if (factors.rank() == factors.cols())
+      return MatrixXd(factors.cols(), 0);
     const MatrixXd Z = factors.matrixZ();
     return factors.colsPermutation() * Z.transpose().rightCols(factors.cols() - factors.rank());
   }

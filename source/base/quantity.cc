@@ -382,7 +382,10 @@ namespace samara
     const Evaluation evaluation(trimmed, words, dimensions);
     if (!evaluation.has_variables())
       return number_to_text(number(trimmed, unit));
-    return evaluation.si_text(fitting_reading(trimmed, evaluation, unit));
+    const std::string result = evaluation.si_text(fitting_reading(trimmed, evaluation, unit));
+    // a function of time with a name may be a number
+    const bool is_number = !Evaluation(result, known_to_all(), dimensions).has_variables();
+    return is_number ? number_to_text(Quantities().number(result, "")) : result;
   }
 
 
