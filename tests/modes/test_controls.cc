@@ -100,10 +100,12 @@ end
               "/prm/rotorcraft/parts/blade_of_plate.prm\n"
               "    subsection Bodies\n      subsection flapper\n        set Type     = rigid body\n"
               "        set Mass     = 30 kg\n        set Inertia  = 0.3, 50, 50\n        set Position = 3, 0, 0\n"
-              "      end\n    end\n"
-              "    subsection Joints\n      subsection flap\n        set Type     = revolute\n"
-              "        set Body A   = root\n        set Body B   = flapper\n        set Position = 0.5, 0, 0\n"
-              "        set Axis     = 0, 1, 0\n      end\n    end\n");
+              "      end\n    end\n");
+    replace(text,
+            "    subsection Joints\n      subsection pitch\n",
+            "    subsection Joints\n      subsection flap\n        set Type     = revolute\n"
+            "        set Body A   = root\n        set Body B   = flapper\n        set Position = 0.5, 0, 0\n"
+            "        set Axis     = 0, 1, 0\n      end\n      subsection pitch\n");
     return text + "subsection States\n"
                   "  subsection lift\n    set Type = control\n    set Unit = m\n    set Value = 0.01198\n  end\n"
                   "  subsection tilt_1\n    set Type = control\n    set Unit = rad\n  end\n"
