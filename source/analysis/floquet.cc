@@ -457,42 +457,25 @@ namespace samara
 
 
 
-  FloquetAnalysis::Wanted
-  FloquetAnalysis::what_is_wanted(const System &system) const
-  {
-    // as many as the constraints leave; more where these are redundant
-    const Layout &layout = system.layout;
-    const int     n      = layout.n_kinematic() + layout.of_multiplier(0) - 2 * int(layout.n_multipliers);
-    if (method == "classical" || (method != "implicit" && n <= most_columns))
-      return Wanted::all;
-    if (highest_frequency > 0)
-      return Wanted::slow;
-    // what is found beyond those that there are is round-off
-    return int(wanted) >= n ? Wanted::all : Wanted::largest;
-  }
-
-
-
   FloquetModes
   FloquetAnalysis::find(SectionMap &map) const
   {
-    switch (what_is_wanted(map.system))
-      {
-        case Wanted::all:
-          return all_floquet_modes(map);
-        case Wanted::slow:
-          return slow_floquet_modes(map, {highest_frequency, tolerance > 0 ? tolerance : tolerance_of_slow_modes});
-        default:
-          {
-            const double residuals = tolerance > 0 ? tolerance : tolerance_of_largest,
-                         exact     = map.map.settings.tangent_tolerance;
-            FloquetModes result =
-              largest_floquet_modes(map, wanted, residuals, std::max(exact, share_of_steps * residuals));
-            if (!result.found.empty() &&
-                std::abs(result.found.back().of_section) < least_of_largest * std::abs(result.found[0].of_section))
-              result = largest_floquet_modes(map, wanted, residuals, exact);
-            return result;
-          }
-      }
+    // as many as the constraints leave; more where these are redundant
+    const Layout &layout = map.system.layout;
+    const int     n      = layout.n_kinematic() + layout.of_multiplier(0) - 2 * int(layout.n_multipliers);
+    if (method == "classical" || (method != "implicit" && n <= most_columns))
+      return all_floquet_modes(map);
+    if (highest_frequency > 0)
+      return slow_floquet_modes(map, {highest_frequency, tolerance > 0 ? tolerance : tolerance_of_slow_modes});
+    // what is found beyond those that there are is round-off
+    if (int(wanted) >= n)
+      return all_floquet_modes(map);
+    const double residuals = tolerance > 0 ? tolerance : tolerance_of_largest,
+                 exact     = map.map.settings.tangent_tolerance;
+    FloquetModes result    = largest_floquet_modes(map, wanted, residuals, std::max(exact, share_of_steps * residuals));
+    if (!result.found.empty() &&
+        std::abs(result.found.back().of_section) < least_of_largest * std::abs(result.found[0].of_section))
+      result = largest_floquet_modes(map, wanted, residuals, exact);
+    return result;
   }
 } // namespace samara

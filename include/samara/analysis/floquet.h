@@ -57,15 +57,7 @@ namespace samara
     void                                  check_behind(const SectionMap &map, double difference) const;
     void                                  check_corners(const Context &context, const SectionMap &map) const;
     void                                  check_switches(const Context &context, const SectionMap &map) const;
-    /** Which multipliers are found: all, from all columns, those of largest size, or those of slow modes. */
-    enum class Wanted
-    {
-      all,
-      largest,
-      slow
-    };
-    Wanted       what_is_wanted(const System &system) const;
-    FloquetModes find(SectionMap &map) const;
+    FloquetModes                          find(SectionMap &map) const;
     void                                  tell_stability(const Context &context, const FloquetModes &found) const;
     void                                  tell_lost_modes(const Context &context, const FloquetModes &found) const;
     void                                  report(const Context &context, const FloquetModes &found, double T) const;

@@ -49,8 +49,7 @@ namespace samara
 
     const PeriodSettings settings;
 
-    /** From now on linear equations of steps are solved to @p tolerance; PeriodSettings::tangent_tolerance to begin with.
-     */
+    /** Solve linear equations of the steps that are kept to @p tolerance; linearize() takes that of the settings. */
     void set_tolerance(double tolerance);
 
     /** The state a period after @p start, whose time goes on. @throws NotConverged if a step has no solution. */
