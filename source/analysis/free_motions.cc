@@ -3,6 +3,7 @@
 
 #include <samara/analysis/analysis.h>
 #include <samara/analysis/check.h>
+#include <samara/analysis/negative_directions.h>
 #include <samara/base/dense.h>
 #include <samara/base/text.h>
 #include <samara/solvers/from_eigen.h>
@@ -211,10 +212,7 @@ namespace samara
       std::map<std::string, double> share;
       for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
         share[system.model.nodes[node].name] += z.segment<6>(system.layout.of_node(node)).squaredNorm();
-      std::vector<std::pair<double, std::string>> sorted;
-      for (const auto &[name, s] : share)
-        sorted.emplace_back(s, name);
-      std::sort(sorted.rbegin(), sorted.rend());
+      const auto  sorted = largest_first(share);
       std::string text;
       for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
         if (sorted[k].first > 1e-6 * sorted[0].first) // squares: a thousandth of the motion

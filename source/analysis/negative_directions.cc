@@ -249,8 +249,7 @@ namespace samara
       for (int c = 0; c < X.cols(); ++c)
         if (gram.values(c) > 1e-10 * gram.values(X.cols() - 1))
           kept.push_back(c);
-      return unit * gram.vectors(Eigen::all, kept) *
-             gram.values(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+      return unit * gram.vectors(Eigen::all, kept) * gram.values(kept).cwiseSqrt().cwiseInverse().asDiagonal();
     }
 
 
@@ -345,6 +344,18 @@ namespace samara
 
 
 
+  std::vector<std::pair<double, std::string>>
+  largest_first(const std::map<std::string, double> &shares)
+  {
+    std::vector<std::pair<double, std::string>> sorted;
+    for (const auto &[name, share] : shares)
+      sorted.emplace_back(share, name);
+    std::sort(sorted.rbegin(), sorted.rend());
+    return sorted;
+  }
+
+
+
   std::string
   what_moves(const System &system, const Eigen::VectorXd &z)
   {
@@ -365,10 +376,7 @@ namespace samara
     for (unsigned int node = 1; node < system.layout.n_nodes; ++node)
       for (int i = 0; i < 6; ++i)
         look(system.layout.of_node(node) + i, system.model.nodes[node].name);
-    std::vector<std::pair<double, std::string>> sorted;
-    for (const auto &[name, s] : share)
-      sorted.emplace_back(s, name);
-    std::sort(sorted.rbegin(), sorted.rend());
+    const auto  sorted = largest_first(share);
     std::string text;
     for (unsigned int k = 0; k < std::min<unsigned int>(4, sorted.size()); ++k)
       if (sorted[k].first > 0.02 * whole)

@@ -3,7 +3,10 @@
 
 #include <samara/model/system.h>
 
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace samara
 {
@@ -51,6 +54,9 @@ namespace samara
    * pivots are counted, or nothing is done.
    */
   NegativeDirections negative_directions(const System &system, const State &state, const LinearSolver *large = nullptr);
+
+  /** Shares with their names, the largest first. */
+  std::vector<std::pair<double, std::string>> largest_first(const std::map<std::string, double> &shares);
 
   /** "<blade>, <hub> move, most of all blade at (0, 0, 1), rotation 2", of increments @p z of twists and coordinates
    * [m, rad]. */
